@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The version, as a constant: reading it from the installed metadata would cost more than the whole start-up."""
+
+from typing import Final
+
+__version__: Final = "0.1.0"

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The order of values: join, widening, and how an operation distributes over alternatives.
+
+    join(Const('a'), Const('b'))            Choice(Const('a'), Const('b'))
+    widen(Choice(0, 1), Choice(0, 1, 2))    Unknown('int')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Final
+
+from rosward.domain.text import common
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import UNBOUND, Choice, Const, External, Text, Tuple, Unbound, Unknown, Value
+from rosward.source.location import Place
+
+MAX_OPTIONS: Final = 64
+MAX_REASONS: Final = 4
+_NOWHERE: Final = Place("", 0)
+
+
+def options(value: Value) -> tuple[Value, ...]:
+    """The alternatives of a value: itself alone unless it is a `Choice`."""
+    return value.options if value.__class__ is Choice else (value,)  # type: ignore[attr-defined]
+
+
+def join(left: Value, right: Value) -> Value:
+    """The least value that covers both."""
+    if left is right or left == right:
+        return left
+    if left is UNBOUND:
+        return right
+    if right is UNBOUND:
+        return left
+    return join_all((*options(left), *options(right)))
+
+
+def join_all(values: Iterable[Value]) -> Value:
+    """The least value that covers all; UNBOUND where there are none."""
+    found: dict[Value, None] = {}
+    unknown: Unknown | None = None
+    consts: dict[tuple[type, object], Const] = {}
+    for value in values:
+        for option in options(value):
+            if option.__class__ is Unknown:
+                unknown = option if unknown is None else _join_unknown(unknown, option)  # type: ignore[assignment,arg-type]
+            elif option.__class__ is Const:
+                key = (option.value.__class__, option.value)  # type: ignore[attr-defined]
+                before = consts.get(key)
+                if before is None:
+                    consts[key] = option  # type: ignore[assignment]
+                    found[option] = None
+                elif before.origins != option.origins:  # type: ignore[attr-defined]
+                    merged = Const(before.value, before.origins | option.origins)  # type: ignore[attr-defined]
+                    del found[before]
+                    consts[key] = merged
+                    found[merged] = None
+            elif not isinstance(option, Unbound):
+                found[option] = None
+    if unknown is not None:
+        found[unknown] = None
+    if not found:
+        return UNBOUND
+    if len(found) == 1:
+        return next(iter(found))
+    if len(found) > MAX_OPTIONS:
+        return generalise(tuple(found))
+    return Choice(tuple(found))
+
+
+def _join_unknown(left: Unknown, right: Unknown) -> Unknown:
+    if left == right:
+        return left
+    reasons = tuple(dict.fromkeys(left.reasons + right.reasons))[:MAX_REASONS]
+    return Unknown(reasons, left.hint if left.hint == right.hint else "")
+
+
+def reasons_of(value: Value) -> tuple[Reason, ...]:
+    """Why a value (or a part of it) is not known; empty where it is."""
+    if value.__class__ is Unknown:
+        return value.reasons  # type: ignore[attr-defined,no-any-return]
+    if value.__class__ is Text:
+        return tuple(dict.fromkeys(r for p in value.parts if not isinstance(p, str) for r in p.reasons))  # type: ignore[attr-defined]
+    if value.__class__ is Choice:
+        return tuple(dict.fromkeys(r for o in value.options for r in reasons_of(o)))  # type: ignore[attr-defined]
+    if value.__class__ is Tuple:
+        return tuple(dict.fromkeys(r for o in value.items for r in reasons_of(o)))  # type: ignore[attr-defined]
+    if value.__class__ is External:
+        return (Reason(Cause.MODULE, value.name, _NOWHERE),)  # type: ignore[attr-defined]
+    return ()
+
+
+def generalise(values: tuple[Value, ...]) -> Value:
+    """One value for too many: a text of what strings have in common, else Unknown; never more than the type is kept."""
+    reasons = tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))[:MAX_REASONS]
+    if not reasons:
+        reasons = (Reason(Cause.MANY, "", _NOWHERE),)
+    if all(_is_text(v) for v in values):
+        return common(values, reasons)
+    kinds = {_kind(v) for v in values}
+    return Unknown(reasons, kinds.pop() if len(kinds) == 1 else "")
+
+
+def _is_text(value: Value) -> bool:
+    return value.__class__ is Text or (value.__class__ is Const and value.value.__class__ is str)  # type: ignore[attr-defined]
+
+
+def _kind(value: Value) -> str:
+    if value.__class__ is Const:
+        return value.value.__class__.__name__  # type: ignore[attr-defined,no-any-return]
+    if value.__class__ is Text:
+        return "str"
+    if value.__class__ is Unknown:
+        return value.hint  # type: ignore[attr-defined,no-any-return]
+    return "tuple" if value.__class__ is Tuple else ""
+
+
+def widen(old: Value, new: Value, reason: Reason) -> Value:
+    """A value that covers both and that cannot grow for ever: numbers and texts that still change lose what changes.
+
+    Law: widen(old, new) covers join(old, new); every chain of widenings is finite. Options that are objects, classes or functions stay
+    apart, since there are finitely many of them.
+    """
+    joined = join(old, new)
+    if joined == old:
+        return old
+    fresh = [o for o in options(joined) if o not in options(old)]
+    moving = {_kind(o) for o in fresh if o.__class__ in (Const, Text, Tuple)} - {"NoneType", "bool"}
+    if not moving:
+        return joined
+    keep: list[Value] = []
+    strings: list[Value] = []
+    for option in options(joined):
+        kind = _kind(option)
+        if kind == "str" and "str" in moving and _is_text(option):
+            strings.append(option)
+        elif kind in moving and option.__class__ in (Const, Tuple):
+            keep.append(Unknown((reason,), kind))
+        else:
+            keep.append(option)
+    if strings:
+        keep.append(common(tuple(strings), (reason,)))
+        if any(o.__class__ is Text for o in options(old)):  # the second time nothing but the type is kept
+            keep[-1] = Unknown((reason,), "str")
+    return join_all(keep)
+
+
+def lift(function: Callable[[Value], Value], value: Value) -> Value:
+    """Apply to each alternative and join."""
+    if value.__class__ is Choice:
+        return join_all(function(o) for o in value.options)  # type: ignore[attr-defined]
+    return function(value)
+
+
+def lift2(function: Callable[[Value, Value], Value], left: Value, right: Value) -> Value:
+    """Apply to each pair of alternatives and join; where there are too many pairs, to generalised operands."""
+    if left.__class__ is not Choice and right.__class__ is not Choice:
+        return function(left, right)
+    lefts, rights = options(left), options(right)
+    if len(lefts) * len(rights) > MAX_OPTIONS * 4:
+        if len(lefts) > len(rights):
+            return lift2(function, generalise(lefts), right)
+        return lift2(function, left, generalise(rights))
+    return join_all(function(a, b) for a in lefts for b in rights)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Strings of which a part is known: concatenation and what several strings have in common.
+
+    concat('/robot_', unknown, '/cmd')      Text('/robot_', hole, '/cmd'), printed /robot_*/cmd
+    common('/a/x', '/b/x')                  Text('/', hole, '/x')
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from typing import Final
+
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
+from rosward.domain.values import Const, External, Hole, Text, Unknown, Value
+from rosward.source.location import Place
+
+MAX_LENGTH: Final = 4096
+MAX_PARTS: Final = 32
+_NOWHERE: Final = Place("", 0)
+
+
+def parts_of(value: Value) -> tuple[str | Hole, ...]:
+    """The parts of a str value; anything that is not a text is one hole."""
+    if value.__class__ is Const and value.value.__class__ is str:  # type: ignore[attr-defined]
+        return (value.value,)  # type: ignore[attr-defined]
+    if value.__class__ is Text:
+        return value.parts  # type: ignore[attr-defined,no-any-return]
+    if value.__class__ is Unknown:
+        return (Hole(value.reasons, "digits" if value.hint == "int" else ""),)  # type: ignore[attr-defined]
+    if value.__class__ is External:
+        return (Hole((Reason(Cause.MODULE, value.name, _NOWHERE),)),)  # type: ignore[attr-defined]
+    return (Hole(()),)
+
+
+def origins_of(value: Value) -> Origins:
+    """The origins that a value carries."""
+    return value.origins if value.__class__ in (Const, Text) else NO_ORIGINS  # type: ignore[attr-defined,no-any-return]
+
+
+def make(parts: Iterable[str | Hole], origins: Origins = NO_ORIGINS) -> Value:
+    """The normal form of a text: neighbours merged; a Const without holes, an Unknown str with nothing but one."""
+    merged: list[str | Hole] = []
+    for part in parts:
+        if not merged:
+            if part != "":
+                merged.append(part)
+            continue
+        last = merged[-1]
+        if isinstance(part, str):
+            if isinstance(last, str):
+                merged[-1] = last + part
+            elif part:
+                merged.append(part)
+        elif isinstance(last, Hole):
+            reasons = tuple(dict.fromkeys(last.reasons + part.reasons))[:4]
+            merged[-1] = Hole(reasons, last.shape if last.shape == part.shape else "")
+        else:
+            merged.append(part)
+    if len(merged) > MAX_PARTS or sum(len(p) for p in merged if isinstance(p, str)) > MAX_LENGTH:
+        merged = _shortened(merged)
+    if not merged:
+        return Const("", origins)
+    if len(merged) == 1:
+        only = merged[0]
+        return Const(only, origins) if isinstance(only, str) else Unknown(only.reasons, "str")
+    return Text(tuple(merged), origins)
+
+
+def _shortened(parts: list[str | Hole]) -> list[str | Hole]:
+    holes = [p for p in parts if isinstance(p, Hole)]
+    if not holes:
+        return parts  # a long constant is still a constant
+    hole = Hole(tuple(dict.fromkeys(r for h in holes for r in h.reasons))[:4])
+    first = parts[0] if isinstance(parts[0], str) else ""
+    return [first[: MAX_LENGTH // 2], hole] if first else [hole]
+
+
+def concat(values: Iterable[Value]) -> Value:
+    """The concatenation of str values."""
+    parts: list[str | Hole] = []
+    origins: Origins = NO_ORIGINS
+    for value in values:
+        parts.extend(parts_of(value))
+        origins |= origins_of(value)
+    return make(parts, origins)
+
+
+def common(values: Sequence[Value], reasons: tuple[Reason, ...]) -> Value:
+    """A text that covers all: their common beginning, a hole, their common end."""
+    origins: Origins = NO_ORIGINS
+    heads: list[str] = []
+    tails: list[str] = []
+    for value in values:
+        parts = parts_of(value)
+        origins |= origins_of(value)
+        first, last = parts[0], parts[-1]
+        heads.append(first if isinstance(first, str) else "")
+        tails.append(last if isinstance(last, str) else "")
+    head = os.path.commonprefix(heads)
+    whole = min(len(h) for h in heads)
+    tail = os.path.commonprefix([t[::-1] for t in tails])[: max(0, whole - len(head))][::-1]
+    return make((head, Hole(reasons), tail), origins)
+
+
+def pattern(value: Value) -> str:
+    """The text with `*` for each hole."""
+    return "".join(p if isinstance(p, str) else "*" for p in parts_of(value))

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Why something is not known, and what a known value was computed from.
+
+    topic = self.get_parameter('topic').value   # no default: Unknown because of Reason(PARAMETER, 'topic', place)
+    topic = os.environ.get('TOPIC', '/scan')    # '/scan', from Origin('environment variable', 'TOPIC')
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import Final, NamedTuple
+
+from rosward.source.location import Place
+
+
+class Cause(enum.Enum):
+    """What keeps a value from being known; the value is a phrase that completes "unknown because of"."""
+
+    PARAMETER = "parameter without a value"
+    ARGUMENT = "command-line argument"
+    ENVIRONMENT = "environment variable"
+    FILE = "content of a file"
+    INPUT = "input when it runs"
+    MESSAGE = "content of a message"
+    CALL = "call that is not modelled"
+    MODULE = "module that is not among the sources"
+    CALLER = "argument that no caller in the sources gives"
+    RANDOM = "time, random or host"
+    OPERATION = "operation on a value that is not known"
+    LOOP = "value that changes in a loop"
+    MANY = "more alternatives than are kept apart"
+    LIMIT = "limit of the analysis"
+    LIVE = "state of the running system"
+    ERROR = "expression that fails when it runs"
+
+
+class Reason(NamedTuple):
+    """One cause, of what (`topic`, `cv2.VideoCapture`), and where."""
+
+    cause: Cause
+    subject: str
+    place: Place
+
+    def __str__(self) -> str:
+        text = f"{self.cause.value}: {self.subject}" if self.subject else self.cause.value
+        return f"{text} ({self.place})" if self.place.file else text
+
+
+class Origin(NamedTuple):
+    """A source outside the program that a known value was computed from.
+
+    `kind` is 'parameter', 'argument', 'environment variable' or 'launch argument'. `settled` is True where a deployment set it
+    (the value is bound), False where it is only the default, which someone may change.
+    """
+
+    kind: str
+    name: str
+    settled: bool = False
+
+
+Origins = frozenset[Origin]
+NO_ORIGINS: Final[Origins] = frozenset()

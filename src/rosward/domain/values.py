@@ -1,0 +1,346 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Abstract values: immutable, normalised, compared by content.
+
+Law: every class is final; what is mutable in the program lives on the heap and is here a `Ref` (or `Class`, `ModuleValue`) with an address.
+Values that the program computed from a default (of a parameter, an argument, the environment) carry their `origins`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.domain.unknown import NO_ORIGINS, Origins, Reason
+
+if TYPE_CHECKING:
+    from rosward.ir.program import Code
+    from rosward.source.location import Place
+
+Plain = None | bool | int | float | complex | str | bytes
+
+
+class Value:
+    """What a register, an attribute or an element can hold."""
+
+    __slots__ = ()
+
+
+@final
+class Const(Value):
+    """A constant of Python: None, bool, int, float, complex, str, bytes."""
+
+    __slots__ = ("_hash", "origins", "value")
+
+    def __init__(self, value: Plain, origins: Origins = NO_ORIGINS) -> None:
+        self.value = value
+        self.origins = origins
+        self._hash = hash((value.__class__, value))
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (
+            other.__class__ is Const
+            and self._hash == other._hash  # type: ignore[attr-defined]
+            and self.value.__class__ is other.value.__class__  # type: ignore[attr-defined]
+            and self.value == other.value  # type: ignore[attr-defined]
+            and self.origins == other.origins  # type: ignore[attr-defined]
+        )
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __repr__(self) -> str:
+        return f"Const({self.value!r})" if not self.origins else f"Const({self.value!r}, {set(self.origins)})"
+
+
+class Hole(NamedTuple):
+    """The unknown part of a text. `shape` is '' (anything), 'word' (no `/`, not empty) or 'digits'."""
+
+    reasons: tuple[Reason, ...]
+    shape: str = ""
+
+
+@final
+class Text(Value):
+    """A str of which a part is known: `parts` alternate text and holes; at least one hole and one non-empty text. See `text.make`."""
+
+    __slots__ = ("_hash", "origins", "parts")
+
+    def __init__(self, parts: tuple[str | Hole, ...], origins: Origins = NO_ORIGINS) -> None:
+        self.parts = parts
+        self.origins = origins
+        self._hash = hash(parts)
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (
+            other.__class__ is Text and self.parts == other.parts and self.origins == other.origins  # type: ignore[attr-defined]
+        )
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __repr__(self) -> str:
+        return f"Text({''.join(p if isinstance(p, str) else '*' for p in self.parts)!r})"
+
+
+@final
+class Unknown(Value):
+    """Any value, and why. `hint` is the Python type where that is known ('str', 'int', 'float', 'bool', 'list', 'dict', …), else ''."""
+
+    __slots__ = ("hint", "reasons")
+
+    def __init__(self, reasons: tuple[Reason, ...], hint: str = "") -> None:
+        self.reasons = reasons
+        self.hint = hint
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (
+            other.__class__ is Unknown and self.hint == other.hint and self.reasons == other.reasons  # type: ignore[attr-defined]
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.reasons, self.hint))
+
+    def __repr__(self) -> str:
+        return f"Unknown({self.hint}: {'; '.join(map(str, self.reasons))})"
+
+
+@final
+class Choice(Value):
+    """One of several values: at least two options, none of them a Choice, at most one Unknown. Made by `choice.join` only."""
+
+    __slots__ = ("_hash", "options")
+
+    def __init__(self, options: tuple[Value, ...]) -> None:
+        self.options = options
+        self._hash = hash(frozenset(options))
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (
+            other.__class__ is Choice
+            and self._hash == other._hash  # type: ignore[attr-defined]
+            and set(self.options) == set(other.options)  # type: ignore[attr-defined]
+        )
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __repr__(self) -> str:
+        return f"Choice{self.options!r}"
+
+
+class _Record(Value):
+    """Compares the named tuple that it is mixed into with others of the same class only."""
+
+    __slots__ = ()
+
+    def __eq__(self, other: object) -> bool:
+        return self.__class__ is other.__class__ and tuple.__eq__(self, other)  # type: ignore[arg-type]
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return tuple.__hash__(self) ^ hash(self.__class__)  # type: ignore[arg-type]
+
+
+class Tuple(_Record, NamedTuple("_Tuple", [("items", "tuple[Value, ...]")])):
+    """A tuple of known length."""
+
+    __slots__ = ()
+
+
+@final
+class Ref(Value):
+    """An object on the heap: instance, list, dict, set, generator, …; what it is stands there."""
+
+    __slots__ = ("address",)
+
+    def __init__(self, address: int) -> None:
+        self.address = address
+
+    def __eq__(self, other: object) -> bool:
+        return other.__class__ is Ref and self.address == other.address  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        return self.address
+
+    def __repr__(self) -> str:
+        return f"Ref({self.address})"
+
+
+@final
+class Class(Value):
+    """A class made by a class statement; its attributes live on the heap at `address`.
+
+    `mro` is its method resolution order (itself first), the external and builtin bases in it as `External` and `Native`.
+    """
+
+    __slots__ = ("address", "bases", "module", "mro", "name", "place", "qualname", "stub")
+
+    def __init__(
+        self,
+        address: int,
+        name: str,
+        qualname: str,
+        module: str,
+        bases: tuple[Value, ...],
+        mro: tuple[Value, ...],
+        place: Place,
+        stub: bool,
+    ) -> None:
+        self.address = address
+        self.name = name
+        self.qualname = qualname
+        self.module = module
+        self.bases = bases
+        self.mro = (self, *mro)
+        self.place = place
+        self.stub = stub  # declared by a library model, not by the analysed sources
+
+    @property
+    def dotted(self) -> str:
+        """`module.qualname`, as `External` names things."""
+        return f"{self.module}.{self.qualname}"
+
+    def __eq__(self, other: object) -> bool:
+        return other.__class__ is Class and self.address == other.address  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        return self.address
+
+    def __repr__(self) -> str:
+        return f"Class({self.module}.{self.qualname})"
+
+
+@final
+class ModuleValue(Value):
+    """A module that was (or is being) run; its variables live on the heap at `address`."""
+
+    __slots__ = ("address", "file", "name")
+
+    def __init__(self, address: int, name: str, file: str) -> None:
+        self.address = address
+        self.name = name
+        self.file = file
+
+    def __eq__(self, other: object) -> bool:
+        return other.__class__ is ModuleValue and self.address == other.address  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        return self.address
+
+    def __repr__(self) -> str:
+        return f"ModuleValue({self.name})"
+
+
+@final
+class Function(Value):
+    """A function: its code, the module whose variables it sees, the addresses of its captured cells, its default values."""
+
+    __slots__ = ("_hash", "cells", "code", "defaults", "effects", "kwdefaults", "module")
+
+    def __init__(
+        self,
+        code: Code,
+        module: ModuleValue,
+        cells: tuple[int, ...],
+        defaults: tuple[Value, ...],
+        kwdefaults: tuple[tuple[str, Value], ...],
+        effects: tuple[Value, ...] = (),
+    ) -> None:
+        self.code = code
+        self.module = module
+        self.cells = cells
+        self.defaults = defaults
+        self.kwdefaults = kwdefaults
+        self.effects = effects  # what a model's decorators declare of it, innermost first
+        self._hash = hash((id(code), cells))
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (
+            other.__class__ is Function
+            and self.code is other.code  # type: ignore[attr-defined]
+            and self.module == other.module  # type: ignore[attr-defined]
+            and self.cells == other.cells  # type: ignore[attr-defined]
+            and self.defaults == other.defaults  # type: ignore[attr-defined]
+            and self.kwdefaults == other.kwdefaults  # type: ignore[attr-defined]
+        )
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __repr__(self) -> str:
+        return f"Function({self.code.qualname})"
+
+
+class External(_Record, NamedTuple("_External", [("name", "str")])):
+    """Something of a library that is neither among the sources nor modelled, by its dotted name: `std_msgs.msg.String`, `cv2.imread`."""
+
+    __slots__ = ()
+
+
+class Native(_Record, NamedTuple("_Native", [("name", "str")])):
+    """A builtin type or function, or one that a model implements in code, by its dotted name: `builtins.str`, `str.join`, `os.path.join`."""
+
+    __slots__ = ()
+
+
+class BoundMethod(_Record, NamedTuple("_BoundMethod", [("receiver", "Value"), ("function", "Value")])):
+    """`receiver.function`: a callable that passes receiver first."""
+
+    __slots__ = ()
+
+
+class Partial(
+    _Record,
+    NamedTuple(
+        "_Partial",
+        [("function", "Value"), ("arguments", "tuple[Value, ...]"), ("keywords", "tuple[tuple[str, Value], ...]")],
+    ),
+):
+    """`functools.partial`, or a native that needs arguments of its own."""
+
+    __slots__ = ()
+
+
+class Descriptor(
+    _Record,
+    NamedTuple("_Descriptor", [("kind", "str"), ("getter", "Value"), ("setter", "Value | None")]),
+):
+    """A wrapped function in a class: kind is 'property', 'cached_property', 'staticmethod' or 'classmethod'."""
+
+    __slots__ = ()
+
+
+class Super(_Record, NamedTuple("_Super", [("after", "Value"), ("receiver", "Value")])):
+    """`super()`: attributes of receiver, looked up behind class `after` in its mro."""
+
+    __slots__ = ()
+
+
+class Slice(_Record, NamedTuple("_Slice", [("lower", "Value"), ("upper", "Value"), ("step", "Value")])):
+    """`lower:upper:step`."""
+
+    __slots__ = ()
+
+
+class Range(_Record, NamedTuple("_Range", [("start", "Value"), ("stop", "Value"), ("step", "Value")])):
+    """`range(start, stop, step)`."""
+
+    __slots__ = ()
+
+
+@final
+class Unbound(Value):
+    """What a variable holds before its first assignment."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return "UNBOUND"
+
+
+UNBOUND: Final = Unbound()
+NONE: Final = Const(None)
+TRUE: Final = Const(True)
+FALSE: Final = Const(False)
+EMPTY: Final = Const("")

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a program runs: the abstract interpreter of the intermediate representation."""

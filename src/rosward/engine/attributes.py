@@ -1,0 +1,354 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Attributes: which one `value.name` is, and what an assignment to it changes.
+
+Order as in Python: properties of the class, the instance's own attributes, the class along its mro, `__getattr__`.
+What a class does not have is unknown with a reason, never an error: a write that the analysis did not see may have put it there.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Range,
+    Ref,
+    Slice,
+    Super,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+NODE_CLASS: Final = "rclpy.node.Node"
+NODE_METHODS: Final = frozenset(
+    ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
+)
+"""Methods by which a node is known where its class is not."""
+
+
+def load(machine: Interpreter, value: Value, name: str) -> Value:
+    """value.name; UNBOUND where the path ends here."""
+    cls = value.__class__
+    if cls is Ref:
+        return _of_object(machine, value, name)  # type: ignore[arg-type]
+    if cls is ModuleValue:
+        from rosward.engine import modules
+
+        return modules.attribute(machine, value, name)  # type: ignore[arg-type]
+    if cls is Class:
+        return _of_class(machine, value, name)  # type: ignore[arg-type]
+    if cls is External:
+        return External(f"{value.name}.{name}")  # type: ignore[attr-defined]
+    if cls is Choice:
+        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))  # type: ignore[attr-defined]
+    if cls is Unknown:
+        return _of_unknown(machine, value, name)  # type: ignore[arg-type]
+    if cls is Super:
+        return _of_super(machine, value, name)  # type: ignore[arg-type]
+    if cls is Function:
+        return _of_function(machine, value, name)  # type: ignore[arg-type]
+    if cls is BoundMethod:
+        if name in ("__self__", "__func__"):
+            return value.receiver if name == "__self__" else value.function  # type: ignore[attr-defined,no-any-return]
+        return load(machine, value.function, name)  # type: ignore[attr-defined]
+    if cls is Native:
+        if name in ("__name__", "__qualname__"):
+            return Const(value.name.rpartition(".")[2])  # type: ignore[attr-defined]
+        base = value.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+        return Native(f"{base}.{name}")
+    if cls is Descriptor:
+        return Partial(Native(f"descriptor.{name}"), (value,), ())
+    if cls is Partial and name in ("func", "args"):
+        return value.function if name == "func" else Tuple(value.arguments)  # type: ignore[attr-defined]
+    return _of_builtin(machine, value, name)
+
+
+_TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
+
+
+def type_name(value: Value) -> str:
+    """The name of the builtin type of a value that is not an object of the heap."""
+    if value.__class__ is Const:
+        return value.value.__class__.__name__  # type: ignore[attr-defined,no-any-return]
+    return _TYPE_NAMES.get(value.__class__, "object")
+
+
+def _of_builtin(machine: Interpreter, value: Value, name: str) -> Value:
+    kind = type_name(value)
+    if kind == "slice" and name in ("start", "stop", "step"):
+        return value[("start", "stop", "step").index(name)]  # type: ignore[index,no-any-return]
+    if name == "__class__":
+        return Native(f"builtins.{kind}")
+    if value == NONE:
+        return machine.unknown(Cause.ERROR, f"attribute {name} of None")
+    return BoundMethod(value, Native(f"{kind}.{name}"))
+
+
+def _of_unknown(machine: Interpreter, value: Unknown, name: str) -> Value:
+    if name in NODE_METHODS:
+        node = machine.library.node_class(machine)
+        found = lookup(machine, node, name) if node is not None else None
+        if found is not None:
+            return BoundMethod(value, found)
+    if value.hint in ("str", "list", "dict", "set", "int", "float", "bytes", "tuple") and machine.library.native(f"{value.hint}.{name}"):
+        return BoundMethod(value, Native(f"{value.hint}.{name}"))
+    reasons = tuple(r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r for r in value.reasons)
+    return Unknown(reasons)
+
+
+def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
+    """The attribute of a class along its mro, as it stands there; None where no known class has it."""
+    if cls.__class__ is not Class:
+        return None
+    for base in cls.mro:  # type: ignore[attr-defined]
+        if base.__class__ is Class:
+            found: Value | None = machine.at(base.address).attrs.get(name)
+            if found is not None and found is not UNBOUND:
+                return found
+        elif base.__class__ is Native:
+            short = base.name.removeprefix("builtins.")
+            if machine.library.native(f"{short}.{name}"):
+                return Native(f"{short}.{name}")
+    return None
+
+
+def method(machine: Interpreter, value: Value, name: str) -> Value | None:
+    """A method of an object's class, bound; None where it has none."""
+    if value.__class__ is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "instance":
+            found = lookup(machine, obj.cls, name)
+            return None if found is None else bind(machine, found, value, obj.cls)
+        return BoundMethod(value, Native(f"{obj.kind}.{name}"))
+    if value.__class__ in (External, Unknown):
+        return None
+    return BoundMethod(value, Native(f"{type_name(value)}.{name}"))
+
+
+def bind(machine: Interpreter, found: Value, receiver: Value, cls: Value) -> Value:
+    """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
+    kind = found.__class__
+    if kind is Function or kind is Native:
+        return BoundMethod(receiver, found)
+    if kind is Descriptor:
+        if found.kind == "staticmethod":  # type: ignore[attr-defined]
+            return found.getter  # type: ignore[attr-defined,no-any-return]
+        if found.kind == "classmethod":  # type: ignore[attr-defined]
+            return BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
+        from rosward.engine import calls
+
+        return calls.call(machine, found.getter, (receiver,), {})  # type: ignore[attr-defined]
+    if kind is Choice:
+        return join_all(bind(machine, o, receiver, cls) for o in found.options)  # type: ignore[attr-defined]
+    if kind is Partial and found.function.__class__ is Native:  # type: ignore[attr-defined]
+        return BoundMethod(receiver, found)
+    if kind is Ref:
+        obj = machine.obj(found)  # type: ignore[arg-type]
+        getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
+        if getter is not None:
+            from rosward.engine import calls
+
+            return calls.call(machine, getter, (found, receiver, cls), {})
+    return found
+
+
+def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
+    obj = machine.obj(ref)
+    if obj.kind != "instance":
+        if name == "__class__":
+            return obj.cls
+        return BoundMethod(ref, Native(f"{obj.kind}.{name}"))
+    cls = obj.cls
+    own = obj.attrs.get(name)
+    in_class = lookup(machine, cls, name)
+    if in_class.__class__ is Descriptor and in_class.kind == "property":  # type: ignore[union-attr]
+        return bind(machine, in_class, ref, cls)  # type: ignore[arg-type]
+    if own is not None and own is not UNBOUND:
+        if obj.many and in_class is not None:
+            return join(own, bind(machine, in_class, ref, cls))
+        return own
+    if in_class is not None:
+        value = bind(machine, in_class, ref, cls)
+        if in_class.__class__ is Descriptor and in_class.kind == "cached_property" and value is not UNBOUND:  # type: ignore[attr-defined]
+            machine.update(ref, machine.obj(ref).with_attr(name, value))
+        return value
+    if name == "__class__":
+        return cls
+    if name == "__dict__":
+        return machine.new_dict({Const(k): v for k, v in obj.attrs.items()})
+    fallback = lookup(machine, cls, "__getattr__")
+    if fallback is not None:
+        from rosward.engine import calls
+
+        return calls.call(machine, fallback, (ref, Const(name)), {})
+    return _missing(machine, ref, cls, name)
+
+
+def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
+    """An attribute that no class we know has."""
+    if cls.__class__ is External:
+        cause = Cause.MESSAGE if is_interface(cls) else Cause.CALL
+        return machine.unknown(cause, f"{cls.name}.{name}")  # type: ignore[attr-defined]
+    if cls.__class__ is not Class:
+        return machine.unknown(Cause.ERROR, f"no attribute {name}")
+    outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]  # type: ignore[attr-defined]
+    if outside and name in NODE_METHODS:
+        node = machine.library.node_class(machine)
+        found = lookup(machine, node, name) if node is not None else None
+        if found is not None:
+            machine.log.assumed_node(machine, ref, outside[0])
+            return BoundMethod(ref, found)
+    if outside:
+        base = outside[0]
+        subject = f"{base.name}.{name}" if base.__class__ is External else name
+        return machine.unknown(Cause.MODULE, subject)
+    if any(b.__class__ is Class and b.stub for b in cls.mro):  # type: ignore[attr-defined]
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")  # type: ignore[attr-defined]
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")  # type: ignore[attr-defined]
+
+
+def is_interface(value: Value) -> bool:
+    """Whether an external name is that of a message, service or action type or a part of one."""
+    if value.__class__ is not External:
+        return False
+    parts = value.name.split(".")  # type: ignore[attr-defined]
+    return len(parts) >= 3 and parts[1] in ("msg", "srv", "action") and parts[-1][:1].isupper()
+
+
+def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
+    found = lookup(machine, cls, name)
+    if found is not None:
+        if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):  # type: ignore[attr-defined]
+            return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
+        if found.__class__ is Native:
+            return found
+        return found
+    if name in ("__name__", "__qualname__"):
+        return Const(cls.name if name == "__name__" else cls.qualname)
+    if name == "__module__":
+        return Const(cls.module)
+    if name == "__mro__":
+        return Tuple(cls.mro)
+    if name == "__bases__":
+        return Tuple(cls.bases)
+    if name == "__dict__":
+        return machine.new_dict({Const(k): v for k, v in machine.at(cls.address).attrs.items()})
+    for base in cls.mro:
+        if base.__class__ is External:
+            return External(f"{base.name}.{name}")
+    if name in ("__init__", "__new__", "__init_subclass__", "__setattr__", "__getattribute__", "__repr__", "__str__", "__hash__", "__eq__"):
+        return Native(f"object.{name}")
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+
+
+def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
+    receiver = value.receiver
+    cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver  # type: ignore[arg-type]
+    mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()  # type: ignore[attr-defined]
+    behind = mro[mro.index(value.after) + 1 :] if value.after in mro else ()
+    for base in behind:
+        if base.__class__ is Class:
+            found = machine.at(base.address).attrs.get(name)  # type: ignore[attr-defined]
+            if found is not None and found is not UNBOUND:
+                if receiver.__class__ is Class and found.__class__ is Function:
+                    return BoundMethod(receiver, found) if name in ("__new__", "__init_subclass__") else found
+                return bind(machine, found, receiver, cls)
+        elif base.__class__ is External:
+            return Partial(External(f"{base.name}.{name}"), (), ())  # type: ignore[attr-defined]
+        elif base.__class__ is Native:
+            short = base.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+            if machine.library.native(f"{short}.{name}"):
+                return BoundMethod(receiver, Native(f"{short}.{name}"))
+    if name == "__new__":
+        return Native("object.__new__")
+    return BoundMethod(receiver, Native(f"object.{name}"))
+
+
+def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
+    if name in ("__name__", "__qualname__"):
+        return Const(function.code.name if name == "__name__" else function.code.qualname)
+    if name == "__module__":
+        return Const(function.module.name)
+    if name == "__doc__":
+        return machine.unknown(Cause.OPERATION, "doc", "str")
+    kept = machine.state.heap.get(machine.library.function_address(function))
+    found = kept.attrs.get(name) if kept is not None else None
+    return found if found is not None else machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
+
+
+def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
+    """target.name = value; False where this raises for sure."""
+    several = target.__class__ is Choice
+    for option in options(target):
+        if option.__class__ is Ref:
+            if not _store_object(machine, option, name, value, weak=several):  # type: ignore[arg-type]
+                return several
+        elif option.__class__ in (Class, ModuleValue):
+            address = option.address  # type: ignore[attr-defined]
+            record = machine.at(address)
+            old = record.attrs.get(name)
+            machine.put(address, record.with_attr(name, join(old, value) if several and old is not None else value))
+        elif option.__class__ is Function:
+            address = machine.library.function_address(option)  # type: ignore[arg-type]
+            record = machine.state.heap.get(address) or Obj("instance", NONE)
+            machine.put(address, record.with_attr(name, value))
+        elif option.__class__ in (External, Unknown):
+            machine.escape((value,), "an attribute of something unknown")
+    return True
+
+
+def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> bool:
+    obj = machine.obj(ref)
+    in_class = lookup(machine, obj.cls, name) if obj.kind == "instance" else None
+    if in_class.__class__ is Descriptor and in_class.kind == "property":  # type: ignore[union-attr]
+        if in_class.setter is not None:  # type: ignore[union-attr]
+            from rosward.engine import calls
+
+            return calls.call(machine, in_class.setter, (ref, value), {}) is not UNBOUND  # type: ignore[union-attr]
+        if not obj.many:
+            cls = obj.cls.name if obj.cls.__class__ is Class else ""  # type: ignore[attr-defined]
+            machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
+            machine.die("AttributeError", f"can't set attribute {name}")
+            return False
+        return True
+    hook = lookup(machine, obj.cls, "__setattr__") if obj.kind == "instance" else None
+    if hook is not None and hook.__class__ is Function:
+        from rosward.engine import calls
+
+        calls.call(machine, hook, (ref, Const(name), value), {})
+        return True
+    old = obj.attrs.get(name)
+    if old is not None and (weak or obj.many):
+        value = join(old, value)
+    if old is not value:
+        machine.put(ref.address, obj.with_attr(name, value))
+    return True
+
+
+def delete(machine: Interpreter, target: Value, name: str) -> None:
+    """del target.name."""
+    if target.__class__ is Ref:
+        obj = machine.obj(target)  # type: ignore[arg-type]
+        if name in obj.attrs and not obj.many:
+            machine.put(target.address, obj.with_attr(name, UNBOUND))  # type: ignore[attr-defined]
+
+

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Binding of arguments to parameters, as Python does it, with room for arguments of unknown number.
+
+    def f(a, b=1, *c, d=2, **e)      f(0, d=3)  ->  registers a=0, b=1, c=(), d=3, e={}
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import UNBOUND, Const, Function, Native, Tuple, Unknown, Value
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+LOOSE: Final = "*"
+"""The keyword under which a call passes arguments of unknown number and name, joined."""
+ANY: Final = "?"
+"""The keyword that says: whatever parameters are left get an unknown value (a call from code that is not known)."""
+
+
+class BadCallError(Exception):
+    """The call fails for sure: the arguments do not fit the parameters."""
+
+
+def bind_arguments(machine: Interpreter, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> list[Value]:
+    """The values of the parameters in register order. Raises `BadCallError`."""
+    code, parameters = function.code, function.code.parameters
+    names = parameters.positional
+    count = len(names)
+    if not keywords and parameters.vararg is None and not parameters.kwonly and parameters.kwarg is None and len(args) == count:
+        return list(args)
+    keywords = dict(keywords)
+    loose, anything = keywords.pop(LOOSE, None), keywords.pop(ANY, None)
+    values: list[Value] = list(args[:count])
+    extra = args[count:]
+    if extra and parameters.vararg is None and anything is None:
+        raise BadCallError(f"{len(args)} positional arguments for {count}")
+    first_default = count - len(function.defaults)
+    for number in range(len(values), count):
+        name = names[number]
+        if name in keywords and number >= parameters.posonly:
+            values.append(keywords.pop(name))
+            continue
+        default = function.defaults[number - first_default] if number >= first_default else None
+        values.append(_missing(machine, code.file, code.line, name, default, loose, anything))
+    if parameters.vararg is not None:
+        if loose is not None or anything is not None:
+            rest = loose if loose is not None else anything
+            values.append(machine.new_list(extra, rest))
+        else:
+            values.append(Tuple(extra))
+    kwdefaults = dict(function.kwdefaults)
+    for name in parameters.kwonly:
+        if name in keywords:
+            values.append(keywords.pop(name))
+        else:
+            values.append(_missing(machine, code.file, code.line, name, kwdefaults.get(name), loose, anything))
+    if parameters.kwarg is not None:
+        entries: dict[Value, Value] = {Const(k): v for k, v in keywords.items()}
+        record = Obj("dict", Native("builtins.dict"), entries=entries, rest=loose)
+        values.append(machine.allocate(record, (code.file, code.line)))
+    elif keywords and anything is None and loose is None:
+        unexpected = next(iter(keywords))
+        if unexpected in names[: len(args)]:
+            raise BadCallError(f"several values for argument {unexpected}")
+        raise BadCallError(f"unexpected argument {unexpected}")
+    return values
+
+
+def _missing(
+    machine: Interpreter, file: str, line: int, name: str, default: Value | None, loose: Value | None, anything: Value | None
+) -> Value:
+    """A parameter that the call does not name."""
+    if loose is not None:
+        return join(default if default is not None else UNBOUND, loose)
+    if default is not None:
+        return default
+    if anything is not None:
+        return anything if anything is not UNBOUND else Unknown((Reason(Cause.CALLER, name, Place(file, line)),))
+    del machine
+    raise BadCallError(f"argument {name} is missing")

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every limit of the analysis, in one record. Hitting one is a finding (RW201), never silence."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Budget(NamedTuple):
+    """Limits of the interpretation of one process.
+
+    `steps`: operations interpreted before the process is given up; `entry_steps`: the same for each callback, afterwards.
+    `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
+    `unroll`: turns of a loop that are followed one by one while its condition is known; `unroll_forever`: the same for `while True`.
+    `fixpoint`: turns after which a loop that is followed by joining must have come to rest; `widen_after`: turns before widening.
+    `rounds`: rounds in which all callbacks run before widening forces an end. `items`: elements of one collection kept apart.
+    `seconds`: of CPU time for one process.
+    """
+
+    steps: int = 400_000
+    entry_steps: int = 60_000
+    depth: int = 60
+    recursion: int = 4
+    unroll: int = 300
+    unroll_forever: int = 4
+    fixpoint: int = 12
+    widen_after: int = 2
+    rounds: int = 8
+    items: int = 1_000
+    seconds: float = 15.0
+
+
+class LimitReachedError(Exception):
+    """A limit of the budget was reached; `what` says which, in words."""
+
+    def __init__(self, what: str) -> None:
+        super().__init__(what)
+        self.what = what

@@ -1,0 +1,435 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: what a callable value does with arguments.
+
+A call of a function is interpreted with its own arguments, in its own context. The result is remembered where the call wrote nothing, so that
+call trees do not explode; recursion beyond a few levels is solved by a fixpoint over one summary of the function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, final
+
+from rosward.domain.choice import join, join_all, options, widen
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Ref,
+    Super,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine import attributes, classes, declared
+from rosward.engine.binding import ANY, LOOSE, BadCallError, bind_arguments
+from rosward.engine.budget import LimitReachedError
+from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.state import State, join_states
+from rosward.ir.ops import Argument
+from rosward.ir.program import Code
+from rosward.models.native import Items, NativeCall
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+Arguments = tuple[Value, ...]
+Keywords = dict[str, Value]
+
+
+@final
+class Summary:
+    """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
+
+    __slots__ = ("after", "before", "registers", "value")
+
+    def __init__(self, registers: list[Value], before: State) -> None:
+        self.registers = registers
+        self.before = before
+        self.value: Value = UNBOUND
+        self.after: State | None = None
+
+
+def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
+    """A call as written, with starred and named arguments."""
+    args: list[Value] = []
+    keywords: Keywords = {}
+    loose: list[Value] = []
+    for argument in arguments:
+        value = registers[argument.register]
+        if argument.kind == "positional":
+            args.append(value)
+        elif argument.kind == "keyword":
+            keywords[argument.name] = value
+        elif argument.kind == "star":
+            known, rest = machine.iterate(value)
+            args.extend(known)
+            if rest is not None:
+                loose.append(rest)
+        else:
+            loose.extend(_spread(machine, value, keywords))
+    if loose:
+        keywords[LOOSE] = join_all(loose)  # further arguments, of unknown number and name
+    return call(machine, function, tuple(args), keywords)
+
+
+def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Value]:
+    """Merge `**value` into keywords; returns the values whose names are not known."""
+    loose: list[Value] = []
+    for option in options(value):
+        if option.__class__ is Ref and machine.obj(option).kind == "dict":  # type: ignore[arg-type]
+            obj = machine.obj(option)  # type: ignore[arg-type]
+            for key, item in obj.entries.items():
+                if key.__class__ is Const and isinstance(key.value, str):  # type: ignore[attr-defined]
+                    keywords[key.value] = item  # type: ignore[attr-defined]
+            if obj.rest is not None:
+                loose.append(obj.rest)
+        elif option != NONE:
+            loose.append(machine.unknown(Cause.OPERATION, "**", ""))
+    return loose
+
+
+def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywords) -> Value:
+    """function(*args, **keywords); UNBOUND where it never returns."""
+    cls = function.__class__
+    if cls is Function:
+        return call_function(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is BoundMethod:
+        return call(machine, function.function, (function.receiver, *args), keywords)  # type: ignore[attr-defined]
+    if cls is Class:
+        return classes.instantiate(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is Native:
+        return call_native(machine, function.name, args, keywords)  # type: ignore[attr-defined]
+    if cls is Partial:
+        merged = {**dict(function.keywords), **keywords} if function.keywords else keywords  # type: ignore[attr-defined]
+        return call(machine, function.function, (*function.arguments, *args), merged)  # type: ignore[attr-defined]
+    if cls is Choice:
+        return _call_choice(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is External:
+        return _call_external(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is Ref:
+        return _call_object(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is Descriptor:
+        return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
+    if cls is Unknown:
+        escape(machine, (*args, *keywords.values()), "")
+        return Unknown(function.reasons)  # type: ignore[attr-defined]
+    escape(machine, (*args, *keywords.values()), "")
+    return machine.unknown(Cause.ERROR, "call of something that is not callable")
+
+
+def _call_choice(machine: Interpreter, function: Choice, args: Arguments, keywords: Keywords) -> Value:
+    """Each alternative from the same state, results and states joined."""
+    callees = [o for o in function.options if o != NONE] or list(function.options)
+    if len(callees) == 1:
+        return call(machine, callees[0], args, keywords)
+    before = machine.state.copy()
+    after: State | None = None
+    value: Value = UNBOUND
+    for number, option in enumerate(callees):
+        if number:
+            machine.state = before.copy()
+        result = call(machine, option, args, keywords)
+        if result is UNBOUND:
+            continue
+        value = join(value, result)
+        after = machine.state if after is None else join_states(after, machine.state, machine.fresh_version)
+    if after is not None:
+        machine.state = after
+    return value
+
+
+def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
+    obj = machine.obj(ref)
+    method = attributes.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
+    if method is not None:
+        return call(machine, attributes.bind(machine, method, ref, obj.cls), args, keywords)
+    escape(machine, (*args, *keywords.values()), "")
+    name = obj.cls.name if isinstance(obj.cls, (Class, External)) else obj.kind
+    return machine.unknown(Cause.CALL, name)
+
+
+def _call_external(machine: Interpreter, function: External, args: Arguments, keywords: Keywords) -> Value:
+    """Something of a library that is not modelled: its callable arguments may be called; an interface type makes a message."""
+    if attributes.is_interface(function):
+        named = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY)}
+        return machine.allocate(Obj("instance", function, attrs=named))
+    if machine.library.native(function.name):
+        return call_native(machine, function.name, args, keywords)
+    escape(machine, (*args, *keywords.values()), function.name)
+    if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
+        machine.log.decorated(machine, function.name)
+        return args[0]  # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
+    return machine.unknown(Cause.CALL, function.name)
+
+
+def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
+    """A builtin, or a model in code."""
+    native = machine.library.native(name)
+    if LOOSE in keywords or ANY in keywords:
+        loose = keywords.get(LOOSE)
+        args = args if loose is None else (*args, loose)
+        keywords = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY)}
+    if native is not None:
+        frame = machine.frames[-1] if machine.frames else None
+        if frame is not None:
+            line, column = frame.line, frame.column
+            value = native(NativeCall(machine, name, args, keywords))
+            frame.line, frame.column = line, column
+            return value
+        return native(NativeCall(machine, name, args, keywords))
+    short = name.removeprefix("builtins.")
+    if short == "super":
+        return _super(machine, args)
+    if "." not in short:
+        from rosward.engine.exceptions import exception_object, is_exception
+
+        if is_exception(short):
+            return exception_object(machine, Native(name), args)
+    if short == "object" or name.startswith("object."):
+        return _object_method(machine, short, args)
+    if short.startswith("descriptor."):
+        return _descriptor(args, short)
+    escape(machine, (*args, *keywords.values()), short)
+    return machine.unknown(Cause.CALL, short)
+
+
+def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
+    """The methods that every class has from `object`."""
+    if name == "object":
+        return machine.allocate(Obj("instance", Native("builtins.object")))
+    if name == "object.__new__" and args:
+        cls = args[0]
+        return classes.new_instance(machine, cls) if cls.__class__ is Class else machine.unknown(Cause.CALL, name)  # type: ignore[arg-type]
+    if name == "object.__setattr__" and len(args) == 3 and args[0].__class__ is Ref and args[1].__class__ is Const:
+        ref, key = args[0], str(args[1].value)  # type: ignore[attr-defined]
+        machine.update(ref, machine.obj(ref).with_attr(key, args[2]))  # type: ignore[arg-type]
+    if name in ("object.__repr__", "object.__str__", "object.__format__"):
+        return machine.unknown(Cause.RANDOM, name, "str")
+    return NONE
+
+
+def _descriptor(args: Arguments, name: str) -> Value:
+    """`@x.setter` and its like."""
+    found, function = args[0], args[1] if len(args) > 1 else NONE
+    if found.__class__ is Descriptor and name == "descriptor.setter":
+        return Descriptor(found.kind, found.getter, function)  # type: ignore[attr-defined]
+    return found
+
+
+def _super(machine: Interpreter, args: Arguments) -> Value:
+    """`super()` in any of its forms."""
+    if len(args) >= 2:
+        return Super(args[0], args[1])
+    for frame in reversed(machine.frames):
+        code = frame.code
+        if "__class__" in code.free and frame.registers:
+            cell = frame.cells[len(code.cells) + code.free.index("__class__")]
+            cls = machine.at(cell).attrs.get("value", UNBOUND)
+            receiver = frame.registers[0]
+            if cls is not UNBOUND:
+                return Super(cls, receiver)
+        if not frame.stub:
+            break
+    return machine.unknown(Cause.ERROR, "super() outside of a method")
+
+
+def call_method(machine: Interpreter, value: Value, name: str, args: Arguments) -> Value:
+    """value.name(*args), NONE where a value of unknown or builtin type has no such method."""
+    method = attributes.load(machine, value, name)
+    return call(machine, method, args, {})
+
+
+def call_function(machine: Interpreter, function: Function, args: Arguments, keywords: Keywords) -> Value:
+    """A function of the program or of a model."""
+    code = function.code
+    try:
+        registers = bind_arguments(machine, function, args, keywords)
+    except BadCallError as error:
+        # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
+        if not declared.is_model(function):
+            machine.report("RW209", f"this call of {code.qualname} raises TypeError: {error}")
+        keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
+        registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
+    if function.effects:
+        answer = declared.apply(machine, function, registers)
+        if answer is not None:
+            return answer
+    if code.is_stub and declared.is_model(function):
+        return declared.result(machine, function, registers)
+    if code.is_generator or code.is_coroutine:
+        payload = (function, tuple(registers))
+        return machine.allocate(Obj("generator", NONE, payload=payload), id(code))
+    return invoke(machine, function, registers)[0]
+
+
+def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
+    """Run a function body on bound registers; the value returned, and what it yields."""
+    code = function.code
+    depth = sum(1 for f in machine.frames if f.code is code)
+    if depth >= machine.budget.recursion or len(machine.frames) >= machine.budget.depth:
+        return _summarised(machine, function, registers), Items(())
+    key = (function, tuple(registers), machine.state.version)
+    remembered = machine.memo.get(key)
+    if remembered is not None:
+        return remembered, Items(())
+    raised, version = machine.raised, machine.state.version
+    value, items = _run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
+    if machine.state.version == version and machine.raised == raised and value is not UNBOUND and not items.known and items.rest is None:
+        machine.memo[key] = value
+    return value, items
+
+
+def _run_body(
+    machine: Interpreter, function: Function, registers: list[Value], caller: Frame | None, context: int | None = None
+) -> tuple[Value, Items]:
+    code = function.code
+    machine.entered.add(id(code))
+    if context is None:
+        context = machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
+    full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
+    frame = Frame(code, full, (), function.module, context, declared.is_model(function))
+    frame.cells = (*new_cells(machine, code, context), *function.cells)
+    if caller is not None:
+        frame.uncertain = 0
+    machine.frames.append(frame)
+    machine.check_time()
+    try:
+        if machine.run(code.ops, frame):
+            frame.exits.value = join(frame.exits.value, NONE)
+            if frame.exits.returned is None:
+                frame.exits.returned = Snapshot(frame.registers, machine.state)
+            else:
+                machine.state = join_states(frame.exits.returned.state, machine.state, machine.fresh_version)
+                frame.exits.returned = Snapshot(frame.registers, machine.state)
+    finally:
+        machine.frames.pop()
+    rest = None if frame.yield_rest is UNBOUND else frame.yield_rest
+    items = Items(tuple(frame.yields), rest)
+    if frame.exits.returned is None:
+        return UNBOUND, items
+    machine.state = frame.exits.returned.state
+    return frame.exits.value, items
+
+
+def new_cells(machine: Interpreter, code: Code, context: int) -> list[int]:
+    """Fresh cells for the captured variables of a code body."""
+    return [machine.place_at(("cell", context, id(code), n), Obj("cell", NONE)) for n in range(len(code.cells))]
+
+
+def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+    """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
+    key = (id(function.code), function.cells)
+    summary = machine.summaries.get(key)
+    reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
+
+    def widening(old: Value, new: Value) -> Value:
+        return widen(old, new, reason)
+
+    if summary is not None:
+        summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+        summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
+        if summary.after is None:
+            return UNBOUND
+        machine.state = summary.after.copy()
+        return summary.value
+    if len(machine.frames) >= machine.budget.depth * 2:
+        raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep")
+    summary = machine.summaries[key] = Summary(list(registers), machine.state.copy())
+    context = machine.context("summary", id(function.code))
+    try:
+        for _ in range(machine.budget.fixpoint):
+            seen = (summary.registers, summary.before.version, summary.value, summary.after.version if summary.after else -1)
+            machine.state = summary.before.copy()
+            value, _items = _run_body(machine, function, list(summary.registers), machine.frames[-1], context)
+            if value is not UNBOUND:
+                summary.value = widening(summary.value, value) if summary.value is not UNBOUND else value
+                summary.after = (
+                    machine.state.copy()
+                    if summary.after is None
+                    else join_states(summary.after, machine.state.copy(), machine.fresh_version, widening)
+                )
+            if seen == (summary.registers, summary.before.version, summary.value, summary.after.version if summary.after else -1):
+                break
+        else:
+            machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
+    finally:
+        del machine.summaries[key]
+    if summary.after is None:
+        return UNBOUND
+    machine.state = summary.after
+    return summary.value
+
+
+def run_generator(machine: Interpreter, ref: Ref, obj: Obj) -> tuple[Items, Value]:
+    """Run a suspended generator or coroutine to its end: what it yields, and what it returns."""
+    if obj.payload is None:
+        return Items(()), NONE
+    alternatives = obj.payload if isinstance(obj.payload, list) else [obj.payload]
+    function, registers = alternatives[0]
+    value, items = invoke(machine, function, list(registers))
+    if obj.many:
+        items = Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))])) if items.known else items
+    return items, value
+
+
+def wait_for(machine: Interpreter, value: Value) -> Value:
+    """`await value`."""
+    if value.__class__ is Choice:
+        return join_all(wait_for(machine, o) for o in value.options)  # type: ignore[attr-defined]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "generator":
+            return run_generator(machine, value, obj)[1]  # type: ignore[arg-type]
+        for name in ("__await__", "result"):
+            method = attributes.method(machine, value, name) if obj.kind == "instance" else None
+            if method is not None:
+                result = call(machine, method, (), {})
+                return wait_for(machine, result) if name == "__await__" and result != value else result
+    return value if value.__class__ is Unknown else machine.unknown(Cause.CALL, "await")
+
+
+def escape(machine: Interpreter, values: Iterable[Value], library: str, depth: int = 0) -> None:
+    """Values reach code that is not known: whatever is callable may be called with anything, later, any number of times."""
+    for value in values:
+        for option in options(value):
+            kind = option.__class__
+            if kind in (Const, Text, Unknown, External, Native, ModuleValue):
+                continue
+            if kind in (Function, BoundMethod, Partial):
+                if not _is_library(machine, option):
+                    machine.schedule_book.add(machine, option, None, "call by a library")
+            elif kind is Tuple and depth < 3:
+                escape(machine, option.items, library, depth + 1)  # type: ignore[attr-defined]
+            elif kind is Ref:
+                _escape_object(machine, option, library, depth)  # type: ignore[arg-type]
+
+
+def _is_library(machine: Interpreter, value: Value) -> bool:
+    while value.__class__ in (BoundMethod, Partial):
+        value = value.function  # type: ignore[attr-defined]
+    return value.__class__ is not Function or declared.is_model(value)  # type: ignore[arg-type]
+
+
+def _escape_object(machine: Interpreter, ref: Ref, library: str, depth: int) -> None:
+    obj = machine.obj(ref)
+    if obj.kind == "generator":
+        machine.schedule_book.add(machine, ref, (), "call by a library")
+    elif obj.kind == "instance":
+        if library and machine.log.is_node(ref.address):
+            machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
+    elif depth < 3:
+        values = [*(obj.items or ()), *obj.entries.values(), *([obj.rest] if obj.rest is not None else [])]
+        escape(machine, values[:100], library, depth + 1)

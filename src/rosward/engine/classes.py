@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Classes: making them (C3 order, `__init_subclass__`, enums), making instances, and asking what is an instance of what."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Ref,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine import attributes, calls
+from rosward.engine.frame import Frame
+from rosward.ir import ops
+from rosward.ir.program import CodeKind
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_IMPLICIT_CLASSMETHODS: Final = ("__init_subclass__", "__class_getitem__")
+
+
+def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
+    """Run a class statement."""
+    bases, keywords = _bases(machine, op, frame)
+    code = op.code
+    place = Place(code.file, op.line, op.column)
+    # A class is one object for each place and chain of calls; the module's own classes are there once.
+    address = machine.place_at(("class", frame.context, code.file, op.line, op.column), Obj("class", Native("builtins.type")))
+    record = machine.at(address)
+    if record.many and frame.code.kind is CodeKind.MODULE:
+        machine.put(address, Obj("class", Native("builtins.type")))
+    cls = Class(address, code.name, code.qualname, frame.module.name, bases, _linearise(bases), place, frame.stub)
+    body = Frame(code, [UNBOUND] * code.registers, (), frame.module, frame.context, frame.stub)
+    captured = tuple([frame.cells[c] for c in op.captures])
+    body.cells = (*calls.new_cells(machine, code, machine.context(frame.context, op.line, op.column, "class")), *captured)
+    body.namespace = address
+    machine.frames.append(body)
+    try:
+        machine.run(code.ops, body)
+    finally:
+        machine.frames.pop()
+    _seal(machine, cls, body)
+    machine.log.defined(cls)
+    if any(_is_enum_base(b) for b in cls.mro[1:]):
+        machine.call(Native("enum.make_members"), (cls,))
+    for base in bases:
+        hook = attributes.lookup(machine, base, "__init_subclass__")
+        if hook is not None:
+            function = hook.getter if hook.__class__ is Descriptor else hook  # type: ignore[attr-defined]
+            calls.call(machine, BoundMethod(cls, function), (), keywords)
+            break
+    return cls
+
+
+def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[tuple[Value, ...], dict[str, Value]]:
+    bases: list[Value] = []
+    keywords: dict[str, Value] = {}
+    for argument in op.arguments:
+        value = frame.registers[argument.register]
+        if argument.kind == "keyword":
+            if argument.name != "metaclass":
+                keywords[argument.name] = value
+            continue
+        several = machine.iterate(value).known if argument.kind == "star" else (value,)
+        for base in several:
+            if base.__class__ is Choice:  # `try: from a import B / except ImportError: B = object`: the class that is known
+                known = [o for o in base.options if o.__class__ is Class] or [  # type: ignore[attr-defined]
+                    o for o in base.options if o.__class__ is External  # type: ignore[attr-defined]
+                ]
+                bases.append(known[0] if known else base.options[0])  # type: ignore[attr-defined]
+            elif base.__class__ in (Class, External, Native, Unknown):
+                bases.append(base)
+            else:
+                bases.append(machine.unknown(Cause.OPERATION, "base class"))
+    return tuple(b for b in bases if b != Native("builtins.object")), keywords
+
+
+def _seal(machine: Interpreter, cls: Class, body: Frame) -> None:
+    """Fill the `__class__` cell of the body and the names that Python gives attributes."""
+    if "__class__" in body.code.cells:
+        cell = Ref(body.cells[body.code.cells.index("__class__")])
+        machine.update(cell, machine.obj(cell).with_attr("value", cls))
+    record = machine.at(cls.address)
+    changed = {
+        name: Descriptor("classmethod", record.attrs[name], None)
+        for name in _IMPLICIT_CLASSMETHODS
+        if record.attrs.get(name).__class__ is Function
+    }
+    if changed:
+        attrs: dict[str, Value] = {**record.attrs, **changed}
+        machine.put(cls.address, record.replace(attrs=attrs))
+
+
+def _linearise(bases: tuple[Value, ...]) -> tuple[Value, ...]:
+    """The C3 merge of the bases' orders; where Python would refuse them, a plain depth-first order."""
+    sequences: list[list[Value]] = [list(b.mro) if isinstance(b, Class) else [b] for b in bases]
+    sequences.append(list(bases))
+    result: list[Value] = []
+    while any(sequences):
+        sequences = [s for s in sequences if s]
+        head = next((s[0] for s in sequences if not any(s[0] in t[1:] for t in sequences)), None)
+        if head is None:
+            flat = [c for b in bases for c in (b.mro if isinstance(b, Class) else (b,))]
+            return tuple(dict.fromkeys(flat))
+        result.append(head)
+        for sequence in sequences:
+            if sequence and sequence[0] == head:
+                del sequence[0]
+    return tuple(result)
+
+
+def _is_enum_base(base: Value) -> bool:
+    return base.__class__ is Class and base.module == "enum" and base.stub  # type: ignore[attr-defined]
+
+
+def is_enum(_machine: Interpreter, cls: Class) -> bool:
+    """Whether a class is an enumeration of the program."""
+    return not cls.stub and any(_is_enum_base(b) for b in cls.mro)
+
+
+def new_instance(machine: Interpreter, cls: Class) -> Ref:
+    """An object of a class, before `__init__`."""
+    machine.instantiated.add(cls.place)
+    return machine.allocate(Obj("instance", cls), cls.address)
+
+
+def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+    """cls(*args, **keywords)."""
+    if is_enum(machine, cls) and args:
+        return machine.call(Native("enum.lookup"), (cls, args[0]))
+    maker = attributes.lookup(machine, cls, "__new__")
+    if maker is not None and maker.__class__ in (Function, Descriptor):
+        function = maker.getter if maker.__class__ is Descriptor else maker  # type: ignore[attr-defined]
+        made = calls.call(machine, function, (cls, *args), keywords)
+        machine.instantiated.add(cls.place)
+        initialised: list[Value] = []
+        for option in options(made):
+            if option.__class__ is Ref and machine.obj(option).kind == "instance" and _has(machine, option, cls):  # type: ignore[arg-type]
+                if _initialise(machine, cls, option, args, keywords) is not UNBOUND:
+                    initialised.append(option)
+            elif option is not UNBOUND:
+                initialised.append(option)
+        return join_all(initialised)
+    ref = new_instance(machine, cls)
+    if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
+        return UNBOUND
+    if not cls.stub:
+        _framework(machine, cls, ref)
+    return ref
+
+
+def _has(machine: Interpreter, ref: Value, cls: Class) -> bool:
+    found = machine.obj(ref).cls  # type: ignore[arg-type]
+    return found.__class__ is Class and cls in found.mro  # type: ignore[attr-defined]
+
+
+def _initialise(machine: Interpreter, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+    """Run `__init__`; a base that is not known gets the arguments."""
+    for base in cls.mro:
+        if base.__class__ is Class:
+            found = machine.at(base.address).attrs.get("__init__")  # type: ignore[attr-defined]
+            if found is not None and found is not UNBOUND:
+                return calls.call(machine, BoundMethod(ref, found), args, keywords)
+        elif base.__class__ in (External, Unknown):
+            calls.escape(machine, (*args, *keywords.values()), getattr(base, "name", ""))
+            return ref
+    return ref
+
+
+def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
+    """A class whose base is not known may be called by it: any method of its own, with anything."""
+    outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
+    if not outside:
+        return
+    for base in cls.mro:
+        if base.__class__ is Class and not base.stub:  # type: ignore[attr-defined]
+            for name, value in machine.at(base.address).attrs.items():  # type: ignore[attr-defined]
+                if value.__class__ is Function and not name.startswith("__"):
+                    machine.schedule_book.add(machine, BoundMethod(ref, value), None, "call by the base class")
+
+
+
+def type_of(machine: Interpreter, value: Value) -> Value | None:
+    """The class of a value; None where it is not known."""
+    kind = value.__class__
+    if kind is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        return obj.cls if obj.kind != "generator" else Native("builtins.generator")
+    if kind in (Const, Text, Tuple):
+        return Native(f"builtins.{attributes.type_name(value)}")
+    if kind is Unknown and value.hint:  # type: ignore[attr-defined]
+        return Native(f"builtins.{value.hint}")  # type: ignore[attr-defined]
+    if kind in (Class,):
+        return Native("builtins.type")
+    if kind in (Function, BoundMethod, Partial):
+        return Native("builtins.function")
+    if kind is ModuleValue:
+        return Native("builtins.module")
+    return None
+
+
+def is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | None:
+    """isinstance(value, wanted)."""
+    answers: set[bool | None] = set()
+    for option in options(value):
+        cls = type_of(machine, option)
+        answers.add(None if cls is None else is_subclass(machine, cls, wanted))
+    return answers.pop() if len(answers) == 1 else None
+
+
+def is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
+    """issubclass(cls, wanted)."""
+    if wanted.__class__ is Tuple:
+        found = [is_subclass(machine, cls, w) for w in wanted.items]  # type: ignore[attr-defined]
+        return True if True in found else (None if None in found else False)
+    if wanted.__class__ in (Unknown, Choice, Ref):
+        return None
+    if cls == wanted or wanted == Native("builtins.object"):
+        return True
+    if cls.__class__ is Native:
+        return _native_subclass(cls.name, wanted)  # type: ignore[attr-defined]
+    if cls.__class__ is Class:
+        if wanted in cls.mro:  # type: ignore[attr-defined]
+            return True
+        natives = [_native_subclass(b.name, wanted) for b in cls.mro if b.__class__ is Native]  # type: ignore[attr-defined]
+        if True in natives:
+            return True
+        return None if any(b.__class__ in (External, Unknown) for b in cls.mro) or None in natives else False  # type: ignore[attr-defined]
+    return None if wanted.__class__ is not Native else (None if cls.__class__ is not External else None)
+
+
+def _native_subclass(name: str, wanted: Value) -> bool | None:
+    """The order of builtin classes, asked of Python itself (exceptions, bool of int)."""
+    import builtins
+
+    if wanted.__class__ is not Native:
+        return None if wanted.__class__ is External else False
+    ours = getattr(builtins, name.removeprefix("builtins."), None)
+    theirs = getattr(builtins, wanted.name.removeprefix("builtins."), None)  # type: ignore[attr-defined]
+    if isinstance(ours, type) and isinstance(theirs, type):
+        return issubclass(ours, theirs)
+    return None

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Branches and loops: how a structured block maps a state to the states in which control leaves it.
+
+    if unknown: x = 'a'            both ways are followed, and joined behind
+    for n in ['a', 'b']: …         a known sequence is followed item by item
+    while unknown: …               anything else runs until nothing changes, widening at the head
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join, join_all, widen
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Value
+from rosward.engine.equality import truth
+from rosward.engine.exceptions import note
+from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.state import Merge, join_registers, join_states
+from rosward.ir import ops
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
+    """Join a snapshot (used up) into another of the same frame."""
+    if target is None:
+        return snapshot
+    registers = join_registers(target.registers, snapshot.registers, merge)
+    state = join_states(target.state, snapshot.state, machine.fresh_version, merge)
+    return Snapshot(registers, state)
+
+
+def branch(machine: Interpreter, op: ops.If, frame: Frame) -> bool | None:
+    """Follow the way that the test decides, or both."""
+    frame.line, frame.column = op.line, op.column
+    decided = truth(machine, frame.registers[op.test])
+    if decided is not None:
+        return machine.run(op.then if decided else op.orelse, frame) or False
+    before = machine.snapshot(frame)
+    frame.uncertain += 1
+    try:
+        first = machine.run(op.then, frame)
+        after = Snapshot(frame.registers, machine.state) if first else None
+        machine.resume(frame, before)
+        second = machine.run(op.orelse, frame)
+    finally:
+        frame.uncertain -= 1
+    if after is not None:
+        if second:
+            after = join_into(machine, after, Snapshot(frame.registers, machine.state))
+        machine.resume(frame, after)
+        return None
+    return None if second else False
+
+
+def leave(machine: Interpreter, op: ops.Return, frame: Frame) -> bool:
+    """Return from the function."""
+    exits = frame.exits
+    exits.value = join(exits.value, frame.registers[op.src])
+    exits.returned = join_into(machine, exits.returned, Snapshot(frame.registers, machine.state))
+    return False
+
+
+def break_(machine: Interpreter, _op: ops.Break, frame: Frame) -> bool:
+    """Leave the loop."""
+    frame.exits.broken = join_into(machine, frame.exits.broken, Snapshot(frame.registers, machine.state))
+    return False
+
+
+def continue_(machine: Interpreter, _op: ops.Continue, frame: Frame) -> bool:
+    """Go on with the next turn."""
+    frame.exits.continued = join_into(machine, frame.exits.continued, Snapshot(frame.registers, machine.state))
+    return False
+
+
+def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None:
+    """A loop over what a value yields."""
+    frame.line, frame.column = op.line, op.column
+    known, rest = machine.iterate(frame.registers[op.iterable])
+    saved, context = (frame.exits.broken, frame.exits.continued), frame.context
+    frame.exits.broken = frame.exits.continued = None
+    if len(known) > machine.budget.unroll:
+        rest = join_all([*known, *(() if rest is None else (rest,))])
+        known = ()
+    alive = True
+    for number, item in enumerate(known):
+        frame.context = machine.context(context, id(op), number)
+        frame.registers[op.item] = item
+        alive = _turn(machine, op.body, frame)
+        if not alive:
+            break
+        machine.check_time()
+    if alive and rest is not None:
+        frame.context = machine.context(context, id(op), "*")
+        alive = _until_stable(machine, op, frame, None, rest)
+    frame.context = context
+    if alive:
+        alive = machine.run(op.orelse, frame)
+    return _behind(machine, frame, alive, saved)
+
+
+def _behind(
+    machine: Interpreter, frame: Frame, alive: bool, saved: tuple[Snapshot | None, Snapshot | None]
+) -> bool | None:
+    """Behind a loop: where it ended by itself, joined with where it was left by break."""
+    broken = frame.exits.broken
+    frame.exits.broken, frame.exits.continued = saved
+    if broken is not None:
+        if alive:
+            broken = join_into(machine, broken, Snapshot(frame.registers, machine.state))
+        machine.resume(frame, broken)
+        return None
+    return None if alive else False
+
+
+def _turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
+    """One turn of a loop's body; True where a next one can follow."""
+    alive = machine.run(body, frame)
+    continued = frame.exits.continued
+    if continued is not None:
+        frame.exits.continued = None
+        if alive:
+            continued = join_into(machine, continued, Snapshot(frame.registers, machine.state))
+        machine.resume(frame, continued)
+        return True
+    return alive
+
+
+def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
+    """A while loop: followed while its condition is known, then to a fixpoint."""
+    frame.line, frame.column = op.line, op.column
+    saved, context = (frame.exits.broken, frame.exits.continued), frame.context
+    frame.exits.broken = frame.exits.continued = None
+    forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
+    limit = machine.budget.unroll_forever if forever else machine.budget.unroll
+    alive, number = True, 0
+    while True:
+        note(machine, frame)
+        frame.context = machine.context(context, id(op), number)
+        seen = (machine.state.version, frame.registers.copy())
+        alive = machine.run(op.condition, frame)
+        if not alive:
+            break
+        decided = truth(machine, frame.registers[op.test])
+        if decided is False:
+            alive = machine.run(op.orelse, frame)
+            break
+        if decided is None or number >= limit:
+            frame.context = machine.context(context, id(op), "*")
+            alive = _until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
+            break
+        alive = _turn(machine, op.body, frame)
+        if not alive:
+            break
+        if machine.state.version == seen[0] and frame.registers == seen[1]:
+            alive = False  # nothing changes any more: it never ends
+            machine.log.blocks(machine)
+            break
+        number += 1
+        machine.check_time()
+    frame.context = context
+    return _behind(machine, frame, alive, saved)
+
+
+def _until_stable(
+    machine: Interpreter, op: ops.While | ops.ForEach, frame: Frame, registers: list[Value] | None, item: Value | None
+) -> bool:
+    """Any number of turns: joins the states at the head of the loop until they do not change, widening after a few.
+
+    For a while loop the condition has just been run once too often: `registers` are those of before. Leaves the machine in the state
+    in which the loop ends by itself; False where it cannot.
+    """
+    if registers is not None:
+        frame.registers = registers
+    reason = Reason(Cause.LOOP, "", Place(frame.code.file, op.line, op.column))
+
+    def widening(old: Value, new: Value) -> Value:
+        return widen(old, new, reason)
+
+    head = machine.snapshot(frame)
+    ended: Snapshot | None = None
+    frame.uncertain += 1
+    for turn in range(machine.budget.fixpoint * 4):
+        machine.resume(frame, Snapshot(head.registers.copy(), head.state.copy()))
+        note(machine, frame)
+        ended = None
+        alive = True
+        if isinstance(op, ops.While):
+            alive = machine.run(op.condition, frame)
+            decided = truth(machine, frame.registers[op.test]) if alive else False
+            if alive and decided is not True:
+                ended = machine.snapshot(frame)
+            alive = alive and decided is not False
+        else:
+            assert item is not None
+            ended = machine.snapshot(frame)
+            frame.registers[op.item] = item
+        if not (alive and _turn(machine, op.body, frame)):
+            break
+        version, before = head.state.version, head.registers
+        merge = join if turn < machine.budget.widen_after else widening
+        head = join_into(machine, head, Snapshot(frame.registers, machine.state), merge)
+        if head.state.version == version and head.registers is before:
+            break
+        machine.check_time()
+    else:
+        machine.report("RW201", "the loop did not come to rest; what later turns create may be missing")
+    frame.uncertain -= 1
+    if ended is None:
+        machine.log.blocks(machine)
+        return False
+    machine.resume(frame, ended)
+    return True
+
+

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a declared library function does: the effects that its decorators name, and a value of its return annotation."""
+
+from __future__ import annotations
+
+import ast
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Function, Native, Tuple, Unknown, Value
+from rosward.engine import calls, modules
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+MODEL_PREFIX = "models:"
+"""How the file name of every code body of a model begins."""
+
+
+def is_model(function: Function) -> bool:
+    """Whether a function belongs to a library model."""
+    return function.code.file.startswith(MODEL_PREFIX)
+
+
+def apply(machine: Interpreter, function: Function, registers: list[Value]) -> Value | None:
+    """Perform the declared effects; a value where one of them is the whole call (`@native`)."""
+    named = dict(zip(function.code.parameters.names, registers, strict=True))
+    for spec in reversed(function.effects):
+        assert isinstance(spec, Tuple)
+        kind = spec.items[0]
+        if kind == Const("native"):
+            return calls.call_native(machine, f"{function.module.name}.{function.code.qualname}", tuple(registers), {})
+        machine.log.declared(machine, function, spec, named)
+    return None
+
+
+def result(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+    """A value of the return annotation."""
+    code = function.code
+    dotted = f"{function.module.name}.{code.qualname}"
+    if code.returns is None:
+        return machine.unknown(Cause.CALL, dotted)
+    try:
+        tree = ast.parse(code.returns, mode="eval").body
+    except SyntaxError:
+        return machine.unknown(Cause.CALL, dotted)
+    return _of_annotation(machine, function, tree, registers, dotted)
+
+
+def _of_annotation(machine: Interpreter, function: Function, tree: ast.expr, registers: list[Value], dotted: str) -> Value:
+    if isinstance(tree, ast.Constant):
+        if tree.value is None:
+            return NONE
+        if isinstance(tree.value, str):
+            return _of_annotation(machine, function, ast.parse(tree.value, mode="eval").body, registers, dotted)
+    if isinstance(tree, ast.BinOp):
+        return join_all(_of_annotation(machine, function, side, registers, dotted) for side in (tree.left, tree.right))
+    if isinstance(tree, ast.Subscript):
+        head = ast.unparse(tree.value).rpartition(".")[2]
+        inner = tree.slice.elts if isinstance(tree.slice, ast.Tuple) else [tree.slice]
+        if head in ("Optional", "Union"):
+            values = [_of_annotation(machine, function, e, registers, dotted) for e in inner]
+            return join_all([*values, NONE] if head == "Optional" else values)
+        if head in ("tuple", "Tuple") and not any(isinstance(e, ast.Constant) and e.value is ... for e in inner):
+            return Tuple(tuple(_of_annotation(machine, function, e, registers, dotted) for e in inner))
+        return _of_annotation(machine, function, tree.value, registers, dotted)
+    if isinstance(tree, ast.Name) and tree.id == "Self":
+        return registers[0] if registers else machine.unknown(Cause.CALL, dotted)
+    if isinstance(tree, (ast.Name, ast.Attribute)):
+        return _instance(machine, _evaluate(machine, function, tree), dotted)
+    return machine.unknown(Cause.CALL, dotted)
+
+
+def _evaluate(machine: Interpreter, function: Function, tree: ast.expr) -> Value:
+    if isinstance(tree, ast.Name):
+        found = machine.at(function.module.address).attrs.get(tree.id)
+        return found if found is not None and found is not UNBOUND else modules.load_global(machine, function.module, tree.id, quiet=True)
+    if isinstance(tree, ast.Attribute):
+        return machine.load_attr(_evaluate(machine, function, tree.value), tree.attr)
+    return NONE
+
+
+def _instance(machine: Interpreter, cls: Value, dotted: str) -> Value:
+    """An opaque value of a class."""
+    if cls.__class__ is Class:
+        return opaque(machine, cls)
+    if cls.__class__ is Native:
+        short = cls.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+        return NONE if short == "None" else Unknown(machine.unknown(Cause.CALL, dotted).reasons, short)
+    if cls.__class__ is External and not cls.name.startswith(("typing.", "collections.abc.")):  # type: ignore[attr-defined]
+        return machine.unknown(Cause.CALL, dotted)
+    return machine.unknown(Cause.CALL, dotted)
+
+
+def opaque(machine: Interpreter, cls: Value) -> Value:
+    """A new instance of a class on which `__init__` was not run."""
+    return join_all(machine.allocate(Obj("instance", c), "opaque") for c in options(cls))

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Operators: the special methods of instances first, then what the builtin types do, for each alternative."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.text import concat
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    FALSE,
+    TRUE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Ref,
+    Unknown,
+    Value,
+)
+from rosward.engine import attributes, calls
+from rosward.models import operators
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+__all__ = ["binary", "compare", "join_all", "join_texts", "may", "truth", "unary"]
+
+_BINARY: Final = {
+    "+": "add", "-": "sub", "*": "mul", "/": "truediv", "//": "floordiv", "%": "mod", "**": "pow", "@": "matmul",
+    "&": "and", "|": "or", "^": "xor", "<<": "lshift", ">>": "rshift",
+}  # fmt: skip
+_COMPARE: Final = {"==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+_UNARY: Final = {"-": "neg", "+": "pos", "~": "invert"}
+_CALLABLE: Final = (Function, Class, Native, BoundMethod, Partial, ModuleValue)
+
+
+def join_texts(values: list[Value]) -> Value:
+    """The concatenation of texts, for each combination of alternatives (bounded)."""
+    if not any(v.__class__ is Choice for v in values):
+        return concat(values)
+    from rosward.domain.choice import lift2
+
+    result: Value = Const("")
+    for value in values:
+        result = lift2(lambda a, b: concat((a, b)), result, value)
+    return result
+
+
+def _special(machine: Interpreter, value: Value, name: str) -> Value | None:
+    """The special method of an instance of a class of the program, bound; None where there is none."""
+    if value.__class__ is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "instance" and obj.cls.__class__ is Class:
+            found = attributes.lookup(machine, obj.cls, name)  # type: ignore[arg-type]
+            if found is not None:
+                return attributes.bind(machine, found, value, obj.cls)
+    return None
+
+
+def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, inplace: bool) -> Value:
+    """left operator right."""
+    if left.__class__ is Ref or right.__class__ is Ref:
+        name = _BINARY[operator]
+        if inplace:
+            method = _special(machine, left, f"__i{name}__")
+            if method is not None:
+                return calls.call(machine, method, (right,), {})
+            if operator == "+" and left.__class__ is Ref and machine.obj(left).kind == "list":  # type: ignore[arg-type]
+                calls.call(machine, BoundMethod(left, Native("list.extend")), (right,), {})
+                return left
+            if operator == "|" and left.__class__ is Ref and machine.obj(left).kind in ("dict", "set"):  # type: ignore[arg-type]
+                calls.call(machine, attributes.load(machine, left, "update"), (right,), {})
+                return left
+        method = _special(machine, left, f"__{name}__")
+        if method is not None:
+            return calls.call(machine, method, (right,), {})
+        method = _special(machine, right, f"__r{name}__")
+        if method is not None:
+            return calls.call(machine, method, (left,), {})
+        if _is_instance_object(machine, left) or _is_instance_object(machine, right):
+            return machine.unknown(Cause.OPERATION, operator)
+    return operators.binary(machine, operator, left, right)
+
+
+def _is_instance_object(machine: Interpreter, value: Value) -> bool:
+    return value.__class__ is Ref and machine.obj(value).kind in ("instance", "generator")  # type: ignore[arg-type]
+
+
+def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> Value:
+    """left operator right."""
+    if operator in ("is", "is-not"):
+        return _identity(machine, operator, left, right)
+    name = _COMPARE.get(operator)
+    if name is not None and (left.__class__ is Ref or right.__class__ is Ref):
+        method = _special(machine, left, f"__{name}__")
+        if method is not None:
+            return calls.call(machine, method, (right,), {})
+        if operator in ("==", "!=") and _same(machine, left, right) is not None and not _plain(machine, left):
+            same = _same(machine, left, right)
+            return TRUE if same is (operator == "==") else FALSE
+    if operator in ("in", "not-in"):
+        method = _special(machine, right, "__contains__")
+        if method is not None:
+            answer = truth(machine, calls.call(machine, method, (left,), {}))
+            if answer is None:
+                return machine.unknown(Cause.OPERATION, operator, "bool")
+            return TRUE if answer is (operator == "in") else FALSE
+    return operators.compare(machine, operator, left, right)
+
+
+def _plain(machine: Interpreter, value: Value) -> bool:
+    """A value that compares by content."""
+    return value.__class__ is Const or (value.__class__ is Ref and machine.obj(value).kind in ("list", "dict", "set"))  # type: ignore[arg-type]
+
+
+def _same(machine: Interpreter, left: Value, right: Value) -> bool | None:
+    """Whether both are one object; None where that is not known."""
+    if left.__class__ is Ref and right.__class__ is Ref:
+        if left == right:
+            return None if machine.obj(left).many else True  # type: ignore[arg-type]
+        return False
+    if left.__class__ in (Unknown, External, Choice) or right.__class__ in (Unknown, External, Choice):
+        return True if left.__class__ is External and left == right else None
+    if left.__class__ is Const and right.__class__ is Const:
+        if left.origins or right.origins:  # type: ignore[attr-defined]
+            return None
+        if left.value.__class__ is not right.value.__class__:  # type: ignore[attr-defined]
+            return False
+        return bool(left.value == right.value)  # type: ignore[attr-defined]
+    if left.__class__ is not right.__class__:
+        return False
+    return True if left == right else (None if left.__class__ not in (Class, Function, Native) else False)
+
+
+def _identity(machine: Interpreter, operator: str, left: Value, right: Value) -> Value:
+    answers = {_same(machine, a, b) for a in options(left) for b in options(right)}
+    if len(answers) == 1 and None not in answers:
+        return TRUE if answers.pop() is (operator == "is") else FALSE
+    return machine.unknown(Cause.OPERATION, operator, "bool")
+
+
+def unary(machine: Interpreter, operator: str, value: Value) -> Value:
+    """operator value."""
+    if operator == "not":
+        decided = truth(machine, value)
+        if decided is None:
+            return machine.unknown(Cause.OPERATION, "not", "bool")
+        return FALSE if decided else TRUE
+    method = _special(machine, value, f"__{_UNARY[operator]}__")
+    if method is not None:
+        return calls.call(machine, method, (), {})
+    return operators.unary(machine, operator, value)
+
+
+def truth(machine: Interpreter, value: Value) -> bool | None:
+    """The truth of a value; None where both are possible."""
+    cls = value.__class__
+    if cls is Const:
+        return None if value.origins and not _settled(value) else bool(value.value)  # type: ignore[attr-defined]
+    if cls in _CALLABLE:
+        return True
+    if cls is Choice:
+        answers = {truth(machine, o) for o in value.options}  # type: ignore[attr-defined]
+        return answers.pop() if len(answers) == 1 else None
+    if cls is Ref:
+        obj: Obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "instance":
+            for name in ("__bool__", "__len__"):
+                method = _special(machine, value, name)
+                if method is not None:
+                    answer = calls.call(machine, method, (), {})
+                    return None if answer is value else truth(machine, answer)
+            return True if obj.cls.__class__ is Class and not has_unknown_base(obj.cls) else None  # type: ignore[arg-type]
+    if value is UNBOUND:
+        return None
+    return operators.truth(machine, value)
+
+
+def _settled(value: Value) -> bool:
+    return all(o.settled for o in value.origins)  # type: ignore[attr-defined]
+
+
+def has_unknown_base(cls: Class) -> bool:
+    """Whether a class inherits from something that is neither among the sources nor modelled."""
+    return any(base.__class__ in (External, Unknown) for base in cls.mro)
+
+
+def may(machine: Interpreter, value: Value, test: str, other: Value | None, sense: bool) -> bool:
+    """Whether a test may come out as `sense` for one alternative of a value."""
+    if test == "true":
+        answer = truth(machine, value)
+    elif test == "isinstance":
+        answer = machine.is_instance(value, other) if other is not None else None
+    elif other is None:
+        answer = None
+    else:
+        operator = {"is": "is", "==": "==", "in": "in"}[test]
+        if value.__class__ is Const and other.__class__ is Const and operator != "in":
+            answer = _equal_constants(value, other)
+        else:
+            answer = truth(machine, compare(machine, operator, value, other))
+    return answer is None or answer is sense
+
+
+def _equal_constants(left: Value, right: Value) -> bool | None:
+    if left.origins or right.origins:  # type: ignore[attr-defined]
+        return None
+    return bool(left.value == right.value) and (  # type: ignore[attr-defined]
+        left.value is not None or right.value is None  # type: ignore[attr-defined]
+    )
+
+
+def either(left: Value, right: Value) -> Value:
+    """One of two values."""
+    return join(left, right)

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Exceptions, `finally` and `with`.
+
+    try:    self.t = read()      any operation of the body may fail: the handler starts from the join of the states around each of them
+    except: self.t = 'a'         afterwards self.t is what read() gave, or 'a'
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, final
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Const, External, Native, Tuple, Unknown, Value
+from rosward.engine.frame import Exits, Frame, Snapshot
+from rosward.ir import ops
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_CANNOT_FAIL = (ops.Const, ops.Move, ops.StoreGlobal, ops.StoreCell, ops.StoreName, ops.MakeFunction, ops.Build, ops.NewCell, ops.Assume)
+
+
+@final
+class Catcher:
+    """A `try` that is running: the states from which its handlers may start, joined, and the exceptions that were raised explicitly."""
+
+    __slots__ = ("frame", "raised", "snapshot", "version")
+
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        self.snapshot: Snapshot | None = None
+        self.raised: Value = UNBOUND
+        self.version = -1
+
+    def enter(self, machine: Interpreter) -> None:
+        """The current state may reach the handlers."""
+        from rosward.engine.control import join_into
+
+        here = machine.snapshot(self.frame)
+        self.snapshot = join_into(machine, self.snapshot, here)
+
+
+def note(machine: Interpreter, frame: Frame) -> None:
+    """An exception may be raised here: tell the innermost try of this frame, or the innermost of all."""
+    if machine.catchers and machine.catchers[-1].version != machine.state.version:
+        machine.catchers[-1].version = machine.state.version
+        machine.catchers[-1].enter(machine)
+    del frame
+
+
+def throw(machine: Interpreter, exception: Value, message: str = "") -> None:
+    """An exception is raised here for sure."""
+    machine.raised += 1
+    if machine.catchers:
+        catcher = machine.catchers[-1]
+        catcher.enter(machine)
+        catcher.raised = join(catcher.raised, exception)
+    else:
+        machine.log.ends_early(machine, exception, message)
+
+
+def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
+    """The raise statement."""
+    frame.line, frame.column = op.line, op.column
+    exception = frame.registers[op.src] if op.src != ops.NO_REGISTER else machine.unknown(Cause.CALL, "exception")
+    throw(machine, exception)
+    return False
+
+
+def _may_catch(machine: Interpreter, exception: Value, wanted: Value | None) -> bool | None:
+    """Whether a handler for `wanted` catches; None where it may."""
+    if wanted is None:
+        return True
+    from rosward.engine.classes import is_subclass, type_of
+
+    answers: set[bool | None] = set()
+    for each in options(exception):
+        cls = each if each.__class__ is Native else type_of(machine, each)
+        answers.add(None if cls is None else is_subclass(machine, cls, wanted))
+    return answers.pop() if len(answers) == 1 else None
+
+
+def attempt(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
+    """try / except / else / finally."""
+    if not op.final:
+        return _handled(machine, op, frame)
+    outer, catchers = frame.exits, machine.catchers
+    inner = frame.exits = Exits()
+    catcher = Catcher(frame)
+    machine.catchers = [*catchers, catcher]
+    try:
+        alive = _handled(machine, op, frame) is not False
+    finally:
+        frame.exits = outer
+        machine.catchers = catchers
+    return _finally(machine, op.final, frame, inner, catcher, alive)
+
+
+def _finally(
+    machine: Interpreter, block: ops.Block, frame: Frame, inner: Exits, catcher: Catcher, alive: bool
+) -> bool | None:
+    """Run `block` on each way out of the statement, and let each go on where it went."""
+    from rosward.engine.control import join_into
+
+    outer = frame.exits
+    after: Snapshot | None = None
+    if alive and machine.run(block, frame):
+        after = Snapshot(frame.registers, machine.state)
+    for way in ("broken", "continued", "returned"):
+        snapshot: Snapshot | None = getattr(inner, way)
+        if snapshot is None:
+            continue
+        machine.resume(frame, snapshot)
+        if machine.run(block, frame):
+            setattr(outer, way, join_into(machine, getattr(outer, way), Snapshot(frame.registers, machine.state)))
+            if way == "returned":
+                outer.value = join(outer.value, inner.value)
+    if catcher.raised is not UNBOUND and catcher.snapshot is not None:
+        machine.resume(frame, catcher.snapshot)
+        if machine.run(block, frame):
+            throw(machine, catcher.raised)
+    elif catcher.snapshot is not None and after is None:
+        machine.resume(frame, catcher.snapshot)  # only an implicit exception leaves: its effects count, its state goes nowhere
+        machine.run(block, frame)
+    if after is None:
+        return False
+    machine.resume(frame, after)
+    return None
+
+
+def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
+    """The body under its handlers, then the handlers, then `else`."""
+    if not op.handlers:
+        return (machine.run(op.body, frame) and machine.run(op.orelse, frame)) or False
+    from rosward.engine.control import join_into
+
+    catcher = Catcher(frame)
+    catchers = machine.catchers
+    machine.catchers = [*catchers, catcher]
+    uncertain = frame.uncertain
+    try:
+        alive = _body(machine, op.body, frame, catcher)
+    finally:
+        machine.catchers = catchers
+        frame.uncertain = uncertain
+    alive = alive and machine.run(op.orelse, frame)
+    after = Snapshot(frame.registers, machine.state) if alive else None
+    if catcher.snapshot is None:
+        return None if alive else False
+    raised = catcher.raised
+    frame.uncertain += 1
+    for handler in op.handlers:
+        machine.resume(frame, Snapshot(catcher.snapshot.registers.copy(), catcher.snapshot.state.copy()))
+        machine.run(handler.match, frame)
+        wanted = frame.registers[handler.type] if handler.type != ops.NO_REGISTER else None
+        if handler.bind != ops.NO_REGISTER:
+            frame.registers[handler.bind] = _bound(machine, raised, wanted)
+        if machine.run(handler.body, frame):
+            after = join_into(machine, after, Snapshot(frame.registers, machine.state))
+        left = [e for e in options(raised) if raised is not UNBOUND and _may_catch(machine, e, wanted) is not True]
+        raised = join_all(left) if left else UNBOUND
+    frame.uncertain -= 1
+    if raised is not UNBOUND:
+        machine.resume(frame, catcher.snapshot)
+        throw(machine, raised)
+    if after is None:
+        return False
+    machine.resume(frame, after)
+    return None
+
+
+def _bound(machine: Interpreter, raised: Value, wanted: Value | None) -> Value:
+    """What `except … as e` binds."""
+    instances = [e for e in options(raised) if e.__class__ is not Native and e is not UNBOUND and _may_catch(machine, e, wanted) is not False]
+    return join_all([*instances, machine.unknown(Cause.LIVE, "exception")])
+
+
+def _body(machine: Interpreter, body: ops.Block, frame: Frame, catcher: Catcher) -> bool:
+    """Run a try body op by op, noting the state around each that may fail."""
+    machine.steps += len(body)
+    table = machine._table
+    noted: tuple[int, list[Value]] | None = None
+    for op in body:
+        if op.__class__ not in _CANNOT_FAIL and (
+            noted is None or noted[0] != machine.state.version or noted[1] != frame.registers
+        ):
+            catcher.enter(machine)
+            noted = (machine.state.version, frame.registers.copy())
+        if table[op.__class__](machine, op, frame) is False:
+            return False
+        if op.__class__ not in _CANNOT_FAIL and noted is not None and noted[0] != machine.state.version:
+            catcher.enter(machine)
+            noted = (machine.state.version, frame.registers.copy())
+    return True
+
+
+def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | None:
+    """`with`: __enter__, the body, __exit__ on each way out."""
+    from rosward.engine import calls
+    from rosward.engine.control import join_into
+
+    frame.line, frame.column = op.line, op.column
+    context = frame.registers[op.context]
+    prefix = "__a" if op.is_async else "__"
+    entered = calls.call_method(machine, context, f"{prefix}enter__", ())
+    entered = calls.wait_for(machine, entered) if op.is_async else entered
+    if entered is UNBOUND:
+        return False
+    if op.bind != ops.NO_REGISTER:
+        frame.registers[op.bind] = entered
+    outer, catchers = frame.exits, machine.catchers
+    inner = frame.exits = Exits()
+    catcher = Catcher(frame)
+    machine.catchers = [*catchers, catcher]
+    try:
+        alive = machine.run(op.body, frame)
+        if not alive and catcher.snapshot is None and inner.returned is None and inner.broken is None and inner.continued is None:
+            catcher.snapshot = None
+    finally:
+        frame.exits = outer
+        machine.catchers = catchers
+
+    def leave(snapshot: Snapshot) -> Value:
+        machine.resume(frame, snapshot)
+        return calls.call_method(machine, context, f"{prefix}exit__", (NONE, NONE, NONE))
+
+    after: Snapshot | None = None
+    if alive and leave(Snapshot(frame.registers, machine.state)) is not UNBOUND:
+        after = Snapshot(frame.registers, machine.state)
+    for way in ("broken", "continued", "returned"):
+        snapshot: Snapshot | None = getattr(inner, way)
+        if snapshot is not None and leave(snapshot) is not UNBOUND:
+            setattr(outer, way, join_into(machine, getattr(outer, way), Snapshot(frame.registers, machine.state)))
+            if way == "returned":
+                outer.value = join(outer.value, inner.value)
+    if catcher.snapshot is not None:
+        swallowed = leave(catcher.snapshot)
+        swallows = swallowed.__class__ not in (Const, Unknown) or machine.truth(swallowed) is not False
+        if swallows and swallowed.__class__ is not Unknown and swallowed is not UNBOUND:
+            after = join_into(machine, after, Snapshot(frame.registers, machine.state.copy()))
+        if catcher.raised is not UNBOUND and machine.truth(swallowed) is not True:
+            throw(machine, catcher.raised)
+    if after is None:
+        return False
+    machine.resume(frame, after)
+    return None
+
+
+def exception_object(machine: Interpreter, cls: Value, args: tuple[Value, ...]) -> Value:
+    """An instance of a builtin or external exception class."""
+    return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}))
+
+
+def is_exception(name: str) -> bool:
+    """Whether a name of `builtins` is an exception class."""
+    import builtins
+
+    found = getattr(builtins, name, None)
+    return isinstance(found, type) and issubclass(found, BaseException)
+
+
+def external_exception(value: Value) -> bool:
+    """Whether an external name looks like an exception class."""
+    return value.__class__ is External and value.name.rpartition(".")[2].endswith(("Error", "Exception"))  # type: ignore[attr-defined]

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One call in progress, and the states in which control leaves it abruptly."""
+
+from __future__ import annotations
+
+from typing import final
+
+from rosward.domain.values import UNBOUND, ModuleValue, Value
+from rosward.engine.state import State
+from rosward.ir.program import Code
+
+
+@final
+class Snapshot:
+    """A state together with the registers of one frame."""
+
+    __slots__ = ("registers", "state")
+
+    def __init__(self, registers: list[Value], state: State) -> None:
+        self.registers = registers
+        self.state = state
+
+
+@final
+class Exits:
+    """Where abrupt control goes, joined: `broken` and `continued` for the innermost loop, `returned` (with `value`) for the function."""
+
+    __slots__ = ("broken", "continued", "returned", "value")
+
+    def __init__(self) -> None:
+        self.broken: Snapshot | None = None
+        self.continued: Snapshot | None = None
+        self.returned: Snapshot | None = None
+        self.value: Value = UNBOUND
+
+
+@final
+class Frame:
+    """The activation of a code body.
+
+    `cells` are the heap addresses of own, then captured cells. `namespace` is the class body's heap address, or -1.
+    `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
+    `uncertain` counts the enclosing branches of which it is not known whether they run. `yields` collects what a generator yields.
+    """
+
+    __slots__ = (
+        "cells",
+        "code",
+        "column",
+        "context",
+        "exits",
+        "line",
+        "module",
+        "namespace",
+        "stub",
+        "registers",
+        "uncertain",
+        "yield_rest",
+        "yields",
+    )
+
+    def __init__(
+        self, code: Code, registers: list[Value], cells: tuple[int, ...], module: ModuleValue, context: int, stub: bool
+    ) -> None:
+        self.code = code
+        self.registers = registers
+        self.cells = cells
+        self.module = module
+        self.context = context
+        self.namespace = -1
+        self.stub = stub  # True where the code belongs to a library model
+        self.exits = Exits()
+        self.line = code.line
+        self.column = 1
+        self.uncertain = 0
+        self.yields: list[Value] = []
+        self.yield_rest: Value = UNBOUND

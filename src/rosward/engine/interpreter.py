@@ -1,0 +1,556 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The interpreter: one handler per operation, found by its class. It holds the state and delegates every question to a module.
+
+A handler returns None where control goes on, and False where it does not (the path is dead, or has left by an exit).
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, final
+
+from rosward.domain.choice import join, options
+from rosward.domain.heap import Obj
+from rosward.domain.text import make
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Const,
+    Function,
+    ModuleValue,
+    Native,
+    Ref,
+    Slice,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine import attributes, calls, classes, control, equality, exceptions, items, modules
+from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.schedule import Schedule
+from rosward.engine.state import NOTHING_DONE, State
+from rosward.findings import Finding
+from rosward.ir import ops
+from rosward.models import operators
+from rosward.models.strings import format_value
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.library import Library
+    from rosward.models.effects import EffectLog
+    from rosward.models.native import Items
+
+Handler = Callable[["Interpreter", ops.Op, Frame], bool | None]
+DEAD = False
+
+
+@final
+class Interpreter:
+    """Runs the code of one process abstractly. Implements `models.native.Machine`."""
+
+    def __init__(self, library: Library, budget: Budget, log: EffectLog) -> None:
+        self.library = library
+        self.budget = budget
+        self.log = log
+        self.state = State({}, 0, NOTHING_DONE)
+        self.frames: list[Frame] = []
+        self.catchers: list[exceptions.Catcher] = []
+        self.schedule_book = Schedule()
+        self.steps = 0
+        self.step_limit = budget.steps
+        self.deadline = time.process_time() + budget.seconds
+        self.raised = 0
+        self.ends: State | None = None  # where the program ends early, joined
+        self.summaries: dict[object, calls.Summary] = {}
+        self.memo: dict[object, Value] = {}
+        self.instantiated: set[Place] = set()
+        self.entered: set[int] = set()  # id() of each code body that was run
+        self._versions = 0
+        self._first_address = library.first_address
+        self._addresses: dict[object, int] = {}
+        self._contexts: dict[object, int] = {}
+        self._table = _HANDLERS
+
+    # Running
+
+    def run(self, block: ops.Block, frame: Frame) -> bool:
+        """Interpret a block; False where control does not come out at its end."""
+        self.steps += len(block)
+        if self.steps > self.step_limit:
+            raise LimitReachedError(f"more than {self.step_limit} steps")
+        table = self._table
+        for op in block:
+            if table[op.__class__](self, op, frame) is DEAD:
+                return False
+        return True
+
+    def check_time(self) -> None:
+        """Raise where the process has used up its time."""
+        if time.process_time() > self.deadline:
+            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis")
+
+    def fresh_version(self) -> int:
+        """A version number never used before."""
+        self._versions += 1
+        return self._versions
+
+    def context(self, *key: object) -> int:
+        """The number of a context."""
+        number = self._contexts.get(key)
+        if number is None:
+            number = self._contexts[key] = len(self._contexts) + 1
+        return number
+
+    def snapshot(self, frame: Frame) -> Snapshot:
+        """An independent copy of where we are."""
+        return Snapshot(frame.registers.copy(), self.state.copy())
+
+    def resume(self, frame: Frame, snapshot: Snapshot) -> None:
+        """Go on from a snapshot (which is used up)."""
+        frame.registers = snapshot.registers
+        self.state = snapshot.state
+
+    # The heap
+
+    def obj(self, ref: Ref) -> Obj:
+        """The record at an address, of this process or of the library."""
+        return self.at(ref.address)
+
+    def at(self, address: int) -> Obj:
+        """The record at an address."""
+        found = self.state.heap.get(address)
+        return found if found is not None else self.library.at(address)
+
+    def put(self, address: int, obj: Obj) -> None:
+        """Replace the record at an address."""
+        self.state.heap[address] = obj
+        self._versions += 1
+        self.state.version = self._versions
+
+    def update(self, ref: Ref, obj: Obj) -> None:
+        """Replace the record behind a reference; where it stands for several objects the old content stays possible."""
+        old = self.at(ref.address)
+        if old.many:
+            from rosward.engine.state import join_objects
+
+            joined = join_objects(old, obj, join)
+            if joined is old:
+                return
+            obj = joined
+        self.put(ref.address, obj)
+
+    def allocate(self, obj: Obj, site: object = None) -> Ref:
+        """A new object, identified by the place and context in which it is made."""
+        frame = self.frames[-1] if self.frames else None
+        key = (frame.context, frame.code.file, frame.line, frame.column, obj.kind, site) if frame else (obj.kind, site)
+        return Ref(self.place_at(key, obj))
+
+    def place_key(self, key: object) -> int:
+        """The address that belongs to a key."""
+        address = self._addresses.get(key)
+        if address is None:
+            address = self._addresses[key] = self._first_address + len(self._addresses)
+        return address
+
+    def place_at(self, key: object, obj: Obj) -> int:
+        """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
+        address = self.place_key(key)
+        old = self.state.heap.get(address)
+        if old is not None:
+            from rosward.engine.state import join_objects
+
+            joined = join_objects(old, obj, join)
+            if not joined.many:
+                joined = joined.replace(many=True)
+            if joined is old:
+                return address
+            obj = joined
+        self.put(address, obj)
+        return address
+
+    def new_list(self, known: Iterable[Value], rest: Value | None = None, kind: str = "list") -> Ref:
+        """A new list (or set)."""
+        elements: tuple[Value, ...] | None = tuple(known)
+        cls = Native(f"builtins.{kind}")
+        if rest is not None or len(elements or ()) > self.budget.items:
+            from rosward.domain.choice import join_all
+
+            rest = join_all([*(elements or ()), *(() if rest is None else (rest,))])
+            elements = None
+        return self.allocate(Obj(kind, cls, items=elements, rest=rest))
+
+    def new_set(self, known: Iterable[Value], rest: Value | None = None) -> Ref:
+        """A new set."""
+        return self.new_list(dict.fromkeys(known), rest, "set")
+
+    def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
+        """A new dict."""
+        return self.allocate(Obj("dict", Native("builtins.dict"), entries=dict(entries), rest=rest))
+
+    # What natives ask for
+
+    def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        """Call a value."""
+        return calls.call(self, function, tuple(args), dict(keywords) if keywords else {})
+
+    def load_attr(self, value: Value, name: str) -> Value:
+        """value.name."""
+        return attributes.load(self, value, name)
+
+    def store_attr(self, target: Value, name: str, value: Value) -> None:
+        """target.name = value."""
+        attributes.store(self, target, name, value)
+
+    def load_item(self, value: Value, index: Value) -> Value:
+        """value[index]."""
+        return items.load(self, value, index)
+
+    def store_item(self, target: Value, index: Value, value: Value) -> None:
+        """target[index] = value."""
+        items.store(self, target, index, value)
+
+    def binary(self, operator: str, left: Value, right: Value) -> Value:
+        """left operator right."""
+        return equality.binary(self, operator, left, right, inplace=False)
+
+    def compare(self, operator: str, left: Value, right: Value) -> Value:
+        """left operator right."""
+        return equality.compare(self, operator, left, right)
+
+    def iterate(self, value: Value) -> Items:
+        """What iterating yields."""
+        return items.iterate(self, value)
+
+    def truth(self, value: Value) -> bool | None:
+        """The truth of a value, None for both."""
+        return equality.truth(self, value)
+
+    def is_instance(self, value: Value, wanted: Value) -> bool | None:
+        """isinstance(value, wanted)."""
+        return classes.is_instance(self, value, wanted)
+
+    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        """An unknown that arises here."""
+        return Unknown((Reason(cause, subject, self.place),), hint)
+
+    def escape(self, values: Iterable[Value], library: str) -> None:
+        """Values reach unknown code."""
+        calls.escape(self, values, library)
+
+    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+        """A callback may run from now on."""
+        self.schedule_book.add(self, callback, tuple(args), event)
+
+    def spin(self) -> None:
+        """Everything scheduled may run here."""
+        self.schedule_book.spin(self)
+
+    def report(self, code: str, message: str) -> None:
+        """A finding at the current place."""
+        self.log.findings[Finding(code, message, self.place)] = None
+
+    def die(self, error: str, message: str) -> Value:
+        """This path raises here."""
+        exceptions.throw(self, Native(f"builtins.{error}"), message)
+        return UNBOUND
+
+    @property
+    def place(self) -> Place:
+        """The innermost place in the user's code."""
+        for frame in reversed(self.frames):
+            if not frame.stub:
+                return Place(frame.code.file, frame.line, frame.column)
+        return Place("", 0)
+
+    @property
+    def via(self) -> str | None:
+        """The library function that the user's code called, where the current code is a library's."""
+        name: str | None = None
+        for frame in reversed(self.frames):
+            if not frame.stub:
+                break
+            name = f"{frame.module.name}.{frame.code.qualname}"
+        return name
+
+    def load_module(self, name: str) -> Value:
+        """The module (or external thing) of a dotted name, run if it was not yet."""
+        return modules.load(self, name, None)
+
+
+# Simple operations
+
+
+def _const(machine: Interpreter, op: ops.Const, frame: Frame) -> None:
+    frame.registers[op.dst] = machine.library.constant(op)
+
+
+def _move(_machine: Interpreter, op: ops.Move, frame: Frame) -> None:
+    frame.registers[op.dst] = frame.registers[op.src]
+
+
+def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None:
+    found = machine.at(frame.module.address).attrs.get(op.name)
+    if found is None or found is UNBOUND:
+        frame.line, frame.column = op.line, op.column
+        found = modules.load_global(machine, frame.module, op.name)
+    frame.registers[op.dst] = found
+
+
+def _store_global(machine: Interpreter, op: ops.StoreGlobal, frame: Frame) -> None:
+    modules.store_global(machine, frame.module, op.name, frame.registers[op.src])
+
+
+def _load_name(machine: Interpreter, op: ops.LoadName, frame: Frame) -> None:
+    found = machine.at(frame.namespace).attrs.get(op.name) if frame.namespace >= 0 else None
+    if found is None and op.cell != ops.NO_REGISTER:
+        found = machine.at(frame.cells[op.cell]).attrs.get("value")
+    if found is None or found is UNBOUND:
+        found = machine.at(frame.module.address).attrs.get(op.name)
+    if found is None or found is UNBOUND:
+        frame.line, frame.column = op.line, op.column
+        found = modules.load_global(machine, frame.module, op.name)
+    frame.registers[op.dst] = found
+
+
+def _store_name(machine: Interpreter, op: ops.StoreName, frame: Frame) -> None:
+    machine.put(frame.namespace, machine.at(frame.namespace).with_attr(op.name, frame.registers[op.src]))
+
+
+def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> None:
+    found = machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND)
+    if found is UNBOUND:
+        frame.line, frame.column = op.line, op.column
+        found = machine.unknown(Cause.ERROR, "variable without a value")
+    frame.registers[op.dst] = found
+
+
+def _store_cell(machine: Interpreter, op: ops.StoreCell, frame: Frame) -> None:
+    ref = Ref(frame.cells[op.cell])
+    machine.update(ref, machine.obj(ref).with_attr("value", frame.registers[op.src]))
+
+
+def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    cell = machine.allocate(Obj("cell", NONE), op.cell)
+    cells = list(frame.cells)
+    cells[op.cell] = cell.address
+    frame.cells = tuple(cells)
+
+
+def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    value = attributes.load(machine, frame.registers[op.obj], op.name)
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    alive = attributes.store(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
+    return None if alive else DEAD
+
+
+def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    value = items.load(machine, frame.registers[op.obj], frame.registers[op.index])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    items.store(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
+
+
+def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    if op.kind == "local":
+        frame.registers[op.obj] = UNBOUND
+    elif op.kind == "global":
+        modules.store_global(machine, frame.module, op.name, UNBOUND)
+    elif op.kind == "item":
+        items.delete(machine, frame.registers[op.obj], frame.registers[op.index])
+    elif op.kind == "attr":
+        attributes.delete(machine, frame.registers[op.obj], op.name)
+
+
+def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    value = equality.unary(machine, op.operator, frame.registers[op.src])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    registers = frame.registers
+    value = equality.binary(machine, op.operator, registers[op.left], registers[op.right], inplace=op.inplace)
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _compare(machine: Interpreter, op: ops.Compare, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    value = equality.compare(machine, op.operator, frame.registers[op.left], frame.registers[op.right])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    registers = frame.registers
+    function = registers[op.func]
+    if op.simple is not None:
+        value = calls.call(machine, function, tuple([registers[r] for r in op.simple]), {})
+    else:
+        value = calls.call_with(machine, function, op.arguments, registers)
+    frame.line, frame.column = op.line, op.column
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _build(machine: Interpreter, op: ops.Build, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    frame.registers[op.dst] = items.build(machine, op, frame)
+
+
+def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    registers = frame.registers
+    known: list[Value] = []
+    for part in op.parts:
+        if isinstance(part, str):
+            known.append(Const(part))
+            continue
+        register, conversion, spec = part
+        spec_value = registers[spec] if spec != ops.NO_REGISTER else None
+        known.append(format_value(machine, registers[register], conversion, spec_value))
+    frame.registers[op.dst] = equality.join_texts(known)
+
+
+def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> None:
+    registers = frame.registers
+    frame.registers[op.dst] = Function(
+        op.code,
+        frame.module,
+        tuple([frame.cells[c] for c in op.captures]),
+        tuple([registers[r] for r in op.defaults]),
+        tuple([(name, registers[r]) for name, r in op.kwdefaults]),
+    )
+    machine.log.seen(op.code, stub=frame.stub)
+
+
+def _make_class(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    frame.registers[op.dst] = classes.make(machine, op, frame)
+
+
+def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    frame.registers[op.dst] = modules.import_module(machine, op, frame)
+
+
+def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    frame.registers[op.dst] = modules.import_from(machine, op, frame)
+
+
+def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    modules.import_star(machine, op, frame)
+
+
+def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    items.unpack(machine, op, frame)
+
+
+def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    arguments = [frame.registers[r] for r in op.arguments]
+    if op.name == "slice":
+        frame.registers[op.dst] = Slice(arguments[0], arguments[1], arguments[2])
+    else:
+        frame.registers[op.dst] = items.intrinsic(machine, op.name, arguments, frame)
+
+
+def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
+    value = frame.registers[op.src]
+    if value.__class__ is not Choice and op.test != "true":
+        frame.registers[op.dst] = value
+        return None
+    other = frame.registers[op.other] if op.other != ops.NO_REGISTER else None
+    kept: list[Value] = [o for o in options(value) if equality.may(machine, o, op.test, other, op.sense)]
+    if not kept:
+        return DEAD if value.__class__ is Choice else None
+    frame.registers[op.dst] = equality.join_all(kept)
+    return None
+
+
+def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
+    frame.line, frame.column = op.line, op.column
+    value = frame.registers[op.src]
+    known, rest = ((value,), None) if not op.many else machine.iterate(value)
+    if frame.uncertain or frame.yield_rest is not UNBOUND or len(frame.yields) > machine.budget.items:
+        for item in known:
+            frame.yield_rest = join(frame.yield_rest, item)
+    else:
+        frame.yields.extend(known)
+    if rest is not None:
+        frame.yield_rest = join(frame.yield_rest, rest)
+    frame.registers[op.dst] = machine.unknown(Cause.CALL, "send")
+
+
+def _await(machine: Interpreter, op: ops.Await, frame: Frame) -> bool | None:
+    frame.line, frame.column = op.line, op.column
+    value = calls.wait_for(machine, frame.registers[op.src])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+_HANDLERS: dict[type[ops.Op], Handler] = {
+    ops.Const: _const,
+    ops.Move: _move,
+    ops.LoadGlobal: _load_global,
+    ops.StoreGlobal: _store_global,
+    ops.LoadName: _load_name,
+    ops.StoreName: _store_name,
+    ops.LoadCell: _load_cell,
+    ops.StoreCell: _store_cell,
+    ops.NewCell: _new_cell,
+    ops.LoadAttr: _load_attr,
+    ops.StoreAttr: _store_attr,
+    ops.LoadItem: _load_item,
+    ops.StoreItem: _store_item,
+    ops.Delete: _delete,
+    ops.Unary: _unary,
+    ops.Binary: _binary,
+    ops.Compare: _compare,
+    ops.Call: _call,
+    ops.Build: _build,
+    ops.Format: _format,
+    ops.MakeFunction: _make_function,
+    ops.MakeClass: _make_class,
+    ops.Import: _import,
+    ops.ImportFrom: _import_from,
+    ops.ImportStar: _import_star,
+    ops.Unpack: _unpack,
+    ops.Intrinsic: _intrinsic,
+    ops.Assume: _assume,
+    ops.Yield: _yield,
+    ops.Await: _await,
+    ops.If: control.branch,
+    ops.While: control.loop,
+    ops.ForEach: control.for_each,
+    ops.Try: exceptions.attempt,
+    ops.With: exceptions.with_context,
+    ops.Return: control.leave,
+    ops.Raise: exceptions.raise_,
+    ops.Break: control.break_,
+    ops.Continue: control.continue_,
+}  # type: ignore[assignment,dict-item]

@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Displays, subscripts, unpacking and iteration, over the values of the program and those of builtin types."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    FALSE,
+    NONE,
+    TRUE,
+    UNBOUND,
+    Choice,
+    Class,
+    Const,
+    External,
+    Function,
+    Native,
+    Ref,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine import attributes, calls, classes
+from rosward.engine.frame import Frame
+from rosward.ir import ops
+from rosward.models import operators
+from rosward.models.native import Items
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def build(machine: Interpreter, op: ops.Build, frame: Frame) -> Value:
+    """A list, tuple, set or dict display."""
+    registers = frame.registers
+    if op.kind == "dict":
+        return _build_dict(machine, op, registers)
+    known: list[Value] = []
+    rest: Value | None = None
+    for starred, register in op.items:
+        if not starred:
+            if rest is None:
+                known.append(registers[register])
+            else:
+                rest = join(rest, registers[register])
+            continue
+        more, unknown = machine.iterate(registers[register])
+        if rest is None:
+            known.extend(more)
+        else:
+            rest = join_all([rest, *more])
+        if unknown is not None:
+            rest = unknown if rest is None else join(rest, unknown)
+    if op.kind == "tuple":
+        if rest is None and len(known) <= machine.budget.items:
+            return Tuple(tuple(known))
+        return machine.new_list(known, rest)
+    return machine.new_set(known, rest) if op.kind == "set" else machine.new_list(known, rest)
+
+
+def _build_dict(machine: Interpreter, op: ops.Build, registers: list[Value]) -> Value:
+    ref = machine.new_dict({})
+    pending: Value | None = None
+    for starred, register in op.items:
+        value = registers[register]
+        if starred:
+            machine.call(attributes.load(machine, ref, "update"), (value,))
+        elif pending is None:
+            pending = value
+        else:
+            store(machine, ref, pending, value)
+            pending = None
+    return ref
+
+
+def load(machine: Interpreter, value: Value, index: Value) -> Value:
+    """value[index]."""
+    cls = value.__class__
+    if cls is Choice:
+        return join_all(load(machine, o, index) for o in value.options)  # type: ignore[attr-defined]
+    if cls is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "instance":
+            method = attributes.method(machine, value, "__getitem__")
+            if method is not None:
+                return calls.call(machine, method, (index,), {})
+            return machine.unknown(Cause.OPERATION, "[]")
+    if cls is Class:
+        if classes.is_enum(machine, value):  # type: ignore[arg-type]
+            return machine.call(Native("enum.item"), (value, index))
+        method = attributes.lookup(machine, value, "__class_getitem__")  # type: ignore[arg-type]
+        return value if method is None else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})  # type: ignore[arg-type]
+    if cls in (External, Native, Function):
+        return value  # a generic alias such as list[int]
+    return operators.load_item(machine, value, index)
+
+
+def store(machine: Interpreter, target: Value, index: Value, value: Value) -> None:
+    """target[index] = value."""
+    for option in options(target):
+        if option.__class__ is Ref and machine.obj(option).kind == "instance":  # type: ignore[arg-type]
+            method = attributes.method(machine, option, "__setitem__")
+            if method is not None:
+                calls.call(machine, method, (index, value), {})
+        else:
+            operators.store_item(machine, option, index, value)
+
+
+def delete(machine: Interpreter, target: Value, index: Value) -> None:
+    """del target[index]."""
+    for option in options(target):
+        if option.__class__ is Ref:
+            name = "__delitem__" if machine.obj(option).kind == "instance" else "pop"  # type: ignore[arg-type]
+            method = attributes.method(machine, option, name)
+            if method is not None:
+                calls.call(machine, method, (index,), {})
+
+
+def iterate(machine: Interpreter, value: Value) -> Items:
+    """What `for x in value` sees."""
+    cls = value.__class__
+    if cls is Choice:
+        return _iterate_choice(machine, value)  # type: ignore[arg-type]
+    if cls is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "generator":
+            return calls.run_generator(machine, value, obj)[0]  # type: ignore[arg-type]
+        if obj.kind == "instance":
+            return _iterate_instance(machine, value)
+    if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
+        return machine.iterate(machine.call(Native("enum.iterate"), (value,)))
+    if cls in (External, Native, Function, Class):
+        return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
+    return operators.iterate(machine, value)
+
+
+def _iterate_choice(machine: Interpreter, value: Choice) -> Items:
+    """Item by item where all alternatives have one length, else any number of any item."""
+    all_items = [machine.iterate(o) for o in value.options if o != NONE]
+    if not all_items:
+        return Items(())
+    lengths = {len(i.known) for i in all_items if i.rest is None}
+    if len(lengths) == 1 and all(i.rest is None for i in all_items):
+        return Items(tuple(join_all(column) for column in zip(*(i.known for i in all_items), strict=True)))
+    elements = [e for i in all_items for e in (*i.known, *(() if i.rest is None else (i.rest,)))]
+    return Items((), join_all(elements)) if elements else Items(())
+
+
+def _iterate_instance(machine: Interpreter, value: Value) -> Items:
+    method = attributes.method(machine, value, "__iter__")
+    if method is not None:
+        iterator = calls.call(machine, method, (), {})
+        if iterator is UNBOUND:
+            return Items(())
+        if iterator != value:
+            return machine.iterate(iterator)
+    method = attributes.method(machine, value, "__next__") or attributes.method(machine, value, "__getitem__")
+    if method is not None:
+        argument = (machine.unknown(Cause.OPERATION, "index", "int"),) if method is not None and "getitem" in repr(method) else ()
+        item = calls.call(machine, method, argument, {})
+        return Items(()) if item is UNBOUND else Items((), item)
+    return Items((), machine.unknown(Cause.OPERATION, "iteration"))
+
+
+def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
+    """a, *b, c = value."""
+    source = frame.registers[op.src]
+    known, rest = machine.iterate(source)
+    count = len(op.dsts)
+    if op.star == ops.NO_REGISTER:
+        for number, dst in enumerate(op.dsts):
+            if number < len(known):
+                frame.registers[dst] = known[number] if rest is None else join(known[number], rest)
+            else:
+                frame.registers[dst] = rest if rest is not None else machine.unknown(Cause.ERROR, "too few values to unpack")
+        return
+    behind = count - op.star - 1
+    if rest is None and len(known) >= count - 1:
+        middle = known[op.star : len(known) - behind]
+        for number in range(op.star):
+            frame.registers[op.dsts[number]] = known[number]
+        frame.registers[op.dsts[op.star]] = machine.new_list(middle)
+        for number in range(behind):
+            frame.registers[op.dsts[op.star + 1 + number]] = known[len(known) - behind + number]
+        return
+    everything = join_all([*known, *(() if rest is None else (rest,))])
+    if everything is UNBOUND:
+        everything = machine.unknown(Cause.ERROR, "too few values to unpack")
+    for number, dst in enumerate(op.dsts):
+        frame.registers[dst] = machine.new_list((), everything) if number == op.star else everything
+
+
+def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Frame) -> Value:
+    """The primitives of the language that no other operation says."""
+    if name in ("append", "set_add"):
+        _append(machine, arguments[0], arguments[1], frame)
+    elif name == "dict_set":
+        _dict_set(machine, arguments, frame)
+    elif name == "annotate":
+        _annotate(machine, arguments, frame)
+    elif name == "isinstance":
+        return _answer(machine, machine.is_instance(arguments[0], arguments[1]))
+    elif name in ("is_sequence", "is_mapping"):
+        return _answer(machine, _is_kind(machine, arguments[0], name))
+    elif name in ("length_is", "length_at_least"):
+        return _length(machine, name, arguments)
+    elif name == "match_args":
+        found = attributes.load(machine, arguments[0], "__match_args__")
+        return found if found.__class__ is Tuple else machine.unknown(Cause.OPERATION, "match")
+    elif name == "unsupported":
+        machine.report("RW206", "a construct of Python that is not understood")
+        return machine.unknown(Cause.OPERATION, "construct")
+    else:
+        return machine.unknown(Cause.LIVE, name)
+    return NONE
+
+
+def _answer(machine: Interpreter, answer: bool | None) -> Value:
+    if answer is None:
+        return machine.unknown(Cause.OPERATION, "match", "bool")
+    return TRUE if answer else FALSE
+
+
+def _append(machine: Interpreter, target: Value, value: Value, frame: Frame) -> None:
+    if target.__class__ is not Ref:
+        return
+    obj: Obj = machine.obj(target)  # type: ignore[arg-type]
+    if obj.items is None or frame.uncertain or len(obj.items) >= machine.budget.items:
+        from rosward.engine.state import element
+
+        before = element(obj)
+        rest = value if before is None else join(before, value)
+        if obj.items is not None or rest != obj.rest:
+            machine.put(target.address, obj.replace(items=None, rest=rest))  # type: ignore[attr-defined]
+        return
+    machine.put(target.address, obj.replace(items=(*obj.items, value)))  # type: ignore[attr-defined]
+
+
+def _dict_set(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:
+    target, key, value = arguments
+    if frame.uncertain and target.__class__ is Ref:
+        obj: Obj = machine.obj(target)  # type: ignore[arg-type]
+        if key.__class__ is Const and key not in obj.entries:
+            merged = obj.replace(entries={**obj.entries, key: value}, maybe=obj.maybe | {key})
+            machine.put(target.address, merged)  # type: ignore[attr-defined]
+            return
+    operators.store_item(machine, target, key, value)
+
+
+def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:
+    """Keep the annotation of a class variable, in order, in `__annotations__`."""
+    namespace = machine.at(frame.namespace) if frame.namespace >= 0 else None
+    if namespace is None:
+        return
+    table = namespace.attrs.get("__annotations__")
+    if table is None:
+        table = machine.allocate(Obj("dict", Native("builtins.dict"), entries={}), "annotations")
+        machine.put(frame.namespace, machine.at(frame.namespace).with_attr("__annotations__", table))
+    operators.store_item(machine, table, arguments[0], arguments[1])
+
+
+def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
+    answers: set[bool | None] = set()
+    for option in options(value):
+        if option.__class__ is Ref:
+            kind = machine.obj(option).kind  # type: ignore[arg-type]
+            answers.add(None if kind in ("instance", "generator") else kind == ("list" if name == "is_sequence" else "dict"))
+        elif option.__class__ is Tuple:
+            answers.add(name == "is_sequence")
+        else:
+            answers.add(None if option.__class__ is Unknown else False)
+    return answers.pop() if len(answers) == 1 else None
+
+
+def _length(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
+    known, rest = machine.iterate(arguments[0])
+    wanted = arguments[1]
+    if rest is not None or wanted.__class__ is not Const:
+        return machine.unknown(Cause.OPERATION, "match", "bool")
+    count = wanted.value  # type: ignore[attr-defined]
+    return TRUE if (len(known) == count if name == "length_is" else len(known) >= count) else FALSE

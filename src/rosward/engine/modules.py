@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Modules: importing them, their variables, and the builtins behind them.
+
+A module is a source file of the analysis, else a model (a stub file), else external: known by its dotted name only.
+"""
+
+from __future__ import annotations
+
+import builtins
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Value
+from rosward.engine.frame import Frame
+from rosward.ir import ops
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_STARS: Final = "*"
+"""The variable of a module that lists the external modules of which it took everything."""
+
+
+def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
+    """import a.b.c [as d]."""
+    leaf = load(machine, op.module, frame)
+    if op.leaf or "." not in op.module:
+        return leaf
+    return load(machine, op.module.partition(".")[0], frame)
+
+
+def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value:
+    """from a.b import c."""
+    module = load(machine, op.module, frame, op.level)
+    if module.__class__ is ModuleValue:
+        return attribute(machine, module, op.name, importing=True)  # type: ignore[arg-type]
+    return machine.load_attr(module, op.name)
+
+
+def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
+    """from a.b import *."""
+    module = load(machine, op.module, frame, op.level)
+    here = machine.at(frame.module.address)
+    if module.__class__ is not ModuleValue:
+        stars = here.attrs.get(_STARS, Tuple(()))
+        assert isinstance(stars, Tuple)
+        machine.put(frame.module.address, here.with_attr(_STARS, Tuple((*stars.items, module))))
+        return
+    record = machine.at(module.address)  # type: ignore[attr-defined]
+    names = [n for n in record.attrs if not n.startswith("_")]
+    listed = record.attrs.get("__all__")
+    if listed is not None:
+        known, rest = machine.iterate(listed)
+        if rest is None and all(isinstance(k, Const) and isinstance(k.value, str) for k in known):
+            names = [k.value for k in known if isinstance(k, Const) and isinstance(k.value, str)]
+    taken = {n: attribute(machine, module, n) for n in names if n != _STARS}  # type: ignore[arg-type]
+    here = machine.at(frame.module.address)
+    attrs = {**here.attrs, **taken}
+    stars = record.attrs.get(_STARS)
+    if isinstance(stars, Tuple):
+        before = here.attrs.get(_STARS)
+        attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *stars.items))
+    machine.put(frame.module.address, here.replace(attrs=attrs))
+
+
+def load(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
+    """The module of a name as written in `frame`, run if it has not been."""
+    importer = frame.module if frame is not None else None
+    if level == 0 and name.startswith("_rosward"):
+        return External(name)
+    found = machine.library.find(name, level, importer)
+    if found is None:
+        return External(name or "." * level)
+    if found.model:
+        return machine.library.load_model(found)
+    parts = found.name.split(".")
+    if level == 0 and len(parts) > 1 and found.name == name:
+        parent = load(machine, ".".join(parts[:-1]), frame)
+    else:
+        parent = None
+    address = machine.place_key(("module", found.key))
+    module = ModuleValue(address, found.name, found.file)
+    if address not in machine.state.heap:
+        run_module(machine, module, found.name)
+    if parent.__class__ is ModuleValue and parent != module:
+        record = machine.at(parent.address)  # type: ignore[union-attr]
+        if record.attrs.get(parts[-1]) != module:
+            machine.put(parent.address, record.with_attr(parts[-1], module))  # type: ignore[union-attr]
+    return module
+
+
+def run_module(machine: Interpreter, module: ModuleValue, name: str) -> bool:
+    """Run the top level of a module; False where it does not come to its end."""
+    package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
+    attrs: dict[str, Value] = {
+        "__name__": Const(name),
+        "__file__": machine.library.file_value(machine, module),
+        "__package__": Const(package),
+        "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
+    }
+    machine.put(module.address, Obj("module", Native("builtins.module"), attrs=attrs))
+    lowered = machine.library.module(module.file)
+    if lowered is None:
+        return True
+    code = lowered.code
+    context = machine.context("module", module.file)
+    frame = Frame(code, [UNBOUND] * code.registers, (), module, context, machine.library.is_model_file(code.file))
+    from rosward.engine import calls
+
+    frame.cells = tuple(calls.new_cells(machine, code, context))
+    frames, machine.frames = machine.frames, [frame]
+    machine.entered.add(id(code))
+    try:
+        return machine.run(code.ops, frame)
+    finally:
+        machine.frames = frames
+
+
+def attribute(machine: Interpreter, module: ModuleValue, name: str, *, importing: bool = False) -> Value:
+    """module.name."""
+    record = machine.at(module.address)
+    found = record.attrs.get(name)
+    if found is not None and found is not UNBOUND:
+        return found
+    dotted = f"{module.name}.{name}"
+    if machine.library.find(dotted, 0, module) is not None or (module.file.endswith("__init__.py") and importing):
+        sub = load_below(machine, module, name)
+        if sub is not None:
+            return sub
+    if machine.library.native(dotted):
+        return Native(dotted)
+    if machine.library.is_model_file(module.file):
+        return External(dotted)
+    star = _from_stars(machine, record, name)
+    if star is not None:
+        return star
+    fallback = record.attrs.get("__getattr__")
+    if fallback is not None:
+        return machine.call(fallback, (Const(name),))
+    if not module.file:
+        return machine.library.missing(machine, dotted)
+    return machine.unknown(Cause.ERROR, f"no name {name} in {module.file}")
+
+
+def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | None:
+    """The submodule of a package, if there is one."""
+    found = machine.library.find(name, 1, module) if not machine.library.is_model_file(module.file) else None
+    if found is None:
+        found = machine.library.find(f"{module.name}.{name}", 0, module)
+    if found is None:
+        return None
+    if found.model:
+        return machine.library.load_model(found)
+    address = machine.place_key(("module", found.key))
+    value = ModuleValue(address, found.name, found.file)
+    if address not in machine.state.heap:
+        run_module(machine, value, found.name)
+    return value
+
+
+def _from_stars(machine: Interpreter, record: Obj, name: str) -> Value | None:
+    """A name that came by `from package import *` from an external module."""
+    stars = record.attrs.get(_STARS)
+    if not isinstance(stars, Tuple) or not stars.items or name.startswith("_"):
+        return None
+    modules = [m.name for m in stars.items if isinstance(m, External)]
+    knowing = [m for m in modules if machine.library.interface_has(m, name)]
+    open_ = [m for m in modules if machine.library.interface_has(m, name) is None]
+    if knowing:
+        return External(f"{knowing[0]}.{name}")
+    if len(open_) == 1:
+        return External(f"{open_[0]}.{name}")
+    if open_:
+        return machine.unknown(Cause.MODULE, f"{' or '.join(open_)}: {name}")
+    return None
+
+
+def load_global(machine: Interpreter, module: ModuleValue, name: str, *, quiet: bool = False) -> Value:
+    """A name that is not (or not yet) a variable of the module: from a star import, or a builtin."""
+    star = _from_stars(machine, machine.at(module.address), name)
+    if star is not None and not (hasattr(builtins, name) and star.__class__ is not External):
+        return star
+    if name == "__builtins__":
+        return machine.unknown(Cause.LIVE, name)
+    if hasattr(builtins, name) or machine.library.native(f"builtins.{name}"):
+        return Native(f"builtins.{name}")
+    if quiet:
+        return machine.unknown(Cause.ERROR, name)
+    return machine.unknown(Cause.ERROR, f"name {name} is not defined")
+
+
+def store_global(machine: Interpreter, module: ModuleValue, name: str, value: Value) -> None:
+    """Assign a variable of a module."""
+    record = machine.at(module.address)
+    if record.attrs.get(name) is not value:
+        machine.update(Ref(module.address), record.with_attr(name, value))

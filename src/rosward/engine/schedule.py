@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may run later: callbacks of every kind, run to a fixpoint, in any order, any number of times.
+
+    self.create_timer(1.0, self.tick)     tick runs wherever the program spins, and after its main body
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.domain.choice import join, widen
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import UNBOUND, Ref, Unknown, Value
+from rosward.engine.binding import ANY
+from rosward.engine.budget import LimitReachedError
+from rosward.engine.frame import Frame
+from rosward.engine.state import State, join_states
+from rosward.ir.program import Code, CodeKind, Parameters
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
+
+
+@final
+class Entry:
+    """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
+
+    __slots__ = ("args", "callback", "event", "place", "state")
+
+    def __init__(self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State) -> None:
+        self.callback = callback
+        self.args = args
+        self.event = event
+        self.place = place
+        self.state = state
+
+
+@final
+class Schedule:
+    """All that was registered so far, by callback, arguments and event."""
+
+    __slots__ = ("_settled", "entries", "running")
+
+    def __init__(self) -> None:
+        self.entries: dict[object, Entry] = {}
+        self.running = False
+        self._settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
+
+    def add(self, machine: Interpreter, callback: Value, args: tuple[Value, ...] | None, event: str) -> None:
+        """Register a callback."""
+        from rosward.domain.choice import options
+
+        for option in options(callback):
+            key = (option, args)
+            if key not in self.entries and option.__class__ is not Unknown:
+                self.entries[key] = Entry(option, args, event, machine.place, machine.state.copy())
+
+    def spin(self, machine: Interpreter) -> None:
+        """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be."""
+        if self.running or self._settled == (len(self.entries), machine.state.version):
+            return
+        self.running = True
+        catchers, machine.catchers = machine.catchers, []
+        frames, machine.frames = machine.frames, []
+        try:
+            self._run(machine)
+        finally:
+            self.running = False
+            machine.frames = frames
+            machine.catchers = catchers
+        self._settled = (len(self.entries), machine.state.version)
+
+    def _run(self, machine: Interpreter) -> None:
+        reason = Reason(Cause.LOOP, "a callback that runs again", Place("", 0))
+
+        def widening(old: Value, new: Value) -> Value:
+            return widen(old, new, reason)
+
+        for round_ in range(machine.budget.rounds * 3):
+            start = (len(self.entries), machine.state.version)
+            merge = join if round_ < machine.budget.widen_after else widening
+            for number, entry in enumerate(list(self.entries.values())):
+                base = machine.state
+                machine.state = base.copy()
+                self._call(machine, number, entry)
+                machine.state = join_states(base, machine.state, machine.fresh_version, merge)
+            if start == (len(self.entries), machine.state.version):
+                return
+            machine.check_time()
+        machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
+
+    @staticmethod
+    def _call(machine: Interpreter, number: int, entry: Entry) -> None:
+        for address, obj in entry.state.heap.items():
+            if address not in machine.state.heap:
+                machine.state.heap[address] = obj
+        code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
+        frame = Frame(code, [], (), machine.library.nowhere, machine.context("callback", number), False)
+        frame.line, frame.column = entry.place.line, entry.place.column
+        frame.uncertain = 1
+        machine.frames.append(frame)
+        machine.step_limit = max(machine.step_limit, machine.steps + machine.budget.entry_steps)
+        try:
+            if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":  # type: ignore[arg-type]
+                machine.iterate(entry.callback)
+            else:
+                anything = machine.unknown(Cause.CALL, f"argument of a {entry.event}")
+                result = machine.call(entry.callback, entry.args or (), {ANY: anything})
+                if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":  # type: ignore[arg-type]
+                    machine.iterate(result)
+        except LimitReachedError as limit:
+            machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")
+            machine.check_time()
+        finally:
+            machine.frames.clear()

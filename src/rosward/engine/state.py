@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The state of an interpretation at one point: the heap, and what has surely happened. And how two states join.
+
+    if unknown: self.t = 'a'      heap 1: self.t 'a'    joined: self.t 'a' | 'b'
+    else:       self.t = 'b'      heap 2: self.t 'b'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, final
+
+from rosward.domain.choice import join, join_all
+from rosward.domain.heap import Obj
+from rosward.domain.values import UNBOUND, Value
+
+Heap = dict[int, Obj]
+Merge = Callable[[Value, Value], Value]
+EventKey = tuple[object, ...]
+NOTHING_DONE: Final[frozenset[EventKey]] = frozenset()
+
+
+@final
+class State:
+    """The heap; `version` changes with every write, so equal versions mean equal heaps; `done`: effects that happened on every path here."""
+
+    __slots__ = ("done", "heap", "version")
+
+    def __init__(self, heap: Heap, version: int, done: frozenset[EventKey]) -> None:
+        self.heap = heap
+        self.version = version
+        self.done = done
+
+    def copy(self) -> State:
+        """An independent copy."""
+        return State(self.heap.copy(), self.version, self.done)
+
+
+def join_states(left: State, right: State, fresh: Callable[[], int], merge: Merge = join) -> State:
+    """The least state that covers both (`merge` may widen instead: left is then the older one). Reuses `left` in place.
+
+    The version of the result is left's where left already covers right: so a fixpoint shows by its version.
+    """
+    left.done &= right.done
+    if left.version == right.version:
+        return left
+    heap, changed = left.heap, False
+    for address, theirs in right.heap.items():
+        ours = heap.get(address)
+        if ours is theirs:
+            continue
+        if ours is None:
+            heap[address] = theirs
+            changed = True
+            continue
+        merged = join_objects(ours, theirs, merge)
+        if merged is not ours:
+            heap[address] = merged
+            changed = True
+    if changed:
+        left.version = fresh()
+    return left
+
+
+def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
+    """An object record that covers both; `left` itself where it already does."""
+    result = left
+    attrs = _join_attrs(left.attrs, right.attrs, merge)
+    if attrs is not left.attrs:
+        result = left.copy()
+        result.attrs = attrs
+    if right.many and not left.many:
+        result = result.copy() if result is left else result
+        result.many = True
+    if left.kind in ("list", "set"):
+        result = _join_elements(result, left, right, merge)
+    elif left.kind == "dict":
+        result = _join_entries(result, left, right, merge)
+    return result
+
+
+def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -> dict[str, Value]:
+    if left is right:
+        return left
+    result = left
+    for name, theirs in right.items():
+        ours = left.get(name)
+        if ours is theirs:
+            continue
+        merged = theirs if ours is None else merge(ours, theirs)
+        if ours is None or merged != ours:
+            if result is left:
+                result = left.copy()
+            result[name] = merged
+    return result
+
+
+def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
+    if left.items == right.items and left.rest == right.rest:
+        return result
+    if left.items is not None and right.items is not None and len(left.items) == len(right.items) and left.rest == right.rest:
+        items = tuple(merge(a, b) for a, b in zip(left.items, right.items, strict=True))
+        if items == left.items:
+            return result
+        return result.replace(items=items)
+    ours, theirs = element(left), element(right)
+    if left.items is None and ours is not None and (theirs is None or merge(ours, theirs) == ours):
+        return result
+    both = merge(ours if ours is not None else UNBOUND, theirs if theirs is not None else UNBOUND)
+    return result.replace(items=None, rest=None if both is UNBOUND else both)
+
+
+def element(obj: Obj) -> Value | None:
+    """The join of all elements of a list or set; None where it is surely empty."""
+    values = list(obj.items or ())
+    if obj.rest is not None:
+        values.append(obj.rest)
+    return join_all(values) if values else None
+
+
+def _join_entries(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
+    if left.entries == right.entries and left.maybe == right.maybe and left.rest == right.rest:
+        return result
+    entries = dict(left.entries)
+    maybe = set(left.maybe | right.maybe)
+    for key, theirs in right.entries.items():
+        ours = entries.get(key)
+        if ours is None:
+            entries[key] = theirs
+            maybe.add(key)
+        elif ours != theirs:
+            entries[key] = merge(ours, theirs)
+    maybe.update(key for key in left.entries if key not in right.entries)
+    rest = _merge_optional(left.rest, right.rest, merge)
+    rest_key = _merge_optional(left.rest_key, right.rest_key, merge)
+    if entries == left.entries and maybe == left.maybe and rest == left.rest and rest_key == left.rest_key:
+        return result
+    return result.replace(entries=entries, maybe=frozenset(maybe), rest=rest, rest_key=rest_key)
+
+
+def _merge_optional(left: Value | None, right: Value | None, merge: Merge) -> Value | None:
+    if left is None or right is None or left == right:
+        return right if left is None else left
+    return merge(left, right)
+
+
+def join_registers(left: list[Value], right: list[Value], merge: Merge = join) -> list[Value]:
+    """The registers that cover both; `left` itself where it already does."""
+    result = left
+    for number, theirs in enumerate(right):
+        ours = left[number]
+        if ours is theirs or theirs is UNBOUND:
+            continue
+        merged = theirs if ours is UNBOUND else merge(ours, theirs)
+        if merged is not ours and merged != ours:
+            if result is left:
+                result = left.copy()
+            result[number] = merged
+    return result

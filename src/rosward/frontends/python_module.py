@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From the text of a Python file to its IR.
+
+    lower_module("import rclpy\n", "talker.py").imports == {"rclpy"}
+
+A text that can't be read raises `FrontendError`. Nothing of it is run.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any, Final
+
+from rosward.frontends import (
+    python_assignments,
+    python_comprehensions,
+    python_definitions,
+    python_expressions,
+    python_patterns,
+    python_statements,
+)
+from rosward.frontends.python_body import Body, FrontendError, Unit, misplaced
+from rosward.frontends.python_definitions import lower_code
+from rosward.frontends.python_scopes import link, unresolved_nonlocal
+from rosward.frontends.python_symbols import collect
+from rosward.ir.ops import Const, StoreGlobal
+from rosward.ir.program import Module
+
+__all__ = ["EXPRESSIONS", "STATEMENTS", "FrontendError", "lower_module"]
+
+EXPRESSIONS: Final[Mapping[type, Callable[[Body, Any], int]]] = {
+    **python_expressions.EXPRESSIONS,
+    **python_comprehensions.EXPRESSIONS,
+    **python_definitions.EXPRESSIONS,
+}
+
+STATEMENTS: Final[Mapping[type, Callable[[Body, Any], None]]] = {
+    **python_assignments.STATEMENTS,
+    **python_definitions.STATEMENTS,
+    **python_statements.STATEMENTS,
+    **python_patterns.STATEMENTS,
+}
+
+_PYTHON_2_MESSAGE: Final = re.compile(
+    r"Missing parentheses in call to '(print|exec)'"
+    r"|multiple exception types must be parenthesized"
+    r"|leading zeros in decimal integer literals"
+)
+_PYTHON_2_LINE: Final = re.compile(
+    r"\s*print\b(?!\s*[(=.])"  # print x
+    r"|\s*exec\s+[\w'\"]"  # exec code
+    r"|\s*except\s+[\w.]+\s*,\s*\w+\s*:"  # except E, e:
+    r"|\s*raise\s+[\w.]+\s*,"  # raise E, 'text'
+    r"|.*`[^`]+`"  # `x`
+    r"|.*<>"
+    r"|.*\b[uU][rR]['\"]"
+    r"|.*\b(0[0-7]+|\d+[lL])\b"  # 0777, 10L
+)
+
+
+def lower_module(text: str, file: str) -> Module:
+    """Lower a file; `file` is what the IR calls it."""
+    text = text.removeprefix("\ufeff")
+    tree = _parse(text)
+    lines = text.count("\n") + (not text.endswith("\n") and bool(text))
+    try:
+        return _lower(tree, file, lines)
+    except (RecursionError, MemoryError) as error:
+        raise FrontendError("depth", "the code is nested too deep to be read", 1, 1) from error
+
+
+def _lower(tree: ast.Module, file: str, lines: int) -> Module:
+    symbols = collect(tree)
+    link(symbols.scopes)
+    unresolved = unresolved_nonlocal(symbols.scopes)
+    if unresolved is not None:
+        raise misplaced(unresolved[1], f"no binding for nonlocal '{unresolved[0]}' found")
+    unit = Unit(file, symbols, EXPRESSIONS, STATEMENTS)
+
+    def body(of: Body) -> None:
+        documentation = ast.get_docstring(tree, clean=False)
+        if documentation is not None:
+            register = of.register()
+            of.ops.append(Const(1, 1, register, documentation))
+            of.ops.append(StoreGlobal(1, 1, "__doc__", register))
+            of.free_register = 0
+        of.statements(tree.body)
+
+    code = lower_code(unit, symbols.by_node[tree], body, name="<module>", qualname="<module>", line=1)
+    return Module(file, code, frozenset(unit.imports), unit.has_main, lines)
+
+
+def _parse(text: str) -> ast.Module:
+    position = text.find("\0")
+    if position >= 0:
+        line = text.count("\n", 0, position) + 1
+        raise FrontendError("null", "the file contains null bytes", line, 1)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
+    except SyntaxError as error:
+        raise _unreadable(error, text) from error
+    except (RecursionError, MemoryError) as error:
+        raise FrontendError("depth", "the code is nested too deep to be parsed", 1, 1) from error
+    except ValueError as error:  # lone surrogates, numbers with too many digits
+        raise FrontendError("syntax", str(error), 1, 1) from error
+
+
+def _unreadable(error: SyntaxError, text: str) -> FrontendError:
+    message = error.msg
+    number, column = error.lineno or 1, error.offset or 1
+    kind = "syntax"
+    if any(words in message for words in ("too many nested", "too many levels of indentation", "too complex")):
+        kind = "depth"
+    elif _PYTHON_2_MESSAGE.search(message):
+        kind = "python2"
+    else:
+        lines = text.splitlines()
+        line = lines[number - 1] if 0 < number <= len(lines) else ""
+        if _PYTHON_2_LINE.match(line):
+            kind = "python2"
+    return FrontendError(kind, message, number, max(column, 1))

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What operations are grouped in: code bodies and modules."""
+
+from __future__ import annotations
+
+import enum
+from typing import final
+
+from rosward.ir.ops import Block
+
+
+class CodeKind(enum.Enum):
+    """What a code body belongs to."""
+
+    MODULE = "module"
+    FUNCTION = "function"
+    CLASS = "class"
+
+
+@final
+class Parameters:
+    """The parameters of a function, by name and in order. Parameter i of all of them (in the order below) arrives in register i.
+
+    Order: positional-only and positional, then `vararg`, then keyword-only, then `kwarg`.
+    """
+
+    __slots__ = ("kwarg", "kwonly", "positional", "posonly", "vararg")
+
+    def __init__(
+        self, positional: tuple[str, ...], posonly: int, vararg: str | None, kwonly: tuple[str, ...], kwarg: str | None
+    ) -> None:
+        self.positional = positional  # positional-only ones included, first
+        self.posonly = posonly  # how many of them are positional-only
+        self.vararg = vararg
+        self.kwonly = kwonly
+        self.kwarg = kwarg
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """All names in register order."""
+        names = self.positional
+        if self.vararg is not None:
+            names += (self.vararg,)
+        names += self.kwonly
+        if self.kwarg is not None:
+            names += (self.kwarg,)
+        return names
+
+
+@final
+class Code:
+    """One body: of a module, a function (lambda, coroutine, generator) or a class.
+
+    `cells` are the names of the variables that inner functions capture; where one is a parameter, the body begins by storing the register into the cell.
+    `free` are the names captured from outside, in the order of `captures` of the operation that makes the function or class.
+    Cell numbers count `cells` first, then `free`. `__class__` is a free cell of each method in which `super()` without
+    arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.
+    `annotations` and `returns` keep annotations as source text. `is_stub`: the body is `...` alone.
+    """
+
+    __slots__ = (
+        "annotations",
+        "cells",
+        "file",
+        "free",
+        "is_coroutine",
+        "is_generator",
+        "is_stub",
+        "kind",
+        "line",
+        "name",
+        "ops",
+        "parameters",
+        "qualname",
+        "registers",
+        "returns",
+        "variables",
+    )
+
+    def __init__(
+        self,
+        kind: CodeKind,
+        name: str,
+        qualname: str,
+        file: str,
+        line: int,
+        parameters: Parameters,
+        ops: Block,
+        registers: int,
+        variables: tuple[str, ...],
+        cells: tuple[str, ...],
+        free: tuple[str, ...],
+        *,
+        is_generator: bool = False,
+        is_coroutine: bool = False,
+        is_stub: bool = False,
+        annotations: dict[str, str] | None = None,
+        returns: str | None = None,
+    ) -> None:
+        self.kind = kind
+        self.name = name
+        self.qualname = qualname
+        self.file = file
+        self.line = line
+        self.parameters = parameters
+        self.ops = ops
+        self.registers = registers  # how many registers; parameters first, then locals, then temporaries
+        self.variables = variables  # names of the registers that are parameters or local variables
+        self.cells = cells
+        self.free = free
+        self.is_generator = is_generator
+        self.is_coroutine = is_coroutine
+        self.is_stub = is_stub
+        self.annotations = annotations or {}
+        self.returns = returns
+
+
+@final
+class Module:
+    """A lowered source file. `imports` are the dotted names of all modules that any of its code imports (relative ones with their dots)."""
+
+    __slots__ = ("code", "file", "has_main", "imports", "lines")
+
+    def __init__(self, file: str, code: Code, imports: frozenset[str], has_main: bool, lines: int) -> None:
+        self.file = file
+        self.code = code
+        self.imports = imports
+        self.has_main = has_main  # it has an `if __name__ == '__main__'` block
+        self.lines = lines

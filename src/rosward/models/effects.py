@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a process does to ROS, as the interpretation records it: nodes, entities, parameters, each with its place and values.
+
+An effect keeps abstract values; `network.collect` turns them into names.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple, final
+
+from rosward.domain.values import UNBOUND, Class, External, Function, Native, Ref, Tuple, Value
+from rosward.findings import Finding
+from rosward.ros.entities import Qos
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.state import State
+    from rosward.ir.program import Code
+
+
+class NodeEffect(NamedTuple):
+    """A node is created: the object at `address` becomes a node of that name."""
+
+    address: int
+    name: Value
+    namespace: Value
+    options: tuple[tuple[str, Value], ...]
+    words: tuple[Value, ...]  # its cli_args
+    global_words: tuple[Value, ...]  # those of rclpy.init, where it uses them
+    cls: Value
+    place: Place
+    late: bool  # created in a callback
+    assumed: bool = False
+
+
+class EntityEffect(NamedTuple):
+    """An entity is created on the node at `address` (None: on a node that is not known)."""
+
+    kind: str
+    address: int | None
+    name: Value
+    type: Value
+    callback: str | None
+    qos: Qos | None
+    ros_prefix: bool
+    introspection: bool
+    place: Place
+    via: str | None
+
+
+class ParameterEffect(NamedTuple):
+    """A parameter is declared."""
+
+    address: int | None
+    name: Value
+    default: Value
+    value: Value
+    type: Value
+    place: Place
+
+
+@final
+class EffectLog:
+    """All effects of one process, each once, in the order in which they were first seen; and what else is worth telling."""
+
+    def __init__(self) -> None:
+        self.nodes: dict[NodeEffect, None] = {}
+        self.entities: dict[EntityEffect, None] = {}
+        self.parameters: dict[ParameterEffect, None] = {}
+        self.global_words: tuple[Value, ...] = ()
+        self.findings: dict[Finding, None] = {}
+        self.classes: dict[Class, None] = {}
+        self.functions: dict[int, Code] = {}
+        self.ends: list[frozenset[tuple[object, ...]]] = []
+        self.setup_calls: list[dict[str, Value]] = []
+        self._addresses: set[int] = set()
+
+    def add_node(self, machine: Interpreter, effect: NodeEffect) -> None:
+        """Record a node."""
+        self.nodes[effect] = None
+        self._addresses.add(effect.address)
+        self._done(machine, ("node", effect.address))
+
+    def add_entity(self, machine: Interpreter, effect: EntityEffect) -> None:
+        """Record an entity."""
+        self.entities[effect] = None
+        self._done(machine, self.key(effect))
+
+    @staticmethod
+    def key(effect: EntityEffect) -> tuple[object, ...]:
+        """What tells an entity from others of its node."""
+        return ("entity", effect.kind, effect.address, effect.name)
+
+    @staticmethod
+    def _done(machine: Interpreter, key: tuple[object, ...]) -> None:
+        state = machine.state
+        if key not in state.done:
+            state.done |= {key}
+            state.version = machine.fresh_version()
+
+    def is_node(self, address: int) -> bool:
+        """Whether the object at an address is a node."""
+        return address in self._addresses
+
+    def assumed_node(self, machine: Interpreter, ref: Ref, base: Value) -> None:
+        """An object whose class is not wholly known is used as a node."""
+        if self.is_node(ref.address):
+            return
+        name = base.name if isinstance(base, External) else "a base class that is not known"
+        machine.report("RW204", f"{name} is taken to be a node, since entities are created on it; its own entities and its name are not known")
+        unknown = machine.unknown_name("node name", name)
+        cls = machine.obj(ref).cls
+        self.add_node(machine, NodeEffect(ref.address, unknown, UNBOUND, (), (), (), cls, machine.place, False, True))
+
+    def declared(self, machine: Interpreter, function: Function, spec: Tuple, named: dict[str, Value]) -> None:
+        """An effect that a model declares by a decorator."""
+        from rosward.models.ros_effects import perform
+
+        perform(machine, function, spec, named)
+
+    def decorated(self, machine: Interpreter, library: str) -> None:
+        """A function went through a decorator that is not known: nothing to tell, since it was scheduled."""
+
+    def defined(self, cls: Class) -> None:
+        """A class was made."""
+        if not cls.stub:
+            self.classes[cls] = None
+
+    def seen(self, code: Code, *, stub: bool) -> None:
+        """A function was made."""
+        if not stub:
+            self.functions[id(code)] = code
+
+    def blocks(self, machine: Interpreter) -> None:
+        """The program can stay here for ever: what surely happened so far is what an execution is sure of."""
+        if not any(f.uncertain and f.code.name == "" for f in machine.frames):
+            self.ends.append(machine.state.done)
+
+    def ends_early(self, machine: Interpreter, exception: Value, message: str) -> None:
+        """An exception that nothing catches ends the program here."""
+        if machine.schedule_book.running:
+            return
+        if isinstance(exception, Native) and not message:
+            return
+        self.ends.append(machine.state.done)
+
+    def final(self, state: State) -> frozenset[tuple[object, ...]]:
+        """What every execution does, given the state behind the main body."""
+        done = state.done
+        for end in self.ends:
+            done &= end
+        return done

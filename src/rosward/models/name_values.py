@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From abstract values to the words of ROS: names with their resolution, interface types, QoS, callbacks.
+
+    Text('/robot_', hole, '/cmd')      NameOption('/robot_*/cmd', PATTERN, …)
+    External('std_msgs.msg.String')    'std_msgs/msg/String'
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from rosward.domain.choice import options, reasons_of
+from rosward.domain.text import origins_of, pattern
+from rosward.domain.unknown import Cause, Origins, Reason
+from rosward.domain.values import (
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    Partial,
+    Ref,
+    Text,
+    Unknown,
+    Value,
+)
+from rosward.ros.entities import Qos, Resolution
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+class NameOption(NamedTuple):
+    """One name that a value may be: its text with `*` for holes, how it was found, from what, and why not wholly."""
+
+    text: str
+    resolution: Resolution
+    depends_on: tuple[str, ...]
+    reasons: tuple[Reason, ...]
+
+
+def name_options(value: Value) -> list[NameOption]:
+    """The names that a value may be; what is no text at all is an unknown name."""
+    return [_name(option) for option in options(value)]
+
+
+def _name(value: Value) -> NameOption:
+    origins = origins_of(value)
+    depends = tuple(sorted({o.name for o in origins}))
+    if value.__class__ is Const and isinstance(value.value, str):  # type: ignore[attr-defined]
+        return NameOption(value.value, resolution_of(origins), depends, ())  # type: ignore[attr-defined]
+    reasons = reasons_of(value)
+    if value.__class__ is Text:
+        return NameOption(pattern(value), Resolution.PATTERN, _depends(depends, reasons), reasons)
+    return NameOption("*", Resolution.UNKNOWN, _depends(depends, reasons), reasons)
+
+
+_SETTABLE: Final = (Cause.PARAMETER, Cause.ARGUMENT, Cause.ENVIRONMENT)
+
+
+def _depends(known: tuple[str, ...], reasons: tuple[Reason, ...]) -> tuple[str, ...]:
+    return tuple(sorted({*known, *(r.subject for r in reasons if r.cause in _SETTABLE and r.subject)}))
+
+
+def resolution_of(origins: Origins) -> Resolution:
+    """How a wholly known text was found."""
+    if not origins:
+        return Resolution.EXACT
+    return Resolution.BOUND if all(o.settled for o in origins) else Resolution.DEFAULT
+
+
+def interface_type(value: Value) -> str | None:
+    """`package/msg/Name` of an interface type; None where the value is not surely one."""
+    if value.__class__ is not External:
+        return None
+    parts = value.name.split(".")  # type: ignore[attr-defined]
+    if len(parts) >= 3 and parts[1] in ("msg", "srv", "action"):
+        inner = [p for p in parts[2:] if not p.startswith("_")]
+        return "/".join((parts[0], parts[1], "_".join(inner))) if inner else None
+    return None
+
+
+def interface_types(value: Value) -> tuple[str | None, ...]:
+    """The types that a value may be, each once."""
+    return tuple(dict.fromkeys(interface_type(o) for o in options(value)))
+
+
+def callback_name(value: Value | None) -> str | None:
+    """The qualified name of a function; None where it is not known."""
+    while value is not None:
+        kind = value.__class__
+        if kind is Function:
+            return value.code.qualname  # type: ignore[attr-defined,no-any-return]
+        if kind in (BoundMethod, Partial):
+            value = value.function  # type: ignore[attr-defined]
+        elif kind is Descriptor:
+            value = value.getter  # type: ignore[attr-defined]
+        elif kind is Choice:
+            value = next((o for o in value.options if callback_name(o)), None)  # type: ignore[attr-defined]
+        elif kind is Class:
+            return value.qualname  # type: ignore[attr-defined,no-any-return]
+        else:
+            return None
+    return None
+
+
+_POLICIES: Final = ("reliability", "durability", "history")
+_NUMBERS: Final = {
+    "reliability": {0: "system_default", 1: "reliable", 2: "best_effort", 4: "best_available"},
+    "durability": {0: "system_default", 1: "transient_local", 2: "volatile", 4: "best_available"},
+    "history": {0: "system_default", 1: "keep_last", 2: "keep_all"},
+}
+
+
+def qos_of(machine: Interpreter, value: Value | None) -> tuple[Qos | None, bool]:
+    """What is known of a QoS profile, and whether the topic keeps the prefix of the ROS name space."""
+    if value is None:
+        return None, True
+    if value.__class__ is Const and isinstance(value.value, int) and not isinstance(value.value, bool):  # type: ignore[attr-defined]
+        return Qos("reliable", "volatile", "keep_last", value.value), True  # type: ignore[attr-defined]
+    if value.__class__ is not Ref or machine.obj(value).kind != "instance":  # type: ignore[arg-type]
+        return None, True
+    words = [_policy(machine, name, _attr(machine, value, name)) for name in _POLICIES]
+    depth = _attr(machine, value, "depth")
+    known = depth.value if isinstance(depth, Const) and isinstance(depth.value, int) else None
+    raw = _attr(machine, value, "avoid_ros_namespace_conventions")
+    prefix = not (isinstance(raw, Const) and raw.value is True)
+    return Qos(words[0], words[1], words[2], known), prefix
+
+
+def _attr(machine: Interpreter, value: Value, name: str) -> Value | None:
+    attrs = machine.obj(value).attrs  # type: ignore[arg-type]
+    found = attrs.get(name, attrs.get(f"_{name}"))
+    return found if found is not None else machine.load_attr(value, name)
+
+
+def _policy(machine: Interpreter, name: str, value: Value | None) -> str | None:
+    if isinstance(value, Const) and isinstance(value.value, int):
+        return _NUMBERS[name].get(value.value)
+    if isinstance(value, Ref):
+        member = machine.obj(value).attrs
+        for key in ("name", "_name_"):
+            label = member.get(key)
+            if isinstance(label, Const) and isinstance(label.value, str):
+                return label.value.lower()
+    return None
+
+
+def unknown_because(cause: Cause, subject: str, machine: Interpreter) -> Unknown:
+    """An unknown str that arises at the current place."""
+    return Unknown((Reason(cause, subject, machine.place),), "str")

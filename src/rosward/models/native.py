@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The protocol between the engine and a model in code.
+
+A native is a function of a `NativeCall` that returns an abstract value. It is found by its dotted name in one of the tables
+(`NATIVES` of the modules beside this one): functions as `os.path.join`, methods of builtin types as `str.join` (the receiver comes first).
+
+    def str_upper(call: NativeCall) -> Value:
+        return lift_text(call.args[0], str.upper)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
+    from rosward.domain.unknown import Cause, Reason
+    from rosward.domain.values import Ref, Unknown, Value
+    from rosward.source.location import Place
+
+
+class Items(NamedTuple):
+    """What iterating over a value yields: `known` in order, then any number of `rest` (None: no more)."""
+
+    known: tuple[Value, ...]
+    rest: Value | None = None
+
+
+class Machine(Protocol):
+    """What the engine offers to a native. All of it acts on the current state of the interpretation."""
+
+    def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        """Call a value; returns what it returns (`Unbound` where no execution returns)."""
+
+    def load_attr(self, value: Value, name: str) -> Value:
+        """value.name."""
+
+    def store_attr(self, target: Value, name: str, value: Value) -> None:
+        """target.name = value."""
+
+    def load_item(self, value: Value, index: Value) -> Value:
+        """value[index]."""
+
+    def store_item(self, target: Value, index: Value, value: Value) -> None:
+        """target[index] = value."""
+
+    def binary(self, operator: str, left: Value, right: Value) -> Value:
+        """left operator right."""
+
+    def compare(self, operator: str, left: Value, right: Value) -> Value:
+        """left operator right."""
+
+    def iterate(self, value: Value) -> Items:
+        """What `for x in value` sees (runs generators)."""
+
+    def truth(self, value: Value) -> bool | None:
+        """The truth of a value; None where both are possible (also for constants that stem from a mere default)."""
+
+    def is_instance(self, value: Value, classes: Value) -> bool | None:
+        """isinstance(value, classes)."""
+
+    def obj(self, ref: Ref) -> Obj:
+        """The heap record behind a reference."""
+
+    def update(self, ref: Ref, obj: Obj) -> None:
+        """Replace the heap record (a weak update where it stands for several objects)."""
+
+    def allocate(self, obj: Obj) -> Ref:
+        """A new object on the heap."""
+
+    def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
+        """A new list."""
+
+    def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
+        """A new set."""
+
+    def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
+        """A new dict; `rest` joins the values under unknown keys."""
+
+    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        """An unknown that arises here."""
+
+    def escape(self, values: Iterable[Value], library: str) -> None:
+        """The values reach code that is not known: callables among them may be called, nodes may get entities (a finding)."""
+
+    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times."""
+
+    def spin(self) -> None:
+        """Everything that is scheduled may run here, in any order, any number of times."""
+
+    def report(self, code: str, message: str) -> None:
+        """A finding at the current place."""
+
+    def die(self, error: str, message: str) -> Value:
+        """This path raises the builtin exception `error` here; returns `Unbound`."""
+
+    @property
+    def place(self) -> Place:
+        """Where in the user's sources the innermost user call stands (calls inside library models are looked through)."""
+
+
+class NativeCall(NamedTuple):
+    """One call of a native: its arguments bound to nothing yet (a receiver is args[0])."""
+
+    machine: Machine
+    name: str
+    args: tuple[Value, ...]
+    keywords: dict[str, Value]
+
+    def arg(self, index: int, name: str, default: Value | None = None) -> Value | None:
+        """The argument that is positional at `index` or named `name`, else default."""
+        if index < len(self.args):
+            return self.args[index]
+        return self.keywords.get(name, default)
+
+    def reasons(self, *values: Value) -> tuple[Reason, ...]:
+        """The reasons for which any of the values is unknown, for a result computed from them."""
+        from rosward.domain.choice import reasons_of  # the lattice needs nothing of this module
+
+        return tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))
+
+
+NativeFunction = Callable[[NativeCall], "Value"]

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Data that stands in the program as text, and data in files: `json`, `yaml`.
+
+json.loads('{"topic": "/scan"}')      a dict with 'topic': '/scan'
+yaml.safe_load(open('config.yaml'))   unknown because of "content of a file: config.yaml"
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Final
+
+import yaml
+
+from rosward.domain.choice import lift, reasons_of
+from rosward.domain.text import origins_of, pattern
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Const, Ref, Text, Unknown, Value
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.std_support import NotKnown, from_plain, text_of, to_plain, unknown_from
+
+MAX_TEXT: Final = 100_000
+_MAX_ALIASES: Final = 100
+
+
+def _json(text: str) -> object:
+    return json.loads(text)
+
+
+def _yaml(text: str) -> object:
+    aliases = text.count("*")
+    if aliases > _MAX_ALIASES or (aliases > 5 and "<<" in text):
+        raise NotKnown
+    try:
+        return yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        raise ValueError(str(error).partition("\n")[0]) from error
+
+
+def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Value:
+    """The data in a text; of a file, nothing is known but which."""
+
+    def one(option: Value) -> Value:
+        plain = (
+            option.value.decode("utf-8", "replace")
+            if isinstance(option, Const) and isinstance(option.value, bytes)
+            else text_of(option)
+        )
+        if plain is None:
+            return _of_file(call, option)
+        if len(plain) > MAX_TEXT:
+            return call.machine.unknown(Cause.LIMIT, f"{call.name} of a long text")
+        try:
+            return from_plain(call.machine, parse(plain), origins_of(option))
+        except NotKnown:
+            return call.machine.unknown(Cause.LIMIT, call.name)
+        except (ValueError, TypeError, AttributeError) as error:
+            return call.machine.die("ValueError", f"{call.name}: {error}")
+        except RecursionError:
+            return call.machine.unknown(Cause.LIMIT, f"nesting in {call.name}")
+
+    return lift(one, source)
+
+
+def _of_file(call: NativeCall, source: Value) -> Value:
+    if isinstance(source, Unknown) and reasons_of(source):
+        return Unknown(source.reasons)
+    if isinstance(source, Text):
+        return unknown_from(call, "", (source,))
+    name = ""
+    if isinstance(source, Ref):
+        where = call.machine.obj(source).attrs.get("name")
+        name = pattern(where) if where is not None else ""
+    return call.machine.unknown(Cause.FILE, "" if name == "*" else name)
+
+
+def _reader(parse: Callable[[str], object], name: str) -> NativeFunction:
+    def read(call: NativeCall) -> Value:
+        source = call.arg(0, name)
+        if source is None:
+            return call.machine.die("TypeError", f"{call.name}() missing 1 required positional argument: '{name}'")
+        return _read(parse, call, source)
+
+    return read
+
+
+def _all_documents(call: NativeCall) -> Value:
+    source = call.arg(0, "stream")
+    return call.machine.new_list(
+        (), _of_file(call, source) if isinstance(source, (Ref, Unknown)) else unknown_from(call, "", call.args)
+    )
+
+
+def _dumps(call: NativeCall) -> Value:
+    """json.dumps / yaml.dump of what is known; else an unknown text. Written to a file: None."""
+    try:
+        value, origins = to_plain(call.machine, call.args[0])
+        options = {k: to_plain(call.machine, v)[0] for k, v in call.keywords.items()}
+        if len(call.args) > 1 or not options.keys() <= {
+            "indent",
+            "sort_keys",
+            "ensure_ascii",
+            "separators",
+            "default_flow_style",
+        }:
+            raise NotKnown
+        dump: Callable[..., str] = json.dumps if call.name.startswith("json") else yaml.safe_dump
+        return Const(dump(value, **options), origins)
+    except NotKnown:
+        return unknown_from(call, "str", call.args)
+    except (IndexError, TypeError, ValueError, yaml.YAMLError, RecursionError) as error:
+        return call.machine.die("TypeError", f"{call.name}: {error}")
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "json.loads": _reader(_json, "s"),
+    "json.load": _reader(_json, "fp"),
+    "json.dumps": _dumps,
+    "simplejson.loads": _reader(_json, "s"),
+    "simplejson.load": _reader(_json, "fp"),
+    "yaml.safe_load": _reader(_yaml, "stream"),
+    "yaml.load": _reader(_yaml, "stream"),
+    "yaml.full_load": _reader(_yaml, "stream"),
+    "yaml.unsafe_load": _reader(_yaml, "stream"),
+    "yaml.safe_load_all": _all_documents,
+    "yaml.load_all": _all_documents,
+    "yaml.safe_dump": _dumps,
+    "yaml.dump": _dumps,
+}

@@ -1,0 +1,302 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Enumerations: the members of a class, and how they are looked up.
+
+    class Side(Enum):
+        LEFT = 'left'       Side.LEFT is an instance of Side with name 'LEFT' and value 'left'
+
+The engine calls `enum.make_members(cls)` behind the body of a class that has `enum.Enum` among its bases, `enum.iterate(cls)` to
+iterate over such a class, `enum.lookup(cls, value)` where it is called, and `enum.by_name(cls, name)` where it is subscripted.
+A member of a class that also derives from str or int holds that value as the `payload` of its heap record.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    Native,
+    Partial,
+    Ref,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.std_support import bare, class_obj, exact_dict, int_of, text_of
+
+AUTO: Final = External("enum.auto()")
+_NO_MEMBER: Final = (Function, Descriptor, Class, Native, Partial)
+_MEMBERS: Final = "__members__"
+_OPERATORS: Final = {
+    "__add__": "+",
+    "__sub__": "-",
+    "__mul__": "*",
+    "__mod__": "%",
+    "__truediv__": "/",
+    "__floordiv__": "//",
+    "__and__": "&",
+    "__or__": "|",
+    "__xor__": "^",
+    "__radd__": "+",
+    "__rsub__": "-",
+    "__rmul__": "*",
+    "__ror__": "|",
+    "__rand__": "&",
+}
+_COMPARISONS: Final = {"__eq__": "==", "__ne__": "!=", "__lt__": "<", "__le__": "<=", "__gt__": ">", "__ge__": ">="}
+_CONVERSIONS: Final = {"__int__": "int", "__float__": "float", "__index__": "int", "__bool__": "bool", "__len__": "len"}
+_FLAG_OPERATORS: Final = ("__or__", "__and__", "__xor__", "__ror__", "__rand__")
+_DATA_TYPES: Final = ("str", "int", "float", "bytes")
+
+
+def _derives(cls: Class, *names: str) -> bool:
+    return any((c.dotted if isinstance(c, Class) else getattr(c, "name", "")) in names for c in cls.mro)
+
+
+def _data_type(cls: Class) -> str:
+    for name in _DATA_TYPES:
+        if _derives(cls, f"builtins.{name}"):
+            return name
+    if _derives(cls, "enum.IntEnum", "enum.IntFlag"):
+        return "int"
+    return "str" if _derives(cls, "enum.StrEnum") else ""
+
+
+def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) -> Value:
+    attrs = call.machine.obj(class_obj(cls)).attrs
+    custom = attrs.get("_generate_next_value_")
+    if custom is not None:
+        function = custom.getter if isinstance(custom, Descriptor) else custom
+        return call.machine.call(function, (Const(name), Const(1), Const(len(before)), call.machine.new_list(before)))
+    if _derives(cls, "enum.StrEnum"):
+        return Const(name.lower())
+    numbers = [n for n in map(int_of, before) if n is not None]
+    if len(numbers) != len(before):
+        return call.machine.unknown(Cause.OPERATION, "enum.auto", "int")
+    if _derives(cls, "enum.Flag", "enum.IntFlag"):
+        return Const(1 << max(numbers).bit_length() if numbers and max(numbers) else 1)
+    return Const(max(numbers) + 1 if numbers else 1)
+
+
+def _resolve(call: NativeCall, cls: Class, name: str, value: Value, before: list[Value]) -> Value:
+    if value == AUTO:
+        return _next_value(call, cls, name, before)
+    if isinstance(value, Tuple) and AUTO in value.items:
+        return Tuple(tuple(_next_value(call, cls, name, before) if v == AUTO else v for v in value.items))
+    return value
+
+
+def _is_member(name: str, value: Value) -> bool:
+    if name.startswith("_") and (name.endswith("_") or name.startswith("__")):
+        return False
+    return not isinstance(value, _NO_MEMBER) and value is not UNBOUND
+
+
+def make_members(call: NativeCall) -> Value:
+    """enum.make_members(cls): each member of the class becomes an instance of it; equal values are aliases."""
+    cls = call.args[0]
+    if not isinstance(cls, Class):
+        return NONE
+    machine = call.machine
+    where = class_obj(cls)
+    ignored = {"_ignore_", *_texts(call, machine.obj(where).attrs.get("_ignore_"))}
+    members: dict[Value, Value] = {}
+    by_value: dict[Value, Value] = {}
+    values: list[Value] = []
+    data = _data_type(cls)
+    for name, written in tuple(machine.obj(where).attrs.items()):
+        if name in ignored or not _is_member(name, written):
+            continue
+        value = _resolve(call, cls, name, written, values)
+        values.append(value)
+        member = by_value.get(value)
+        if member is None:
+            attrs = {"_name_": Const(name), "name": Const(name), "_value_": value, "value": value}
+            member = machine.allocate(Obj("instance", cls, attrs, payload=value if data else None))
+            by_value[value] = member
+            _initialise(call, cls, member, value)
+        members[Const(name)] = member
+        machine.store_attr(cls, name, member)
+    if members:
+        machine.store_attr(cls, _MEMBERS, machine.new_dict(members))
+        _attach_operators(call, cls, data)
+    return NONE
+
+
+def _texts(call: NativeCall, value: Value | None) -> tuple[str, ...]:
+    if value is None:
+        return ()
+    plain = text_of(value)
+    if plain is not None:
+        return tuple(plain.replace(",", " ").split())
+    return tuple(t for t in map(text_of, call.machine.iterate(value).known) if t is not None)
+
+
+def _initialise(call: NativeCall, cls: Class, member: Ref, value: Value) -> None:
+    for base in cls.mro:
+        if isinstance(base, Class) and not base.stub:
+            attrs = call.machine.obj(class_obj(base)).attrs
+            if "__new__" in attrs and "__init__" not in attrs:  # it sets _value_ in a way that is not followed
+                unknown = call.machine.unknown(Cause.CALL, f"{cls.name}.__new__")
+                call.machine.store_attr(member, "value", unknown)
+                call.machine.store_attr(member, "_value_", unknown)
+                return
+            if "__init__" in attrs:
+                call.machine.call(attrs["__init__"], (member, *(value.items if isinstance(value, Tuple) else (value,))))
+                return
+
+
+def _attach_operators(call: NativeCall, cls: Class, data: str) -> None:
+    """What the members do as the str or int that they are, and flags among themselves."""
+    own: set[str] = set()
+    for base in cls.mro:
+        if isinstance(base, Class) and not base.stub:
+            own |= call.machine.obj(class_obj(base)).attrs.keys()
+    flag = _derives(cls, "enum.Flag", "enum.IntFlag")
+    names: tuple[str, ...] = ()
+    if data:
+        names = (*_OPERATORS, *_COMPARISONS, *(_CONVERSIONS if data != "str" else ("__len__",)))
+    elif flag:
+        names = (*_FLAG_OPERATORS, "__bool__")
+    for name in names:
+        if name not in own:
+            call.machine.store_attr(cls, name, Native(f"enum.member.{name}"))
+
+
+def _value_of(call: NativeCall, operand: Value) -> Value:
+    """The value of a member, any other value as it is."""
+    found: list[Value] = []
+    for option in options(operand):
+        if isinstance(option, Ref):
+            obj = call.machine.obj(option)
+            if obj.kind == "instance" and "_value_" in obj.attrs:
+                found.append(obj.attrs["_value_"])
+                continue
+        found.append(option)
+    return join_all(found)
+
+
+def _member_operation(call: NativeCall) -> Value:
+    """enum.member.__add__ and the like: the operation on the values."""
+    name = call.name.rpartition(".")[2]
+    values = [_value_of(call, a) for a in call.args]
+    if name in _CONVERSIONS:
+        return call.machine.call(Native(f"builtins.{_CONVERSIONS[name]}"), values[:1])
+    if len(values) < 2:
+        return call.machine.unknown(Cause.OPERATION, name)
+    if name in _COMPARISONS:
+        return call.machine.compare(_COMPARISONS[name], values[0], values[1])
+    if name.startswith("__r"):
+        values.reverse()
+    return call.machine.binary(_OPERATORS[name], values[0], values[1])
+
+
+def _members(call: NativeCall, cls: Value) -> dict[Value, Value] | None:
+    if not isinstance(cls, Class):
+        return None
+    found = call.machine.obj(class_obj(cls)).attrs.get(_MEMBERS)
+    return None if found is None else exact_dict(call.machine, found)
+
+
+def iterate(call: NativeCall) -> Value:
+    """enum.iterate(cls): the members in order, aliases left out."""
+    members = _members(call, call.args[0])
+    if members is None:
+        return call.machine.new_list((), call.machine.unknown(Cause.CALL, "enum.Enum"))
+    return call.machine.new_list(dict.fromkeys(members.values()))
+
+
+def lookup(call: NativeCall) -> Value:
+    """enum.lookup(cls, value): the member of that value; any member where the value is not known.
+
+    `Enum('Side', 'LEFT RIGHT')` makes a class that is not followed.
+    """
+    cls, value = call.args[0], call.arg(1, "value", NONE) or NONE
+    members = _members(call, cls)
+    if members is None:
+        return call.machine.unknown(Cause.CALL, "enum.Enum")
+    machine = call.machine
+    by_value: dict[Value, Value] = {}
+    for member in members.values():
+        if isinstance(member, Ref):
+            by_value.setdefault(bare(machine.obj(member).attrs.get("_value_", NONE)), member)
+    found: list[Value] = []
+    for option in options(value):
+        if option in by_value.values():
+            found.append(option)
+        elif isinstance(option, (Const, Tuple)) and bare(option) in by_value:
+            found.append(by_value[bare(option)])
+        elif isinstance(option, Const) and not any(isinstance(v, Unknown) for v in by_value):
+            missing = _missing(call, cls, option)
+            found.append(missing)
+        else:
+            found.extend(by_value.values())
+    return join_all(found)
+
+
+def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
+    if isinstance(cls, Class):
+        for base in cls.mro:
+            if isinstance(base, Class) and not base.stub:
+                hook = call.machine.obj(class_obj(base)).attrs.get("_missing_")
+                if hook is not None:
+                    function = hook.getter if isinstance(hook, Descriptor) else hook
+                    return call.machine.call(function, (cls, value))
+        if _derives(cls, "enum.Flag", "enum.IntFlag"):
+            attrs: dict[str, Value] = {"_value_": value, "value": value, "name": NONE, "_name_": NONE}
+            return call.machine.allocate(Obj("instance", cls, attrs, payload=value))
+        return call.machine.die("ValueError", f"{value.value!r} is not a valid {cls.qualname}")
+    return call.machine.unknown(Cause.CALL, "enum.Enum")
+
+
+def by_name(call: NativeCall) -> Value:
+    """enum.by_name(cls, name): `Cls['NAME']`; any member where the name is not known."""
+    members = _members(call, call.args[0])
+    if members is None:
+        return call.machine.unknown(Cause.CALL, "enum.Enum")
+    found: list[Value] = []
+    for option in options(call.args[1]):
+        plain = text_of(option)
+        if plain is None:
+            found.extend(members.values())
+        elif Const(plain) in members:
+            found.append(members[Const(plain)])
+        else:
+            found.append(call.machine.die("KeyError", repr(plain)))
+    return join_all(found)
+
+
+def _auto(_: NativeCall) -> Value:
+    return AUTO
+
+
+def _same(call: NativeCall) -> Value:
+    return call.args[0] if call.args else Native("enum._same")
+
+
+def _verify(_: NativeCall) -> Value:
+    return Native("enum._same")
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "enum.make_members": make_members,
+    "enum.iterate": iterate,
+    "enum.lookup": lookup,
+    "enum.by_name": by_name,
+    "enum.auto": _auto,
+    "enum.unique": _same,
+    "enum.global_enum": _same,
+    "enum.verify": _verify,
+    "enum._same": _same,
+    **{f"enum.member.{name}": _member_operation for name in (*_OPERATORS, *_COMPARISONS, *_CONVERSIONS)},
+}

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Copies of objects, values merged over a container, context managers made of generators.
+
+b = copy.deepcopy(a)               a new list, dict or instance of the same content
+with opened('x') as f: …           the generator function runs at the `with`; f is what it yields first
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import lift
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Class, Ref, Tuple, Value
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.std_support import class_obj, joined_elements, unknown_from
+
+_COPIED: Final = frozenset({"list", "set", "dict", "instance"})
+_MAX_DEPTH: Final = 40
+
+
+def _shallow(call: NativeCall) -> Value:
+    def one(value: Value) -> Value:
+        if not isinstance(value, Ref) or call.machine.obj(value).kind not in _COPIED:
+            return value
+        hook = _hook(call, value, "__copy__")
+        return _again(call, value) if hook is None else call.machine.call(hook, (value,))
+
+    return lift(one, call.args[0]) if call.args else NONE
+
+
+def _again(call: NativeCall, ref: Ref) -> Ref:
+    return call.machine.allocate(call.machine.obj(ref).replace(many=False))
+
+
+def _hook(call: NativeCall, ref: Ref, name: str) -> Value | None:
+    cls = call.machine.obj(ref).cls
+    for base in cls.mro if isinstance(cls, Class) else ():
+        if isinstance(base, Class) and name in (attrs := call.machine.obj(class_obj(base)).attrs):
+            return attrs[name]
+    return None
+
+
+def _deep(call: NativeCall) -> Value:
+    """copy.deepcopy: what is reached more than once is copied once."""
+    machine = call.machine
+    made: dict[int, Ref] = {}
+
+    def copied(value: Value, depth: int) -> Value:
+        return lift(lambda option: one(option, depth), value)
+
+    def one(value: Value, depth: int) -> Value:
+        if isinstance(value, Tuple):
+            return Tuple(tuple(copied(v, depth + 1) for v in value.items))
+        if not isinstance(value, Ref) or depth > _MAX_DEPTH:
+            return value
+        if value.address in made:
+            return made[value.address]
+        obj = machine.obj(value)
+        if obj.kind not in _COPIED:
+            return value
+        hook = _hook(call, value, "__deepcopy__")
+        if hook is not None:
+            return machine.call(hook, (value, machine.new_dict({})))
+        ref = made[value.address] = _again(call, value)
+        machine.update(
+            ref,
+            machine.obj(ref).replace(
+                attrs={k: copied(v, depth + 1) for k, v in obj.attrs.items()},
+                items=None if obj.items is None else tuple(copied(v, depth + 1) for v in obj.items),
+                rest=None if obj.rest is None else copied(obj.rest, depth + 1),
+                entries={k: copied(v, depth + 1) for k, v in obj.entries.items()},
+            ),
+        )
+        return ref
+
+    return copied(call.args[0], 0) if call.args else NONE
+
+
+def _enter(call: NativeCall) -> Value:
+    """contextlib._enter(generator): runs it to its end, gives what it yields first."""
+    items = call.machine.iterate(call.args[0])
+    if items.known:
+        return items.known[0]
+    if items.rest is not None and items.rest is not UNBOUND:
+        return items.rest
+    return call.machine.die("RuntimeError", "generator didn't yield")
+
+
+def _any_of(call: NativeCall) -> Value:
+    """queue._any(items): one of them; what another thread may put, where there are none."""
+    found = joined_elements(call, call.args[0])
+    return call.machine.unknown(Cause.CALL, call.name.replace("._any", ".Queue.get")) if found is UNBOUND else found
+
+
+def _elements(call: NativeCall) -> Value:
+    """numpy._elements(items, dtype): the items where an array keeps them as they are (all int, or all str), else unknown ones."""
+    machine = call.machine
+    items, dtype = call.args
+    found = machine.iterate(items)
+    kinds = {_kind(call, v) for v in found.known}
+    if found.rest is None and len(kinds) == 1 and dtype == NONE and kinds <= {"int", "str", "list", "tuple"}:
+        return machine.new_list(found.known)
+    element = unknown_from(call, "", found.known)
+    if found.rest is None:
+        return machine.new_list([element] * len(found.known))
+    return machine.new_list((), element)
+
+
+def _kind(call: NativeCall, value: Value) -> str:
+    if isinstance(value, Ref):
+        return call.machine.obj(value).kind
+    if isinstance(value, Tuple):
+        return "tuple"
+    return type(getattr(value, "value", None)).__name__
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "copy.copy": _shallow,
+    "copy.deepcopy": _deep,
+    "contextlib._enter": _enter,
+    "queue._any": _any_of,
+    "asyncio._any": _any_of,
+    "numpy._elements": _elements,
+}

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Regular expressions on constants, within bounds of time; `string.Template`, `textwrap`, `shlex`, `fnmatch`.
+
+re.sub('[^a-z]', '_', 'my robot')   Const('my_robot')
+re.sub('(a+)+b', '', text)          unknown: the pattern may take exponential time
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import re
+import shlex
+import string
+import textwrap
+from collections.abc import Callable
+from typing import Any, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Const, Value
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.std_support import NotKnown, apply_plain, from_plain, text_of, to_plain, unknown_from
+
+MAX_PATTERN: Final = 200
+MAX_TEXT: Final = 200
+_MAX_STEPS: Final = 200_000
+_CLASS: Final = re.compile(r"\[\^?\]?[^\]]*\]")
+_ESCAPE: Final = re.compile(r"\\.", re.DOTALL)
+_REPEAT: Final = re.compile(r"\{(\d*)(,?)(\d*)\}")
+
+
+def is_cheap(pattern: str, length: int) -> bool:
+    """Whether matching takes at most polynomial, small time: no repeat or alternative inside a repeat, no back reference, few repeats."""
+    if len(pattern) > MAX_PATTERN or length > MAX_TEXT or "(?P=" in pattern or "(?(" in pattern:
+        return False
+    if any(m.group()[1].isdigit() and m.group()[1] != "0" for m in _ESCAPE.finditer(pattern)):
+        return False
+    bare = _CLASS.sub("c", _ESCAPE.sub("e", pattern))
+    repeats, groups, at = 0, [False], 0
+    while at < len(bare):
+        char = bare[at]
+        inner: bool | None = None
+        if char == "(":
+            groups.append(False)
+            at += 3 if bare.startswith("(?P<", at) else 2 if bare.startswith("(?", at) else 1
+            continue
+        if char == ")" and len(groups) > 1:
+            inner = groups.pop()
+            groups[-1] |= inner
+        elif char == "|":
+            groups[-1] = True
+        at += 1
+        width, unbounded = _repeat_at(bare, at)
+        if width:
+            if inner and unbounded:
+                return False
+            groups[-1] = True
+            repeats += unbounded
+            at += width
+    return (length + 1) ** max(1, repeats + 1) <= _MAX_STEPS * 50 and repeats <= 3
+
+
+def _repeat_at(bare: str, at: int) -> tuple[int, bool]:
+    """The width of the quantifier that stands there (0: none), and whether it repeats more than once."""
+    if at >= len(bare):
+        return 0, False
+    if bare[at] in "*+?":
+        width, unbounded = 1, bare[at] != "?"
+    elif (match := _REPEAT.match(bare, at)) and match.group() != "{}":
+        if max((int(n) for n in match.groups() if n.isdigit()), default=0) > MAX_TEXT:
+            return match.end() - at, True
+        width, unbounded = match.end() - at, True
+    else:
+        return 0, False
+    if at + width < len(bare) and bare[at + width] in "?+":
+        width += 1
+    return width, unbounded
+
+
+def _compiled(pattern: object, flags: object, text: object) -> re.Pattern[str]:
+    if not isinstance(pattern, str) or not isinstance(text, str) or not isinstance(flags, int):
+        raise NotKnown
+    if not is_cheap(pattern, len(text)):
+        raise NotKnown
+    try:
+        return re.compile(pattern, flags)
+    except (re.error, OverflowError, RecursionError) as error:
+        raise NotKnown from error
+
+
+def _find(call: NativeCall) -> Value:
+    """re._find(how, pattern, flags, text): None or a dict of groups by number and name; unknown may be either."""
+
+    def run(how: Any, pattern: Any, flags: Any, text: Any) -> object:
+        match = getattr(_compiled(pattern, flags, text), how)(text)
+        return None if match is None else _groups(match)
+
+    found = apply_plain(call, run, call.args)
+    if any(option not in (NONE,) and not _is_ref(option) for option in options(found)):
+        return join_all((NONE, found))
+    return found
+
+
+def _is_ref(value: Value) -> bool:
+    return value.__class__.__name__ == "Ref"
+
+
+def _groups(match: re.Match[str]) -> dict[object, object]:
+    found: dict[object, object] = {0: match.group(), "": list(match.span())}
+    found.update({i + 1: g for i, g in enumerate(match.groups())})
+    found.update(match.groupdict())
+    return found
+
+
+def _find_all(call: NativeCall) -> Value:
+    """re._find_all(pattern, flags, text): a list of dicts of groups."""
+
+    def run(pattern: Any, flags: Any, text: Any) -> object:
+        return [_groups(m) for m in _compiled(pattern, flags, text).finditer(text)]
+
+    return _list_of(call, run, call.args, "")
+
+
+def _split(call: NativeCall) -> Value:
+    """re._split(pattern, flags, text, maxsplit)."""
+
+    def run(pattern: Any, flags: Any, text: Any, count: Any) -> object:
+        return _compiled(pattern, flags, text).split(text, count)
+
+    return _list_of(call, run, call.args, "str")
+
+
+def _list_of(call: NativeCall, run: Callable[..., object], values: tuple[Value, ...], hint: str) -> Value:
+    found = apply_plain(call, run, values, "list")
+    return join_all(
+        option if _is_ref(option) else call.machine.new_list((), unknown_from(call, hint, (option,)))
+        for option in options(found)
+    )
+
+
+def _sub(call: NativeCall) -> Value:
+    """re._sub(pattern, flags, repl, text, count); a function as replacement is called with an unknown match."""
+    replacement = call.args[2]
+    if any(text_of(o) is None for o in options(replacement)):
+        match = call.machine.unknown(Cause.CALL, "re.Match")
+        if replacement.__class__.__name__ in {"Function", "BoundMethod", "Partial", "Native"}:
+            call.machine.call(replacement, (match,))
+        return unknown_from(call, "str", call.args)
+
+    def run(pattern: Any, flags: Any, repl: Any, text: Any, count: Any) -> object:
+        if not isinstance(repl, str) or len(repl) > MAX_TEXT:
+            raise NotKnown
+        return _compiled(pattern, flags, text).sub(repl, text, count)
+
+    return apply_plain(call, _guarded(run), call.args, "str")
+
+
+def _guarded(function: Callable[..., object]) -> Callable[..., object]:
+    def run(*values: Any) -> object:
+        try:
+            return function(*values)
+        except (re.error, IndexError) as error:
+            raise NotKnown from error
+
+    return run
+
+
+def _substitute(call: NativeCall) -> Value:
+    """string._substitute(template, mapping, safe)."""
+
+    def run(template: Any, mapping: Any, safe: Any) -> object:
+        if not isinstance(template, str) or not isinstance(mapping, dict):
+            raise NotKnown
+        made = string.Template(template)
+        return made.safe_substitute(mapping) if safe else made.substitute(mapping)
+
+    return apply_plain(call, run, call.args, "str")
+
+
+def _pure(function: Callable[..., object], hint: str) -> NativeFunction:
+    def run(*values: Any) -> object:
+        if any(isinstance(v, str) and len(v) > 100_000 for v in values):
+            raise NotKnown
+        return function(*values)
+
+    def apply(call: NativeCall) -> Value:
+        if call.keywords:
+            return unknown_from(call, hint, (*call.args, *call.keywords.values()))
+        return apply_plain(call, run, call.args, hint)
+
+    return apply
+
+
+def _shell_split(call: NativeCall) -> Value:
+    return _list_of(call, shlex.split, call.args[:1], "str")
+
+
+def _literal(call: NativeCall) -> Value:
+    """ast.literal_eval of a constant."""
+    import ast  # only this function needs it
+
+    try:
+        source, origins = to_plain(call.machine, call.args[0])
+        if not isinstance(source, str) or len(source) > 10_000 or source.count("(") + source.count("[") > 100:
+            raise NotKnown
+        return from_plain(call.machine, ast.literal_eval(source), origins)
+    except NotKnown:
+        return unknown_from(call, "", call.args)
+    except (ValueError, SyntaxError, MemoryError, RecursionError) as error:
+        return call.machine.die("ValueError", str(error))
+
+
+def _escape(text: Any) -> object:
+    if not isinstance(text, str):
+        raise NotKnown
+    return re.escape(text)
+
+
+def _matches(name: Any, pattern: Any) -> object:
+    if not isinstance(name, str) or not isinstance(pattern, str) or len(name) > MAX_TEXT or pattern.count("*") > 3:
+        raise NotKnown
+    return fnmatch.fnmatchcase(name, pattern)
+
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "re._find": _find,
+    "re._find_all": _find_all,
+    "re._split": _split,
+    "re._sub": _sub,
+    "re.escape": _pure(_escape, "str"),
+    "string._substitute": _substitute,
+    "string.capwords": _pure(string.capwords, "str"),
+    "textwrap.dedent": _pure(textwrap.dedent, "str"),
+    "textwrap.indent": _pure(textwrap.indent, "str"),
+    "textwrap.fill": _pure(textwrap.fill, "str"),
+    "textwrap.shorten": _pure(textwrap.shorten, "str"),
+    "shlex.quote": _pure(shlex.quote, "str"),
+    "shlex.split": _shell_split,
+    "fnmatch.fnmatch": _pure(_matches, "bool"),
+    "fnmatch.fnmatchcase": _pure(_matches, "bool"),
+    "ast.literal_eval": _literal,
+}

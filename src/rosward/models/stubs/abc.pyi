@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`abc`: abstract methods are methods."""
+
+class ABCMeta(type):
+    def register(cls, subclass):
+        return subclass
+class ABC: ...
+
+def abstractmethod(funcobj):
+    return funcobj
+def abstractproperty(funcobj):
+    return property(funcobj)
+def abstractclassmethod(funcobj):
+    return classmethod(funcobj)
+def abstractstaticmethod(funcobj):
+    return staticmethod(funcobj)
+def update_abstractmethods(cls):
+    return cls

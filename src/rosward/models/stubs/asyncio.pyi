@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`asyncio`: a coroutine that is awaited runs in place, a task runs at any time from then on.
+
+`await` stands here in plain functions too: it means "run this coroutine, give what it returns".
+"""
+from _rosward import native, schedule, spin, unknown
+from threading import Condition as Condition
+from threading import Lock as Lock
+from threading import Semaphore as Semaphore
+from threading import BoundedSemaphore as BoundedSemaphore
+
+@native
+def _any(items): ...
+
+FIRST_COMPLETED = 'FIRST_COMPLETED'
+FIRST_EXCEPTION = 'FIRST_EXCEPTION'
+ALL_COMPLETED = 'ALL_COMPLETED'
+
+class CancelledError(BaseException): ...
+class InvalidStateError(Exception): ...
+class QueueEmpty(Exception): ...
+class QueueFull(Exception): ...
+TimeoutError = TimeoutError
+
+class Future:
+    def __init__(self, *, loop=None):
+        self._result = None
+    def set_result(self, result, /):
+        self._result = result
+    def set_exception(self, exception, /) -> None: ...
+    def result(self):
+        return self._result if self._result is not None else unknown('live', 'asyncio.Future.result')
+    def exception(self): ...
+    def add_done_callback(self, fn, /, *, context=None):
+        schedule(fn, self, event='future')
+    def remove_done_callback(self, fn, /) -> int: ...
+    def cancel(self, msg=None) -> bool: ...
+    def cancelled(self) -> bool: ...
+    def done(self) -> bool: ...
+    def get_loop(self):
+        return _loop
+    def __await__(self):
+        spin()
+        return self.result()
+
+class Task(Future):
+    def __init__(self, coro, *, loop=None, name=None, context=None):
+        self._result = None
+        self._coro = coro
+        schedule(self._run, event='task')
+    def _run(self):
+        self._result = await self._coro
+    def get_name(self) -> str: ...
+    def set_name(self, value, /) -> None: ...
+    def get_coro(self):
+        return self._coro
+    def __await__(self):
+        return self._await()
+    def _await(self):
+        return await self._coro
+
+class Handle:
+    def cancel(self) -> None: ...
+    def cancelled(self) -> bool: ...
+class TimerHandle(Handle):
+    def when(self) -> float: ...
+
+class AbstractEventLoop:
+    def run_until_complete(self, future):
+        return await future
+    def run_forever(self):
+        spin()
+    def create_task(self, coro, *, name=None, context=None):
+        return Task(coro)
+    def create_future(self):
+        return Future()
+    def call_soon(self, callback, *args, context=None):
+        schedule(callback, *args, event='loop')
+        return Handle()
+    def call_soon_threadsafe(self, callback, *args, context=None):
+        schedule(callback, *args, event='loop')
+        return Handle()
+    def call_later(self, delay, callback, *args, context=None):
+        schedule(callback, *args, event='loop')
+        return TimerHandle()
+    def call_at(self, when, callback, *args, context=None):
+        schedule(callback, *args, event='loop')
+        return TimerHandle()
+    def run_in_executor(self, executor, func, *args):
+        future = Future()
+        def run():
+            future.set_result(func(*args))
+        schedule(run, event='thread')
+        return future
+    def add_reader(self, fd, callback, *args):
+        schedule(callback, *args, event='loop')
+    def add_writer(self, fd, callback, *args):
+        schedule(callback, *args, event='loop')
+    def add_signal_handler(self, sig, callback, *args):
+        schedule(callback, *args, event='signal')
+    def remove_signal_handler(self, sig) -> bool: ...
+    def set_exception_handler(self, handler):
+        schedule(handler, self, unknown('live', 'context of an exception', 'dict'), event='loop')
+    def set_default_executor(self, executor) -> None: ...
+    def set_debug(self, enabled) -> None: ...
+    def stop(self) -> None: ...
+    def close(self) -> None: ...
+    def is_running(self) -> bool: ...
+    def is_closed(self) -> bool: ...
+    def time(self):
+        return unknown('random', 'asyncio loop time', 'float')
+    async def shutdown_asyncgens(self) -> None: ...
+
+_loop = AbstractEventLoop()
+BaseEventLoop = AbstractEventLoop
+SelectorEventLoop = AbstractEventLoop
+
+def get_event_loop():
+    return _loop
+def get_running_loop():
+    return _loop
+def new_event_loop():
+    return _loop
+def set_event_loop(loop) -> None: ...
+def set_event_loop_policy(policy) -> None: ...
+
+def run(main, *, debug=None):
+    result = await main
+    return result
+class Runner:
+    def __init__(self, *, debug=None, loop_factory=None): ...
+    def __enter__(self):
+        return self
+    def __exit__(self, exc_type, exc_val, exc_tb): ...
+    def run(self, coro, *, context=None):
+        return await coro
+    def get_loop(self):
+        return _loop
+    def close(self) -> None: ...
+
+def create_task(coro, *, name=None, context=None):
+    return Task(coro)
+def ensure_future(coro_or_future, *, loop=None):
+    return coro_or_future if isinstance(coro_or_future, Future) else Task(coro_or_future)
+def run_coroutine_threadsafe(coro, loop):
+    return Task(coro)
+def wrap_future(future, *, loop=None):
+    return future
+def current_task(loop=None): ...
+def all_tasks(loop=None): ...
+def iscoroutine(obj) -> bool: ...
+def iscoroutinefunction(func) -> bool: ...
+def isfuture(obj) -> bool: ...
+
+async def sleep(delay, result=None):
+    return result
+async def gather(*coros_or_futures, return_exceptions=False):
+    for one in coros_or_futures:
+        ensure_future(one)
+    spin()
+    return [one.result() if isinstance(one, Future) else unknown('live', 'result of a task') for one in coros_or_futures]
+async def wait(fs, *, timeout=None, return_when=ALL_COMPLETED):
+    tasks = {ensure_future(one) for one in fs}
+    spin()
+    return (tasks, tasks)
+async def wait_for(fut, timeout):
+    return await fut
+def shield(arg):
+    return ensure_future(arg)
+def as_completed(fs, *, timeout=None):
+    return iter(list(fs))
+async def to_thread(func, /, *args, **kwargs):
+    return func(*args, **kwargs)
+class timeout:
+    def __init__(self, when): ...
+    async def __aenter__(self):
+        return self
+    async def __aexit__(self, exc_type, exc_val, exc_tb): ...
+class TaskGroup:
+    async def __aenter__(self):
+        return self
+    async def __aexit__(self, et, exc, tb): ...
+    def create_task(self, coro, *, name=None, context=None):
+        return Task(coro)
+
+class Event:
+    def is_set(self) -> bool: ...
+    def set(self) -> None: ...
+    def clear(self) -> None: ...
+    async def wait(self):
+        spin()
+        return True
+
+class Queue:
+    def __init__(self, maxsize=0):
+        self.maxsize = maxsize
+        self._items = []
+    async def put(self, item):
+        self._items.append(item)
+    def put_nowait(self, item):
+        self._items.append(item)
+    async def get(self):
+        spin()
+        return _any(self._items)
+    def get_nowait(self):
+        return _any(self._items)
+    async def join(self):
+        spin()
+    def qsize(self) -> int: ...
+    def empty(self) -> bool: ...
+    def full(self) -> bool: ...
+    def task_done(self) -> None: ...
+class LifoQueue(Queue): ...
+class PriorityQueue(Queue): ...

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`atexit`: what is registered runs at the end."""
+from _rosward import schedule
+
+def register(func, /, *args, **kwargs):
+    def run():
+        func(*args, **kwargs)
+    schedule(run, event='exit')
+    return func
+def unregister(func, /) -> None: ...

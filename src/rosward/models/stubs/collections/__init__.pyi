@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`collections`: over lists and dicts of the program."""
+from _rosward import either, native, unknown
+
+OrderedDict = dict
+
+@native
+def _make_named_tuple(base, typename, field_names, defaults): ...
+@native
+def _items(instance): ...
+@native
+def _keys(instance): ...
+
+class _NamedTuple:
+    """What a named tuple does; its fields are found by the class."""
+    @native
+    def __init__(self, *args, **kwargs): ...
+    def __iter__(self):
+        return iter(_items(self))
+    def __len__(self):
+        return len(_items(self))
+    def __getitem__(self, index):
+        return _items(self)[index]
+    def __eq__(self, other):
+        return _items(self) == (_items(other) if isinstance(other, _NamedTuple) else other)
+    def __hash__(self):
+        return hash(_items(self))
+    def __lt__(self, other):
+        return tuple(self) < tuple(other)
+    def __contains__(self, value):
+        return value in _items(self)
+    def __add__(self, other):
+        return _items(self) + tuple(other)
+    def __repr__(self) -> str: ...
+    def _asdict(self):
+        return dict(zip(_keys(self), _items(self)))
+    def _replace(self, **kwargs):
+        return type(self)(**{**self._asdict(), **kwargs})
+    @classmethod
+    def _make(cls, iterable):
+        return cls(*iterable)
+    def index(self, value):
+        return _items(self).index(value)
+    def count(self, value):
+        return _items(self).count(value)
+
+def namedtuple(typename, field_names, *, rename=False, defaults=None, module=None):
+    return _make_named_tuple(_NamedTuple, typename, field_names, defaults)
+
+class _Dict:
+    """A mapping over a dict of its own."""
+    def __init__(self, *args, **kwargs):
+        self._dict = dict(*args, **kwargs)
+    def __getitem__(self, key):
+        return self._dict[key]
+    def __setitem__(self, key, value):
+        self._dict[key] = value
+    def __delitem__(self, key):
+        del self._dict[key]
+    def __contains__(self, key):
+        return key in self._dict
+    def __iter__(self):
+        return iter(self._dict)
+    def __len__(self):
+        return len(self._dict)
+    def __eq__(self, other):
+        return self._dict == (other._dict if isinstance(other, _Dict) else other)
+    def keys(self):
+        return self._dict.keys()
+    def values(self):
+        return self._dict.values()
+    def items(self):
+        return self._dict.items()
+    def get(self, key, default=None):
+        return self._dict.get(key, default)
+    def pop(self, key, *default):
+        return self._dict.pop(key, *default)
+    def popitem(self):
+        return self._dict.popitem()
+    def setdefault(self, key, default=None):
+        return self._dict.setdefault(key, default)
+    def update(self, *args, **kwargs):
+        self._dict.update(*args, **kwargs)
+    def clear(self):
+        self._dict.clear()
+
+class UserDict(_Dict):
+    @property
+    def data(self):
+        return self._dict
+    def copy(self):
+        return type(self)(self._dict)
+
+class defaultdict(_Dict):
+    def __init__(self, default_factory=None, /, *args, **kwargs):
+        self.default_factory = default_factory
+        self._dict = dict(*args, **kwargs)
+    def __getitem__(self, key):
+        if key not in self._dict:
+            return self.__missing__(key)
+        return self._dict[key]
+    def __missing__(self, key):
+        if self.default_factory is None:
+            raise KeyError(key)
+        self._dict[key] = self.default_factory()
+        return self._dict[key]
+    def copy(self):
+        return defaultdict(self.default_factory, self._dict)
+
+class Counter(_Dict):
+    """Which keys there are is known, how often is not."""
+    def __init__(self, iterable=None, /, **kwds):
+        self._dict = {}
+        self.update(iterable, **kwds)
+    def __getitem__(self, key):
+        return self._dict.get(key, 0)
+    def update(self, iterable=None, /, **kwds):
+        for key in iterable or ():
+            self._dict[key] = unknown('operation', 'collections.Counter', 'int')
+        for key in kwds:
+            self._dict[key] = unknown('operation', 'collections.Counter', 'int')
+    def subtract(self, iterable=None, /, **kwds):
+        self.update(iterable, **kwds)
+    def elements(self):
+        return iter(self._dict)
+    def total(self) -> int: ...
+    def most_common(self, n=None):
+        pairs = list(self._dict.items())
+        return [either(*pairs) for _ in unknown('operation', 'collections.Counter', 'list')] if pairs else []
+    def copy(self):
+        return Counter(self)
+
+class ChainMap(_Dict):
+    def __init__(self, *maps):
+        self.maps = list(maps) or [{}]
+    @property
+    def _dict(self):
+        merged = {}
+        for one in reversed(self.maps):
+            merged.update(one)
+        return merged
+    def __setitem__(self, key, value):
+        self.maps[0][key] = value
+    def new_child(self, m=None, **kwargs):
+        return ChainMap({} if m is None else m, *self.maps)
+    @property
+    def parents(self):
+        return ChainMap(*self.maps[1:])
+
+class deque:
+    def __init__(self, iterable=(), maxlen=None):
+        self.maxlen = maxlen
+        self._list = []
+        for value in iterable:
+            self.append(value)
+    def append(self, x, /):
+        self._list.append(x)
+        if self.maxlen is not None and len(self._list) > self.maxlen:
+            self._list.pop(0)
+    def appendleft(self, x, /):
+        self._list.insert(0, x)
+        if self.maxlen is not None and len(self._list) > self.maxlen:
+            self._list.pop()
+    def extend(self, iterable, /):
+        for value in iterable:
+            self.append(value)
+    def extendleft(self, iterable, /):
+        for value in iterable:
+            self.appendleft(value)
+    def pop(self):
+        return self._list.pop()
+    def popleft(self):
+        return self._list.pop(0)
+    def insert(self, i, x, /):
+        self._list.insert(i, x)
+    def remove(self, value, /):
+        self._list.remove(value)
+    def rotate(self, n=1, /):
+        if self._list:
+            self._list = [either(*self._list) for _ in self._list]
+    def reverse(self):
+        self._list.reverse()
+    def clear(self):
+        self._list.clear()
+    def copy(self):
+        return deque(self._list, self.maxlen)
+    def count(self, value, /):
+        return self._list.count(value)
+    def index(self, value, *args):
+        return self._list.index(value, *args)
+    def __getitem__(self, index):
+        return self._list[index]
+    def __setitem__(self, index, value):
+        self._list[index] = value
+    def __delitem__(self, index):
+        del self._list[index]
+    def __iter__(self):
+        return iter(self._list)
+    def __reversed__(self):
+        return reversed(self._list)
+    def __len__(self):
+        return len(self._list)
+    def __contains__(self, value):
+        return value in self._list
+    def __add__(self, other):
+        return deque(self._list + list(other), self.maxlen)
+    def __iadd__(self, other):
+        self.extend(other)
+        return self
+
+UserList = list
+UserString = str

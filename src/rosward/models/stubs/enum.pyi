@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`enum`: see models/std_enum.py for how members are made and found."""
+from _rosward import native
+
+@native
+def auto(*args): ...
+@native
+def unique(enumeration): ...
+@native
+def global_enum(cls, update_str=False): ...
+@native
+def verify(*args): ...
+
+class EnumMeta(type): ...
+EnumType = EnumMeta
+
+def property(fget=None, fset=None, fdel=None, doc=None):
+    import builtins
+    return builtins.property(fget)
+def member(value):
+    return value
+def nonmember(value):
+    return value
+
+class Enum:
+    def __str__(self):
+        return type(self).__name__ + '.' + self.name
+    def __repr__(self) -> str: ...
+    def __hash__(self) -> int: ...
+    def __format__(self, spec):
+        return format(str(self), spec)
+class ReprEnum(Enum):
+    def __str__(self):
+        return str(self._value_)
+class IntEnum(ReprEnum):
+    def __str__(self):
+        return str(self._value_)
+class StrEnum(ReprEnum):
+    def __str__(self):
+        return self._value_
+class Flag(Enum):
+    def __contains__(self, other) -> bool: ...
+    def __invert__(self): ...
+class IntFlag(ReprEnum, Flag):
+    def __contains__(self, other) -> bool: ...
+    def __invert__(self) -> int: ...
+
+CONTINUOUS = 'no skipped integer values'
+NAMED_FLAGS = 'multi-flag aliases may not contain unnamed flags'
+UNIQUE = 'one name per value'

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`itertools`: exact on known inputs; those that never end are lists of unknown length."""
+from _rosward import native
+import operator
+
+@native
+def product(*iterables, repeat=1): ...
+@native
+def combinations(iterable, r): ...
+@native
+def combinations_with_replacement(iterable, r): ...
+@native
+def permutations(iterable, r=None): ...
+@native
+def islice(iterable, *args): ...
+@native
+def zip_longest(*iterables, fillvalue=None): ...
+@native
+def pairwise(iterable, /): ...
+@native
+def cycle(iterable, /): ...
+@native
+def repeat(object, times=None): ...
+
+class chain:
+    def __init__(self, *iterables):
+        self._iterables = iterables
+    def __iter__(self):
+        for one in self._iterables:
+            yield from one
+    def __next__(self):
+        return next(iter(self))
+    @classmethod
+    def from_iterable(cls, iterable):
+        return _flat(iterable)
+
+def _flat(iterable):
+    for one in iterable:
+        yield from one
+
+def count(start=0, step=1):
+    while True:
+        yield start
+        start = start + step
+
+def accumulate(iterable, func=None, *, initial=None):
+    total = initial
+    first = initial is None
+    if not first:
+        yield total
+    for value in iterable:
+        if first:
+            total = value
+            first = False
+        else:
+            total = total + value if func is None else func(total, value)
+        yield total
+
+def starmap(function, iterable, /):
+    for args in iterable:
+        yield function(*args)
+
+def filterfalse(predicate, iterable, /):
+    for value in iterable:
+        if not (value if predicate is None else predicate(value)):
+            yield value
+
+def compress(data, selectors):
+    for value, selected in zip(data, selectors):
+        if selected:
+            yield value
+
+def takewhile(predicate, iterable, /):
+    for value in iterable:
+        if not predicate(value):
+            break
+        yield value
+
+def dropwhile(predicate, iterable, /):
+    dropping = True
+    for value in iterable:
+        if dropping and predicate(value):
+            continue
+        dropping = False
+        yield value
+
+def groupby(iterable, key=None):
+    groups = []
+    for value in iterable:
+        this = value if key is None else key(value)
+        if groups and groups[-1][0] == this:
+            groups[-1][1].append(value)
+        else:
+            groups.append((this, [value]))
+    yield from groups
+
+def tee(iterable, n=2, /):
+    values = list(iterable)
+    return tuple([iter(values) for _ in range(n)])
+
+def batched(iterable, n):
+    batch = []
+    for value in iterable:
+        batch.append(value)
+        if len(batch) == n:
+            yield tuple(batch)
+            batch = []
+    if batch:
+        yield tuple(batch)

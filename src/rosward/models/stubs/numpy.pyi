@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""numpy: an array of known items can be iterated and indexed; all arithmetic is unknown."""
+from _rosward import either, native, unknown
+
+@native
+def _elements(items, dtype): ...
+
+pi = 3.141592653589793
+e = 2.718281828459045
+inf = float('inf')
+Inf = inf
+nan = float('nan')
+NaN = nan
+newaxis = None
+
+def _wrap(value):
+    return ndarray(value) if isinstance(value, (list, tuple)) else value
+
+class ndarray:
+    """Made by numpy's functions; written to, it is not known."""
+    def __init__(self, items):
+        self._items = items
+    def __iter__(self):
+        return iter([_wrap(value) for value in self._items])
+    def __len__(self):
+        return len(self._items)
+    def __getitem__(self, index):
+        if isinstance(index, int):
+            return _wrap(self._items[index])
+        return _unknown()
+    def __setitem__(self, index, value):
+        self._items = unknown('operation', 'item of an array', 'list')
+    def __contains__(self, value) -> bool: ...
+    def tolist(self):
+        return self._items
+    def copy(self, order='C'):
+        return ndarray(self._items)
+    def __array__(self):
+        return self
+    def __add__(self, other): return _unknown()
+    def __radd__(self, other): return _unknown()
+    def __iadd__(self, other): return _unknown()
+    def __sub__(self, other): return _unknown()
+    def __rsub__(self, other): return _unknown()
+    def __isub__(self, other): return _unknown()
+    def __mul__(self, other): return _unknown()
+    def __rmul__(self, other): return _unknown()
+    def __imul__(self, other): return _unknown()
+    def __truediv__(self, other): return _unknown()
+    def __rtruediv__(self, other): return _unknown()
+    def __itruediv__(self, other): return _unknown()
+    def __floordiv__(self, other): return _unknown()
+    def __mod__(self, other): return _unknown()
+    def __pow__(self, other): return _unknown()
+    def __matmul__(self, other): return _unknown()
+    def __rmatmul__(self, other): return _unknown()
+    def __neg__(self): return _unknown()
+    def __abs__(self): return _unknown()
+    def __and__(self, other): return _unknown()
+    def __or__(self, other): return _unknown()
+    def __xor__(self, other): return _unknown()
+    def __invert__(self): return _unknown()
+    def __eq__(self, other): return _unknown()
+    def __ne__(self, other): return _unknown()
+    def __lt__(self, other): return _unknown()
+    def __le__(self, other): return _unknown()
+    def __gt__(self, other): return _unknown()
+    def __ge__(self, other): return _unknown()
+    def __bool__(self) -> bool: ...
+    def __float__(self) -> float: ...
+    def __int__(self) -> int: ...
+
+def _unknown():
+    return unknown('operation', 'arithmetic on arrays')
+
+def array(object, dtype=None, **kwargs):
+    if isinstance(object, (list, tuple)):
+        return ndarray(_elements(object, dtype))
+    return object if isinstance(object, ndarray) else _unknown()
+def asarray(a, dtype=None, **kwargs):
+    return array(a, dtype)

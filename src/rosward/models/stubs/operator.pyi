@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`operator`: the operators as functions."""
+from _rosward import native, unknown
+
+@native
+def add(a, b, /): ...
+@native
+def sub(a, b, /): ...
+@native
+def mul(a, b, /): ...
+@native
+def truediv(a, b, /): ...
+@native
+def floordiv(a, b, /): ...
+@native
+def mod(a, b, /): ...
+@native
+def pow(a, b, /): ...
+@native
+def matmul(a, b, /): ...
+@native
+def and_(a, b, /): ...
+@native
+def or_(a, b, /): ...
+@native
+def xor(a, b, /): ...
+@native
+def lshift(a, b, /): ...
+@native
+def rshift(a, b, /): ...
+@native
+def concat(a, b, /): ...
+@native
+def eq(a, b, /): ...
+@native
+def ne(a, b, /): ...
+@native
+def lt(a, b, /): ...
+@native
+def le(a, b, /): ...
+@native
+def gt(a, b, /): ...
+@native
+def ge(a, b, /): ...
+@native
+def is_(a, b, /): ...
+@native
+def is_not(a, b, /): ...
+@native
+def getitem(a, b, /): ...
+@native
+def contains(a, b, /): ...
+@native
+def truth(a, /): ...
+@native
+def not_(a, /): ...
+def neg(a, /):
+    return -a
+def pos(a, /):
+    return +a
+def abs(a, /): ...
+def index(a, /) -> int: ...
+def setitem(a, b, c, /):
+    a[b] = c
+def delitem(a, b, /):
+    del a[b]
+def countOf(a, b, /) -> int: ...
+def indexOf(a, b, /) -> int: ...
+def iadd(a, b, /):
+    a += b
+    return a
+
+class itemgetter:
+    def __init__(self, item, /, *items):
+        self._items = (item,) + items
+    def __call__(self, obj, /):
+        if len(self._items) == 1:
+            return obj[self._items[0]]
+        return tuple([obj[i] for i in self._items])
+
+class attrgetter:
+    def __init__(self, attr, /, *attrs):
+        self._attrs = (attr,) + attrs
+    def _get(self, obj, path):
+        for name in path.split('.'):
+            obj = getattr(obj, name)
+        return obj
+    def __call__(self, obj, /):
+        if len(self._attrs) == 1:
+            return self._get(obj, self._attrs[0])
+        return tuple([self._get(obj, a) for a in self._attrs])
+
+class methodcaller:
+    def __init__(self, name, /, *args, **kwargs):
+        self._name = name
+        self._args = args
+        self._kwargs = kwargs
+    def __call__(self, obj, /):
+        return getattr(obj, self._name)(*self._args, **self._kwargs)

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`typing`: without effect when the program runs; annotations are kept as text."""
+from collections import _NamedTuple
+from collections import OrderedDict as OrderedDict
+from collections import defaultdict as DefaultDict
+from collections import deque as Deque
+from collections import Counter as Counter
+from collections import ChainMap as ChainMap
+
+TYPE_CHECKING = False
+
+class _Form:
+    """Anything that is only subscripted, called or combined."""
+    def __class_getitem__(cls, item):
+        return cls
+    def __getitem__(self, item):
+        return self
+    def __or__(self, other):
+        return self
+    def __ror__(self, other):
+        return self
+    def __call__(self, *args, **kwargs):
+        return self
+
+class Generic(_Form): ...
+class Protocol(_Form): ...
+
+class NamedTuple(_NamedTuple): ...
+
+def TypedDict(*args, **kwargs):
+    return dict
+
+def TypeVar(name, *constraints, bound=None, covariant=False, contravariant=False):
+    return _Form()
+def ParamSpec(name, *, bound=None, covariant=False, contravariant=False):
+    return _Form()
+def TypeVarTuple(name):
+    return _Form()
+def NewType(name, tp):
+    return tp
+def cast(typ, val):
+    return val
+def overload(func):
+    return func
+def final(f):
+    return f
+def override(method, /):
+    return method
+def no_type_check(arg):
+    return arg
+def runtime_checkable(cls):
+    return cls
+def assert_type(val, typ, /):
+    return val
+def reveal_type(obj, /):
+    return obj
+def assert_never(arg, /): ...
+def get_type_hints(obj, globalns=None, localns=None, include_extras=False) -> dict: ...
+def get_origin(tp): ...
+def get_args(tp): ...
+def dataclass_transform(*, eq_default=True, order_default=False, kw_only_default=False, field_specifiers=(), **kwargs):
+    def decorate(cls):
+        return cls
+    return decorate
+
+Dict = dict
+List = list
+Set = set
+FrozenSet = frozenset
+Tuple = tuple
+Type = type
+Text = str
+Any = _Form()
+Optional = _Form()
+Union = _Form()
+Callable = _Form()
+Iterable = _Form()
+Iterator = _Form()
+Sequence = _Form()
+Mapping = _Form()
+MutableMapping = _Form()
+MutableSequence = _Form()
+Generator = _Form()
+AsyncGenerator = _Form()
+AsyncIterator = _Form()
+AsyncIterable = _Form()
+Awaitable = _Form()
+Coroutine = _Form()
+Literal = _Form()
+ClassVar = _Form()
+Final = _Form()
+Annotated = _Form()
+Self = _Form()
+Never = _Form()
+NoReturn = _Form()
+LiteralString = _Form()
+Concatenate = _Form()
+TypeAlias = _Form()
+TypeGuard = _Form()
+Required = _Form()
+NotRequired = _Form()
+Unpack = _Form()
+IO = _Form()
+TextIO = _Form()
+BinaryIO = _Form()
+AnyStr = _Form()
+Hashable = _Form()
+Sized = _Form()
+Collection = _Form()
+Container = _Form()
+Reversible = _Form()
+SupportsInt = _Form()
+SupportsFloat = _Form()
+SupportsIndex = _Form()
+SupportsAbs = _Form()
+ContextManager = _Form()
+AsyncContextManager = _Form()
+AbstractSet = _Form()
+MutableSet = _Form()
+KeysView = _Form()
+ValuesView = _Form()
+ItemsView = _Form()
+Pattern = _Form()
+Match = _Form()
+ByteString = _Form()

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`weakref`: a reference is the object that it refers to, while that lives."""
+
+class ref:
+    def __init__(self, o, callback=None, /):
+        self._object = o
+    def __class_getitem__(cls, item):
+        return cls
+    def __call__(self):
+        return self._object
+class WeakMethod(ref): ...
+ReferenceType = ref
+
+def proxy(object, callback=None, /):
+    return object
+class finalize:
+    def __init__(self, obj, func, /, *args, **kwargs):
+        self._func = func
+        self._args = args
+        self._kwargs = kwargs
+    def __call__(self, _=None):
+        return self._func(*self._args, **self._kwargs)
+    def detach(self): ...
+WeakValueDictionary = dict
+WeakKeyDictionary = dict
+WeakSet = set

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All models in code, by dotted name."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+
+import rosward.models
+from rosward.models.native import NativeFunction
+
+
+def natives() -> dict[str, NativeFunction]:
+    """The union of the `NATIVES` tables of the modules of this package; a name in two of them is an error."""
+    table: dict[str, NativeFunction] = {}
+    for info in sorted(pkgutil.iter_modules(rosward.models.__path__), key=lambda i: i.name):
+        module = importlib.import_module(f"rosward.models.{info.name}")
+        for name, function in getattr(module, "NATIVES", {}).items():
+            if name in table:
+                raise ValueError(f"two models of {name}")
+            table[name] = function
+    return table

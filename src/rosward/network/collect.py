@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From the effects of one process to its nodes: names expanded and remapped, implicit entities added, doubts turned into findings."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+from rosward.domain.unknown import Reason
+from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
+from rosward.findings import Finding
+from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
+from rosward.models.name_values import NameOption, interface_types, name_options
+from rosward.models.ros_effects import final_name, remap_rules
+from rosward.network.doubts import invalid_name, unknown_name, unknown_node, unknown_type
+from rosward.ros import names
+from rosward.ros.arguments import parse_arguments
+from rosward.ros.distro import Distro, implicit_entities, service_event_topic
+from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
+
+KINDS: Final = {
+    "publisher": EntityKind.PUBLISHER,
+    "subscription": EntityKind.SUBSCRIPTION,
+    "service_server": EntityKind.SERVICE_SERVER,
+    "service_client": EntityKind.SERVICE_CLIENT,
+    "action_server": EntityKind.ACTION_SERVER,
+    "action_client": EntityKind.ACTION_CLIENT,
+}
+_SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
+_ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
+_ORDER: Final = {r: n for n, r in enumerate(Resolution)}
+
+
+class Process(NamedTuple):
+    """What is known of a process beside its effects: its package and executable, its label, and what every execution does."""
+
+    package: str | None
+    executable: str | None
+    label: str
+    done: frozenset[tuple[object, ...]]
+
+
+class _Identity(NamedTuple):
+    """One of the full names that a node may have."""
+
+    name: str
+    namespace: str
+    rules: tuple[names.RemapRule, ...]
+    resolution: Resolution
+    depends_on: tuple[str, ...]
+    reasons: tuple[str, ...]
+    sole: bool
+
+
+def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
+    """The nodes of a process and the findings about their names."""
+    findings: dict[Finding, None] = {}
+    nodes: list[Node] = []
+    for effect in log.nodes:
+        for identity in _identities(effect, findings):
+            nodes.append(_node(log, effect, identity, process, distro, findings))
+    return _merged(nodes), list(findings)
+
+
+def _identities(effect: NodeEffect, findings: dict[Finding, None]) -> list[_Identity]:
+    name_value, space_value = final_name(effect)
+    rules = remap_rules(effect)
+    found: list[_Identity] = []
+    spaces = name_options(space_value)
+    own = name_options(name_value)
+    for space in spaces:
+        for option in own:
+            wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
+            if wrong:
+                findings[invalid_name("node", option.text if names.validate_node_name(option.text) else space.text, wrong, effect.place)] = None
+                continue
+            resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
+            if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
+                findings[unknown_node(option, effect.place)] = None
+            if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
+                findings[unknown_node(space, effect.place, "namespace")] = None
+            reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
+            depends = tuple(sorted({*option.depends_on, *space.depends_on}))
+            namespace = names.full_namespace(space.text)
+            found.append(_Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1))
+    return found
+
+
+def _node(
+    log: EffectLog, effect: NodeEffect, identity: _Identity, process: Process, distro: Distro, findings: dict[Finding, None]
+) -> Node:
+    certain = identity.sole and not effect.late and ("node", effect.address) in process.done
+    entities: list[Entity] = []
+    for entity in log.entities:
+        if entity.address == effect.address:
+            sure = certain and EffectLog.key(entity) in process.done
+            entities += _entities(entity, identity, distro, findings, sure=sure)
+    entities += _implicit(effect, identity, distro, log)
+    if not certain:
+        entities = [replace(e, conditional=True) if not e.system else e for e in entities]
+    fqn = names.fully_qualified(identity.namespace, identity.name)
+    return Node(
+        namespace=identity.namespace,
+        name=identity.name,
+        resolution=identity.resolution,
+        enclave=fqn,
+        package=process.package,
+        executable=process.executable,
+        process=process.label,
+        launched_by=None,
+        defined_at=effect.place,
+        entities=tuple(entities),
+        parameters=tuple(_parameters(log, effect.address)),
+        reasons=identity.reasons,
+    )
+
+
+def _entities(
+    effect: EntityEffect, identity: _Identity, distro: Distro, findings: dict[Finding, None], *, sure: bool
+) -> list[Entity]:
+    """The entities that one effect makes: one for each name and type that it may have."""
+    kind = KINDS[effect.kind]
+    options = name_options(effect.name)
+    types = interface_types(effect.type)
+    result: list[Entity] = []
+    for option in options:
+        for text in _resolved(kind, option, identity, distro, effect, findings):
+            for type_ in types:
+                entity = _entity(effect, kind, text, type_, option, identity, sure=sure and len(options) * len(types) == 1)
+                if type_ is None:
+                    findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
+                if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(option):
+                    findings[unknown_name(kind.value, entity, option, effect.place)] = None
+                result.append(entity)
+                if effect.introspection and type_ is not None:
+                    event = service_event_topic(distro, text, type_)
+                    if event is not None:
+                        result.append(replace(event, system=True, conditional=entity.conditional, created_at=entity.created_at))
+    return result
+
+
+def _from_node_only(option: NameOption) -> bool:
+    """The name itself is known: its hole stems from the node's own name or namespace, of which a finding speaks already."""
+    return option.resolution not in (Resolution.UNKNOWN, Resolution.PATTERN)
+
+
+def _resolved(
+    kind: EntityKind, option: NameOption, identity: _Identity, distro: Distro, effect: EntityEffect, findings: dict[Finding, None]
+) -> tuple[str, ...]:
+    remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
+    rules = identity.rules
+    if kind in _ACTIONS and not names.action_names_are_remapped(distro):
+        rules = ()
+    try:
+        return names.resolve(option.text, remap, rules, identity.name, identity.namespace)
+    except names.InvalidName as error:
+        findings[invalid_name(kind.value, option.text, str(error), effect.place)] = None
+        return ()
+
+
+def _entity(
+    effect: EntityEffect, kind: EntityKind, text: str, type_: str | None, option: NameOption, identity: _Identity, *, sure: bool
+) -> Entity:
+    resolution = option.resolution
+    depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
+    if not option.text.startswith("/"):
+        resolution = max(resolution, identity.resolution if names.HOLE in text or resolution in _KNOWN else resolution, key=_ORDER.__getitem__)
+        depends = tuple(sorted({*depends, *identity.depends_on}))
+        reasons = (*reasons, *identity.reasons)
+    if resolution is Resolution.UNKNOWN and names.HOLE in text and text.strip("/*"):
+        resolution = Resolution.PATTERN
+    if names.HOLE not in text and resolution not in _KNOWN:
+        resolution = Resolution.DEFAULT if depends else Resolution.EXACT
+    callback = effect.callback
+    return Entity(
+        kind=kind,
+        name=text,
+        type=type_,
+        resolution=resolution,
+        conditional=not sure,
+        callback=callback,
+        qos=effect.qos,
+        depends_on=depends,
+        created_at=(effect.place,),
+        reasons=reasons,
+        via=effect.via,
+        ros_prefix=effect.ros_prefix,
+    )
+
+
+_KNOWN: Final = (Resolution.EXACT, Resolution.DEFAULT, Resolution.BOUND)
+
+
+def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: EffectLog) -> list[Entity]:
+    """What the client library creates by itself, under the node's own rules."""
+    if effect.assumed:
+        pass  # it is a node of some kind: what every node has
+    options = dict(effect.options)
+
+    def switch(name: str, default: bool) -> bool:
+        value = options.get(name)
+        if isinstance(value, Const) and isinstance(value.value, bool) and not value.origins:
+            return value.value
+        return True if value is not None else default
+
+    words = [w for w in (*effect.words, *effect.global_words) if isinstance(w, Const) and isinstance(w.value, str)]
+    parsed = parse_arguments([str(w.value) for w in words])
+    fqn = names.fully_qualified(identity.namespace, identity.name)
+    sim = any(
+        p.address == effect.address and isinstance(p.name, Const) and p.name.value == "use_sim_time" and _true(p.value)
+        for p in log.parameters
+    )
+    found = implicit_entities(
+        distro,
+        node_fqn=fqn,
+        enable_rosout=switch("enable_rosout", True) and parsed.rosout_logs is not False,
+        start_parameter_services=switch("start_parameter_services", True),
+        logger_service=switch("enable_logger_service", False),
+        use_sim_time=sim or any(p.name == "use_sim_time" and p.value.value is True for p in parsed.parameters if hasattr(p, "name")),
+        lifecycle=switch("lifecycle", False),
+        lifecycle_services=switch("lifecycle_services", True),
+    )
+    result: list[Entity] = []
+    for entity in found:
+        kind = names.RemapKind.SERVICE if entity.kind in _SERVICES else names.RemapKind.TOPIC
+        for text in names.resolve(entity.name, kind, identity.rules, identity.name, identity.namespace):
+            resolution = identity.resolution if text.startswith(fqn) else Resolution.EXACT
+            result.append(replace(entity, name=text, resolution=resolution, created_at=(effect.place,), system=True))
+    return result
+
+
+def _true(value: Value) -> bool:
+    return isinstance(value, Const) and value.value is True
+
+
+def _parameters(log: EffectLog, address: int) -> list[Parameter]:
+    found: dict[str, Parameter] = {}
+    for effect in log.parameters:
+        if effect.address == address:
+            for option in name_options(effect.name):
+                found.setdefault(option.text, _parameter(option.text, effect))
+    return [found[name] for name in sorted(found)]
+
+
+def _parameter(name: str, effect: ParameterEffect) -> Parameter:
+    default, value = plain(effect.default), plain(effect.value)
+    return Parameter(name, _type_name(value if value is not None else default), default, value, effect.place)
+
+
+def plain(value: Value) -> object:
+    """The Python value of a constant; None where it is not known (lists of constants as such)."""
+    if isinstance(value, Const):
+        return value.value if not isinstance(value.value, (bytes, complex)) else None
+    if isinstance(value, Tuple):
+        return [plain(v) for v in value.items]
+    if isinstance(value, (Unknown, Ref)):
+        return None
+    return None
+
+
+def _type_name(value: object) -> str | None:
+    for kind, word in ((bool, "bool"), (int, "integer"), (float, "double"), (str, "string")):
+        if isinstance(value, kind):
+            return word
+    return None
+
+
+def _merged(nodes: list[Node]) -> list[Node]:
+    """Nodes of one full name that one place creates (in several contexts) are one node."""
+    result: dict[tuple[str, object], Node] = {}
+    for node in nodes:
+        key = (node.fqn, node.defined_at)
+        known = result.get(key)
+        if known is None:
+            result[key] = node
+        else:
+            merged = replace(known, entities=(*known.entities, *node.entities), parameters=_union(known.parameters, node.parameters))
+            result[key] = merged
+    return list(result.values())
+
+
+def _union(left: tuple[Parameter, ...], right: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+    found = {p.name: p for p in (*right, *left)}
+    return tuple(found[n] for n in sorted(found))
+
+

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How doubts about names are told: what is not known, why, and what settles it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import reasons_of
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Value
+from rosward.findings import Finding
+from rosward.models.name_values import NameOption
+from rosward.ros.entities import Entity, Resolution
+from rosward.source.location import Place
+
+_REMEDY: Final = {
+    Cause.PARAMETER: "give the parameter a default, or set it for the analysis",
+    Cause.ARGUMENT: "give the argument a default, or set it for the analysis",
+    Cause.ENVIRONMENT: "give the variable a default, or set it for the analysis",
+    Cause.MODULE: "add the package that holds it to the analysis",
+    Cause.CALL: "describe the call in a stub file (--models)",
+    Cause.CALLER: "add the code that makes the call to the analysis",
+}
+
+
+def _because(reasons: tuple[Reason, ...]) -> str:
+    if not reasons:
+        return ""
+    told = "; ".join(str(r) for r in reasons[:3])
+    remedy = next((_REMEDY[r.cause] for r in reasons if r.cause in _REMEDY), "")
+    return f" because of {told}" + (f": {remedy}" if remedy else "")
+
+
+def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:
+    """An entity whose name is not wholly known."""
+    if entity.resolution is Resolution.UNKNOWN:
+        return Finding("RW101", f"the name of this {kind} is not known{_because(option.reasons)}", place)
+    return Finding("RW102", f"the name of this {kind} is only known as {entity.name}{_because(option.reasons)}", place)
+
+
+def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:
+    """A node whose name or namespace is not wholly known."""
+    known = "is not known" if option.resolution is Resolution.UNKNOWN else f"is only known as {option.text}"
+    return Finding("RW105", f"the {part} of this node {known}{_because(option.reasons)}", place)
+
+
+def invalid_name(kind: str, text: str, why: str, place: Place) -> Finding:
+    """A name that rcl rejects."""
+    return Finding("RW103", f"{text!r} is no valid name for a {kind}: {why}", place)
+
+
+def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
+    """An entity whose interface type is not known."""
+    return Finding("RW104", f"the type of the {kind} {name} is not known{_because(reasons_of(value))}", place)

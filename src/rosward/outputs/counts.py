@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How many there are of everything: what the summary on the terminal and the report both show."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from rosward.findings import Severity
+from rosward.network.graph import Action, Network, Service, Topic
+from rosward.ros.entities import Resolution
+
+__all__ = ["Count", "Counts", "counts_of"]
+
+
+class Count(NamedTuple):
+    """A number of things, and how many of them the client library made."""
+
+    total: int
+    system: int
+
+
+class Counts(NamedTuple):
+    """The numbers of one network. `names` counts the names that the user's own code gives: endpoints, not nodes."""
+
+    nodes: int
+    topics: Count
+    services: Count
+    actions: Count
+    names: dict[Resolution, int]
+    severities: dict[Severity, int]
+
+
+def counts_of(network: Network) -> Counts:
+    """Count everything once."""
+    own = [entity for node in network.nodes for entity in node.entities if not entity.system]
+    weights = [finding.rule.severity for finding in network.findings]
+    return Counts(
+        nodes=len(network.nodes),
+        topics=_count(network.topics),
+        services=_count(network.services),
+        actions=_count(network.actions),
+        names={resolution: sum(e.resolution is resolution for e in own) for resolution in Resolution},
+        severities={severity: weights.count(severity) for severity in Severity},
+    )
+
+
+def _count(meetings: Sequence[Topic | Service | Action]) -> Count:
+    return Count(len(meetings), sum(meeting.system for meeting in meetings))

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The graph in the language of Graphviz.
+
+    talker publishes /chatter, listener subscribes  ->  (talker) --> [/chatter] --> (listener)
+
+Nodes are ellipses, topics boxes, services hexagons, actions tabbed folders; each has a colour that stays apart from the
+others for colour-blind eyes. Namespaces of nodes are clusters, and a name in a cluster is written without the
+namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not wholly known. What
+nearly everyone talks to (`/tf`) would pull all of the drawing into one knot: it gets a double outline and is drawn
+beside each of its nodes. What only the client library makes is hidden unless asked for. `class` attributes let a page
+restyle the drawing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final, NamedTuple
+
+from rosward.network.graph import Network
+from rosward.outputs.safe import encodable, printable
+from rosward.ros.entities import Entity, EntityKind, Node, Resolution
+
+__all__ = ["Drawing", "drawing", "graph_dot"]
+
+
+class _Look(NamedTuple):
+    shape: str
+    fill: str
+    line: str
+
+
+_LOOKS: Final = {
+    "node": _Look("ellipse", "#d9ecf8", "#0072b2"),
+    "topic": _Look("box", "#fcefd2", "#b07800"),
+    "service": _Look("hexagon", "#d5f0e6", "#00805c"),
+    "action": _Look("folder", "#f6e2ee", "#a8457e"),
+}
+_DOUBT: Final = "#c44200"
+_MEETING_OF: Final = {
+    EntityKind.PUBLISHER: "topic",
+    EntityKind.SUBSCRIPTION: "topic",
+    EntityKind.SERVICE_SERVER: "service",
+    EntityKind.SERVICE_CLIENT: "service",
+    EntityKind.ACTION_SERVER: "action",
+    EntityKind.ACTION_CLIENT: "action",
+}
+_HUB: Final = 12
+"""Used by more nodes than this, a topic, service or action is drawn once for each of them."""
+
+_TOWARDS_NODE: Final = (EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER, EntityKind.ACTION_SERVER)
+_HEADER: Final = (
+    "graph [rankdir=LR, ranksep=0.7, nodesep=0.16, fontname=Arial, fontsize=12, compound=true, bgcolor=white, pad=0.2]",
+    'node [fontname=Arial, fontsize=11, style=filled, penwidth=1.2, margin="0.1,0.04", height=0.3]',
+    "edge [fontname=Arial, fontsize=9, arrowsize=0.6, penwidth=1.1]",
+)
+
+
+class _Vertex(NamedTuple):
+    """What is drawn as one shape; `home` is the name that decides in which cluster."""
+
+    key: str
+    look: str
+    name: str
+    home: str
+    types: tuple[str, ...]
+    doubtful: bool
+    hub: bool
+    tooltip: str
+    link: str | None
+
+
+class Drawing(NamedTuple):
+    """The text of a graph, and how large it is."""
+
+    text: str
+    vertices: int
+    edges: int
+
+
+def graph_dot(network: Network, system: bool = False, types: bool = False) -> str:
+    """The graph as DOT. `system` shows what the client library makes as well, `types` the interface types."""
+    return drawing(network, system, types).text
+
+
+def drawing(network: Network, system: bool = False, types: bool = False, links: bool = False) -> Drawing:
+    """The same with its size; `links` makes each node a link to `#node-N`, N its place in the network."""
+    ends = _ends(network, system)
+    vertices = _vertices(network, ends, links)
+    edges = _edges(ends)
+    body = [
+        *_cluster("/", "/", _tree(network, vertices), types),
+        *(_edge(*ends, look, conditional) for (ends, (look, conditional)) in sorted(edges.items())),
+    ]
+    lines = ["digraph rosward {", *(f"  {line};" for line in _HEADER), *(f"  {line}" for line in body), "}"]
+    return Drawing("\n".join(lines) + "\n", len(vertices), len(edges))
+
+
+class _End(NamedTuple):
+    """An entity that is drawn, the node that it is of, and the key of the shape that both meet at."""
+
+    node: Node
+    entity: Entity
+    key: str
+    hub: bool
+
+
+def _ends(network: Network, system: bool) -> list[_End]:
+    shown = [(node, entity) for node in network.nodes for entity in node.entities if system or not entity.system]
+    users: dict[str, set[str]] = {}
+    for node, entity in shown:
+        users.setdefault(_meeting_key(node, entity), set()).add(node.fqn)
+    ends = []
+    for node, entity in shown:
+        key = _meeting_key(node, entity)
+        hub = len(users[key]) > _HUB
+        ends.append(_End(node, entity, f"{key} at {node.fqn}" if hub else key, hub))
+    return ends
+
+
+def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vertex]:
+    drawn: dict[str, _Vertex] = {}
+    for number, node in enumerate(network.nodes):
+        link = f"#node-{number}" if links else None
+        tooltip = _tooltip(node.fqn, node.reasons)
+        key = _node_key(node)
+        drawn.setdefault(key, _Vertex(key, "node", node.fqn, node.fqn, (), "*" in node.fqn, False, tooltip, link))
+    types: dict[str, set[str]] = {}
+    for node, entity, key, hub in ends:
+        types.setdefault(key, set()).update({entity.type} if entity.type else ())
+        look, tooltip = _MEETING_OF[entity.kind], _tooltip(entity.name, entity.reasons)
+        home = node.fqn if hub else entity.name
+        drawn.setdefault(key, _Vertex(key, look, entity.name, home, (), "*" in entity.name, hub, tooltip, None))
+    return [drawn[key]._replace(types=tuple(sorted(types.get(key, ())))) for key in sorted(drawn)]
+
+
+def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
+    """From tail and head to the look and whether the edge is there in some executions only."""
+    edges: dict[tuple[str, str], tuple[str, bool]] = {}
+    for node, entity, key, _ in ends:
+        pair = (key, _node_key(node)) if entity.kind in _TOWARDS_NODE else (_node_key(node), key)
+        _, sometimes = edges.get(pair, ("", True))
+        edges[pair] = (_MEETING_OF[entity.kind], entity.conditional and sometimes)
+    return edges
+
+
+def _node_key(node: Node) -> str:
+    return f"node {node.fqn}"
+
+
+def _meeting_key(node: Node, entity: Entity) -> str:
+    """Two names of which nothing is known are not one name, so each node has its own."""
+    word = _MEETING_OF[entity.kind]
+    return f"{word} {entity.name} of {node.fqn}" if entity.resolution is Resolution.UNKNOWN else f"{word} {entity.name}"
+
+
+def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]:
+    """The shapes of one namespace, and the clusters of those right below it."""
+    inside = [_vertex(vertex, space, types) for vertex in tree.vertices.get(space, ())]
+    for one in tree.spaces.get(space, ()):
+        inside += _cluster(one, space, tree, types)
+    if space == "/":
+        yield from inside
+        return
+    style = 'style="rounded,filled", fillcolor="#f6f6f4", color="#b9b9b2", fontcolor="#55554f", class="namespace"'
+    yield f"subgraph {_quoted('cluster ' + space)} {{"
+    yield f"  graph [label={_quoted(_relative(space, parent))}, labeljust=l, {style}];"
+    yield from (f"  {line}" for line in inside)
+    yield "}"
+
+
+class _Tree(NamedTuple):
+    """By namespace: the shapes right in it, and the namespaces right below it."""
+
+    vertices: dict[str, list[_Vertex]]
+    spaces: dict[str, list[str]]
+
+
+def _tree(network: Network, vertices: Iterable[_Vertex]) -> _Tree:
+    spaces = {node.namespace for node in network.nodes} | {"/"}
+    tree = _Tree({}, {})
+    for vertex in vertices:
+        tree.vertices.setdefault(_innermost(vertex.home, spaces), []).append(vertex)
+    for space in sorted(spaces - {"/"}):
+        tree.spaces.setdefault(_innermost(space, spaces), []).append(space)
+    return tree
+
+
+def _innermost(name: str, spaces: set[str]) -> str:
+    """The nearest of these namespaces above a name."""
+    while name:
+        name = name.rpartition("/")[0]
+        if name in spaces:
+            return name
+    return "/"
+
+
+def _relative(name: str, space: str) -> str:
+    return name[len(space) + 1 :] if space != "/" and name.startswith(space + "/") else name
+
+
+def _vertex(vertex: _Vertex, space: str, types: bool) -> str:
+    look = _LOOKS[vertex.look]
+    label = [_relative(vertex.name, space)]
+    if vertex.doubtful:
+        label[0] += " ?"
+    if types:
+        label += vertex.types
+    attributes = [
+        f"label={_label(label)}",
+        f"shape={look.shape}",
+        f'fillcolor="{look.fill}"',
+        f'color="{_DOUBT if vertex.doubtful else look.line}"',
+        f"tooltip={_quoted(vertex.tooltip)}",
+        f'class="ros-{vertex.look}{" doubtful" if vertex.doubtful else ""}"',
+    ]
+    if vertex.hub:
+        attributes.append("peripheries=2")
+    if vertex.doubtful:
+        attributes.append('style="filled,dashed", penwidth=1.6')
+    if vertex.link:
+        attributes.append(f'href="{vertex.link}"')
+    return f"{_quoted(vertex.key)} [{', '.join(attributes)}];"
+
+
+def _edge(tail: str, head: str, look: str, conditional: bool) -> str:
+    style = ", style=dashed" if conditional else ""
+    return f'{_quoted(tail)} -> {_quoted(head)} [color="{_LOOKS[look].line}", class="of-{look}"{style}];'
+
+
+def _tooltip(name: str, reasons: tuple[str, ...]) -> str:
+    return ": ".join([name, "; ".join(reasons)]) if reasons else name
+
+
+def _label(lines: Iterable[str]) -> str:
+    return '"' + r"\n".join(_escaped(line) for line in lines) + '"'
+
+
+def _quoted(text: str) -> str:
+    return f'"{_escaped(text)}"'
+
+
+def _escaped(text: str) -> str:
+    """As the inside of a quoted string: Graphviz reads backslashes, and entities of HTML, in all that it shows."""
+    return encodable(printable(text)).replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')

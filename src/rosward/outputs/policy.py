@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The SROS2 policy (version 0.2.0, grammar in `schemas/policy.xsd`) that lets each node do what its source does, and no
+more.
+
+    Node /robot1/talker publishes /robot1/chatter at src/talker.py:20
+      ->  <profile ns="/robot1" node="talker">
+            <topics publish="ALLOW">
+              <topic>/robot1/chatter</topic>  <!-- src/talker.py:20 -->
+
+Names are absolute, each element has one attribute, everything is in the order in which sros2 itself sorts when it
+merges into a file. Where a rule comes from stands in comments, never in `<metadata>`: sros2 moves that before the
+profiles and then refuses its own file. A rule without a place is needed by the client library. For what is left out
+there is a comment with the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final
+
+from rosward.network.checks import UnknownNames
+from rosward.network.graph import Network
+from rosward.outputs.grants import Enclave, Grant, Omission, Profile, enclave_named, enclaves
+from rosward.outputs.safe import xml_attribute, xml_comment, xml_text
+from rosward.ros.entities import Entity, EntityKind, Resolution
+
+__all__ = ["policies", "policy_xml"]
+
+_ELEMENTS: Final = (
+    (EntityKind.ACTION_CLIENT, "actions", "call", "action"),
+    (EntityKind.ACTION_SERVER, "actions", "execute", "action"),
+    (EntityKind.SERVICE_SERVER, "services", "reply", "service"),
+    (EntityKind.SERVICE_CLIENT, "services", "request", "service"),
+    (EntityKind.PUBLISHER, "topics", "publish", "topic"),
+    (EntityKind.SUBSCRIPTION, "topics", "subscribe", "topic"),
+)
+_MOST_PLACES: Final = 5
+_HEADER: Final = (
+    "Written by rosward from the source of the system.",
+    "Behind each rule stands where it comes from; a rule with nothing behind it is needed by the client library.",
+)
+
+
+def policy_xml(network: Network, enclave: str | None = None, unknown: UnknownNames = "deny") -> str:
+    """The policy of the whole network, or of one enclave of it (ValueError if there is no such enclave).
+
+    `unknown="wildcard"` writes `/*` for a name of which nothing is known, so that the node works but is hardly
+    confined. A network without nodes gives a policy without enclaves, which sros2 rightly refuses: there is nothing to
+    write a policy for.
+    """
+    return _document(enclaves(network, unknown) if enclave is None else [enclave_named(network, enclave, unknown)])
+
+
+def policies(network: Network, unknown: UnknownNames = "deny") -> dict[str, str]:
+    """The policy of each enclave alone, by its path, which is absolute and has only letters, digits, `_` and `/`."""
+    return {enclave.path: _document([enclave]) for enclave in enclaves(network, unknown)}
+
+
+def _document(chosen: Iterable[Enclave]) -> str:
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        *(xml_comment(line) for line in _HEADER),
+        '<policy version="0.2.0">',
+        "  <enclaves>",
+        *(line for one in chosen for line in _enclave(one)),
+        "  </enclaves>",
+        "</policy>",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _enclave(enclave: Enclave) -> Iterator[str]:
+    yield f'    <enclave path="{xml_attribute(enclave.path)}">'
+    yield "      <profiles>"
+    for profile in enclave.profiles:
+        yield from _profile(profile, enclave)
+    yield "      </profiles>"
+    yield "    </enclave>"
+
+
+def _profile(profile: Profile, enclave: Enclave) -> Iterator[str]:
+    notes = list(_notes(profile, enclave))
+    attributes = f'ns="{xml_attribute(profile.namespace)}" node="{xml_attribute(profile.name)}"'
+    if not notes and not profile.grants:
+        yield f"        <profile {attributes}/>"
+        return
+    yield f"        <profile {attributes}>"
+    for note in notes:
+        yield f"          {xml_comment(note)}"
+    for kind, element, attribute, child in _ELEMENTS:
+        grants = [grant for grant in profile.grants if grant.kind is kind]
+        if grants:
+            yield f'          <{element} {attribute}="ALLOW">'
+            for grant in grants:
+                origin = _origin(grant)
+                comment = f"  {xml_comment(origin)}" if origin else ""
+                yield f"            <{child}>{xml_text(grant.name)}</{child}>{comment}"
+            yield f"          </{element}>"
+    yield "        </profile>"
+
+
+def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
+    if enclave.path != enclave.found:
+        yield (
+            f"The enclave was found as {enclave.found}, which no enclave can be called: "
+            f"start the node with ROS_SECURITY_ENCLAVE_OVERRIDE={enclave.path} in its environment"
+        )
+    if len(profile.nodes) > 1:
+        places = ", ".join(str(node.defined_at) for node in profile.nodes)
+        yield f"{len(profile.nodes)} nodes have this full name, and share this profile: {places}"
+    for omission in profile.omissions:
+        yield _omission(omission)
+
+
+def _omission(omission: Omission) -> str:
+    entity = omission.entity
+    reasons = "".join(f"; {reason}" for reason in entity.reasons)
+    return f"Not granted: {entity.kind.value} {entity.name}{_at(entity)}: {omission.why}{reasons}"
+
+
+def _origin(grant: Grant) -> str:
+    """`src/talker.py:20, conditional`; empty for what the client library needs at each node."""
+    own = [entity for entity in grant.entities if not entity.system]
+    if not own:
+        return ""
+    parts = [_places(own)]
+    vias = sorted({entity.via for entity in own if entity.via})
+    if vias:
+        parts.append("by " + ", ".join(vias))
+    if all(entity.conditional for entity in own):
+        parts.append("conditional")
+    if any(entity.resolution in (Resolution.PATTERN, Resolution.UNKNOWN) for entity in own):
+        parts.append(
+            "partly known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
+        )
+    return ", ".join(part for part in parts if part)
+
+
+def _at(entity: Entity) -> str:
+    places = _places([entity])
+    return f" at {places}" if places else ""
+
+
+def _places(entities: Iterable[Entity]) -> str:
+    places = sorted(
+        {f"{place.file}:{place.line}" if place.line else place.file for e in entities for place in e.created_at}
+    )
+    more = [f"{len(places) - _MOST_PLACES} more places"] if len(places) > _MOST_PLACES else []
+    return ", ".join(places[:_MOST_PLACES] + more)

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How text that others wrote gets into a document without breaking it.
+
+Names, paths and reasons come from the sources that are analysed, so they may hold anything: quotes, tags, `--`, escape
+sequences of a terminal, characters that XML cannot hold. Each function here makes any string safe for one place.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+__all__ = ["encodable", "printable", "xml_attribute", "xml_comment", "xml_text"]
+
+_NOT_XML: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_SURROGATE: Final = re.compile("[\ud800-\udfff]")
+_CONTROL: Final = re.compile("[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+
+
+def encodable(text: str) -> str:
+    """The text with lone surrogates, which UTF-8 cannot hold, written as `\\udXXX`."""
+    return _SURROGATE.sub(lambda m: f"\\u{ord(m.group()):04x}", text)
+
+
+def printable(text: str) -> str:
+    """One line for a terminal or a page: control characters, line ends and direction marks become visible escapes."""
+    return _CONTROL.sub(_escape, text)
+
+
+def xml_text(text: str) -> str:
+    """The text as the content of an element."""
+    kept = _NOT_XML.sub("\ufffd", text)
+    return kept.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\r", "&#13;")
+
+
+def xml_attribute(text: str) -> str:
+    """The text as the value of an attribute, without the quotes around it."""
+    return xml_text(text).replace('"', "&quot;").replace("\n", "&#10;").replace("\t", "&#9;")
+
+
+def xml_comment(text: str) -> str:
+    """A whole comment with this text: in it no two hyphens may follow each other, nor may one stand at the end."""
+    kept = re.sub("-(?=-)", "- ", _NOT_XML.sub("\ufffd", printable(text)))
+    return f"<!-- {kept} -->"
+
+
+def _escape(match: re.Match[str]) -> str:
+    code = ord(match.group())
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The graph as a picture, drawn by `graphviz-pure`: a Graphviz in one program, with its own fonts, the same on every
+machine.
+
+A graph beyond any eye (see `_MOST_EDGES`), or a renderer that is missing or fails, gives a picture that says so in
+words, with the numbers and where to look instead. The limit is a size and not a time, so that the same sources give the
+same bytes everywhere; the time limit is only there for a machine in trouble. 50 nodes take about 0.03 s, 600 nodes with
+1,900 edges 0.35 s.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+from typing import Final
+
+from rosward.network.graph import Network
+from rosward.outputs.dot import Drawing, drawing
+from rosward.outputs.safe import xml_text
+
+__all__ = ["graph_svg"]
+
+_PROGRAM: Final = "graphviz-pure"
+_MOST_EDGES: Final = 3000
+_MOST_VERTICES: Final = 3000
+_SECONDS: Final = 60
+_PROLOGUE: Final = re.compile(r"\A.*?(?=<svg\b)", re.DOTALL)
+
+
+def graph_svg(network: Network, system: bool = False, types: bool = False, *, links: bool = False) -> str:
+    """The graph as SVG. `links` makes each node a link to `#node-N`, its number in the network."""
+    drawn = drawing(network, system, types, links)
+    if drawn.edges > _MOST_EDGES or drawn.vertices > _MOST_VERTICES:
+        return _message("This graph is too large to draw", drawn)
+    program = _program()
+    if program is None:
+        return _message(f"{_PROGRAM} is not installed, so there is no drawing", drawn)
+    try:
+        done = subprocess.run(
+            [program, "-Kdot", "-Tsvg"], input=drawn.text.encode(), capture_output=True, timeout=_SECONDS, check=True
+        )
+    except subprocess.TimeoutExpired:
+        return _message(f"Drawing took more than {_SECONDS} seconds", drawn)
+    except (OSError, subprocess.CalledProcessError):
+        return _message(f"{_PROGRAM} could not draw this graph", drawn)
+    svg = _PROLOGUE.sub("", done.stdout.decode(errors="replace"))
+    return svg if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
+
+
+def _program() -> str | None:
+    """The program beside the running Python, which is the version that was asked for, or that of the search path."""
+    folders = [Path(sys.executable).parent, Path(sysconfig.get_path("scripts"))]
+    found = (shutil.which(_PROGRAM, path=str(folder)) for folder in folders)
+    return next((program for program in found if program), None) or shutil.which(_PROGRAM)
+
+
+def _message(reason: str, drawn: Drawing) -> str:
+    lines = [
+        reason + ".",
+        f"It has {drawn.vertices} nodes, topics, services and actions, and {drawn.edges} edges.",
+        "graph.dot holds the whole of it; network.json and the tables of the report say the same in words.",
+    ]
+    texts = "".join(f'<text x="20" y="{40 + 24 * number}">{xml_text(line)}</text>' for number, line in enumerate(lines))
+    return (
+        '<svg width="720pt" height="110pt" viewBox="0 0 720 110" xmlns="http://www.w3.org/2000/svg">'
+        '<rect width="720" height="110" fill="white"/>'
+        f'<g font-family="Arial, sans-serif" font-size="14" fill="#1a1a1a">{texts}</g></svg>\n'
+    )

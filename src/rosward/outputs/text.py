@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The summary on the terminal: what was found, how sure the names are, and every doubt with what to do about it.
+
+    rosward read 2 files (120 lines) for jazzy: 2 nodes in 2 processes.
+
+      nodes 2 · topics 4 (2 system) · services 15 (14 system) · actions 1
+      names 6: 3 exact, 1 default, 1 pattern, 1 unknown
+
+    error RW101 unknown name: 1
+      src/demo/node.py:60  publisher of node /listener: sys.argv[1] is not known
+      Supply the value that is missing: a default, a parameter file, an argument.
+
+Where the console is no terminal it is plain text, without colours and without cutting lines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from rosward.findings import Severity
+from rosward.network.graph import Network
+from rosward.outputs.counts import Count, Counts, counts_of
+from rosward.outputs.doubts import Doubts, doubts
+from rosward.outputs.safe import printable
+from rosward.ros.entities import Resolution
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.text import Text
+
+__all__ = ["summary"]
+
+_SHOWN: Final = 5
+"""How many findings of one rule are shown when not verbose."""
+
+_COLOURS: Final = {Severity.ERROR: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
+_SURENESS: Final = {Resolution.PATTERN: "yellow", Resolution.UNKNOWN: "bold red"}
+
+
+def summary(network: Network, console: Console, verbose: bool = False, written: Sequence[str] = ()) -> None:
+    """Print the summary. `verbose` lists every finding, notes too; `written` are the paths of what was written."""
+    counts = counts_of(network)
+    _print(console, _head(network, counts))
+    console.print()
+    _print(console, ("  ", ""), *_things(counts))
+    _print(console, ("  ", ""), *_names(counts))
+    for group in doubts(network.findings):
+        if verbose or group.rule.severity is not Severity.NOTE:
+            console.print()
+            _group(console, group, verbose)
+    console.print()
+    _print(console, *_verdict(counts, verbose))
+    for path in written:
+        _print(console, ("  ", ""), (printable(path), "dim"))
+
+
+def _head(network: Network, counts: Counts) -> tuple[str, str]:
+    read = f"{_several(network.files, 'file')} ({_several(network.lines, 'line')})"
+    found = f"{_several(counts.nodes, 'node')} in {_several(network.processes, 'process', 'processes')}"
+    return (f"rosward read {read} for {network.distro}: {found}.", "bold")
+
+
+def _things(counts: Counts) -> list[tuple[str, str]]:
+    parts = [(f"nodes {counts.nodes}", "")]
+    for word, count in (("topics", counts.topics), ("services", counts.services), ("actions", counts.actions)):
+        parts += [(" · ", "dim"), (f"{word} {count.total:,}", ""), (_of_which(count), "dim")]
+    return parts
+
+
+def _of_which(count: Count) -> str:
+    return f" ({count.system:,} system)" if count.system else ""
+
+
+def _names(counts: Counts) -> list[tuple[str, str]]:
+    total = sum(counts.names.values())
+    parts = [(f"names {total:,}", "")]
+    separator = ": "
+    for resolution, number in counts.names.items():
+        if number:
+            parts += [(separator, ""), (f"{number:,} {resolution.value}", _SURENESS.get(resolution, ""))]
+            separator = ", "
+    return parts
+
+
+def _group(console: Console, group: Doubts, verbose: bool) -> None:
+    rule = group.rule
+    title = f" {rule.code} {rule.title}: {len(group.findings):,}"
+    _print(console, (rule.severity.value, _COLOURS[rule.severity]), (title, "bold"))
+    shown = group.findings if verbose else group.findings[:_SHOWN]
+    for finding in shown:
+        place = printable(str(finding.place))
+        _print(console, ("  ", ""), (place, "cyan"), ("  " + printable(finding.message), ""))
+    if len(shown) < len(group.findings):
+        _print(console, (f"  … and {len(group.findings) - len(shown):,} more (-v lists all)", "dim"))
+    _print(console, ("  " + rule.help, "italic"))
+
+
+def _verdict(counts: Counts, verbose: bool) -> list[tuple[str, str]]:
+    errors = counts.severities[Severity.ERROR]
+    warnings = counts.severities[Severity.WARNING]
+    notes = counts.severities[Severity.NOTE]
+    if errors:
+        parts = [("Incomplete: ", "bold red"), (_several(errors, "error"), "")]
+    else:
+        parts = [("Complete", "bold green"), (": no errors", "")]
+    parts.append((f", {_several(warnings, 'warning')}", ""))
+    if notes:
+        parts.append((f", {_several(notes, 'note')}" + ("" if verbose else " (-v shows notes)"), ""))
+    return [*parts, (".", "")]
+
+
+def _several(number: int, word: str, plural: str = "") -> str:
+    return f"{number:,} {word if number == 1 else plural or word + 's'}"
+
+
+def _print(console: Console, *parts: tuple[str, str]) -> None:
+    console.print(_text(parts), soft_wrap=True)
+
+
+def _text(parts: Sequence[tuple[str, str]]) -> Text:
+    from rich.text import Text  # noqa: PLC0415 -- rich is only loaded where something is printed
+
+    return Text.assemble(*parts)

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What runs: the processes of a set of sources, and the interpretation of each.
+
+A process is a console script, a script with a `__main__` block, a file that does something when run, or a file with node classes that
+nothing instantiates (each is instantiated with unknown arguments).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from rosward.domain.values import UNBOUND, Class, ModuleValue, Value
+from rosward.engine import modules
+from rosward.engine.binding import ANY
+from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.interpreter import Interpreter
+from rosward.engine.library import Library
+from rosward.findings import Finding
+from rosward.models.effects import EffectLog
+from rosward.source.location import Place
+
+
+class Entry(NamedTuple):
+    """How a process starts: the file, run as `__main__`, or imported and then a function of it called, or classes of it instantiated."""
+
+    file: str
+    module: str
+    function: str = ""
+    classes: tuple[str, ...] = ()
+    package: str | None = None
+    executable: str | None = None
+    label: str = ""
+    probe: bool = False  # counts only where it makes a node
+
+
+class Run(NamedTuple):
+    """What the interpretation of a process gave."""
+
+    entry: Entry
+    log: EffectLog
+    done: frozenset[tuple[object, ...]]
+    entered: frozenset[int]
+    instantiated: frozenset[Place]
+
+
+def run(library: Library, entry: Entry, budget: Budget) -> Run:
+    """Interpret one process to its end, and everything that it schedules."""
+    log = EffectLog()
+    machine = Interpreter(library, budget, log)
+    try:
+        _main(machine, entry)
+    except LimitReachedError as limit:
+        place = machine.place
+        log.findings[Finding("RW201", f"{limit.what}: what the program does after this is missing", place if place.file else Place(entry.file))] = None
+    done = log.final(machine.state)
+    machine.frames.clear()
+    machine.catchers.clear()
+    try:
+        machine.spin()
+    except LimitReachedError as limit:
+        log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
+    return Run(entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated))
+
+
+def _main(machine: Interpreter, entry: Entry) -> None:
+    """The main body of a process."""
+    plain = not entry.function and not entry.classes
+    name = "__main__" if plain else entry.module
+    address = machine.place_key(("module", "__main__" if plain else entry.file))
+    module = ModuleValue(address, name, entry.file)
+    alive = modules.run_module(machine, module, name)
+    if entry.function and alive:
+        function: Value = module
+        for part in entry.function.split("."):
+            function = modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
+        machine.call(function, (), {ANY: UNBOUND})
+    for qualname in entry.classes:
+        found = machine.at(address).attrs.get(qualname)
+        if isinstance(found, Class):
+            _instantiate(machine, found)
+
+
+def _instantiate(machine: Interpreter, cls: Class) -> None:
+    """An instance of a node class that nothing instantiates: what its parameters will be is not known."""
+    if machine.call(cls, (), {ANY: UNBOUND}) is UNBOUND:
+        machine.report("RW209", f"{cls.name} cannot be made: its constructor fails")
+
+
+def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
+    """The node classes that no process instantiates and no other class inherits from, by file: their names."""
+    made: set[Place] = set()
+    inherited: set[Place] = set()
+    defined: dict[Place, Class] = {}
+    for each in runs:
+        made |= each.instantiated
+        for cls in each.log.classes:
+            defined[cls.place] = cls
+            inherited.update(b.place for b in cls.mro[1:] if isinstance(b, Class))
+    found: dict[str, list[str]] = {}
+    for place, cls in sorted(defined.items()):
+        if place not in made and place not in inherited and node is not None and node in cls.mro and "." not in cls.qualname:
+            found.setdefault(place.file, []).append(cls.name)
+    return found

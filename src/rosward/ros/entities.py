@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The records that everything after the interpretation speaks in: entities, nodes, QoS, parameters.
+
+All are frozen and hold fully qualified names: what is here is what the running system would show, with `*` for what is not known.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field, replace
+
+from rosward.source.location import Place
+
+__all__ = ["Entity", "EntityKind", "Node", "Parameter", "Qos", "Resolution", "replace"]
+
+
+class EntityKind(enum.Enum):
+    """What a node can have; the value is the word used in messages."""
+
+    PUBLISHER = "publisher"
+    SUBSCRIPTION = "subscription"
+    SERVICE_SERVER = "service server"
+    SERVICE_CLIENT = "service client"
+    ACTION_SERVER = "action server"
+    ACTION_CLIENT = "action client"
+
+
+class Resolution(enum.Enum):
+    """How a name was found, from the surest to the least."""
+
+    EXACT = "exact"
+    DEFAULT = "default"
+    BOUND = "bound"
+    PATTERN = "pattern"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class Qos:
+    """What is known of a QoS profile; None for what is not. The words are those of `ros2 topic info -v`, in lower case with `_`."""
+
+    reliability: str | None = None
+    durability: str | None = None
+    history: str | None = None
+    depth: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Entity:
+    """One endpoint of a node.
+
+    `name` is fully qualified, after expansion and remapping, `*` for each unknown part. `reasons` says, for a name or type that is
+    not wholly known, why, in words for a person ("parameter 'ns' has no default (talker.py:12)"); `via` names the library function
+    that created the entity on behalf of the user's code (`tf2_ros.TransformListener`), None where the user's code did so itself.
+    `ros_prefix` is False for a topic with `avoid_ros_namespace_conventions`.
+    """
+
+    kind: EntityKind
+    name: str
+    type: str | None
+    system: bool = False
+    resolution: Resolution = Resolution.EXACT
+    conditional: bool = False
+    callback: str | None = None
+    qos: Qos | None = None
+    depends_on: tuple[str, ...] = ()
+    created_at: tuple[Place, ...] = ()
+    reasons: tuple[str, ...] = ()
+    via: str | None = None
+    ros_prefix: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A declared parameter. `type` is rcl's word (bool, integer, double, string, byte_array, bool_array, …), None where unknown.
+
+    `default` and `value` are plain Python values; None where there is none or it is not known.
+    """
+
+    name: str
+    type: str | None
+    default: object
+    value: object
+    declared_at: Place | None
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """One node of one process with everything that it has. `entities` is sorted by kind, name and type."""
+
+    namespace: str
+    name: str
+    resolution: Resolution
+    enclave: str
+    package: str | None
+    executable: str | None
+    process: str
+    launched_by: Place | None
+    defined_at: Place
+    entities: tuple[Entity, ...] = ()
+    parameters: tuple[Parameter, ...] = ()
+    reasons: tuple[str, ...] = field(default=())
+
+    @property
+    def fqn(self) -> str:
+        """The fully qualified name, `/namespace/name`."""
+        return f"/{self.name}" if self.namespace == "/" else f"{self.namespace}/{self.name}"
+
+    def of_kind(self, kind: EntityKind) -> tuple[Entity, ...]:
+        """The entities of one kind, in order."""
+        return tuple(e for e in self.entities if e.kind is kind)

@@ -1,0 +1,379 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which scripts and Python packages does a CMakeLists.txt install?
+
+    install(PROGRAMS scripts/talker.py DESTINATION lib/${PROJECT_NAME} RENAME talker)
+    ->  Script("talker", "scripts/talker.py", line=1)
+
+The commands are interpreted in their order as far as lists of files need it: variables, lists, globs, `foreach`, functions, included
+folders. Every branch of an `if` is taken, since the answer to "what could this package install?" should not miss a script. Files
+outside the package are neither read nor listed.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import os
+import re
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.findings import Finding
+from rosward.source.cmake_text import Argument, Command, parse_cmake
+from rosward.source.location import Place
+from rosward.source.text import place_name, read_bytes
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+_FILE_LIMIT: Final = 1_000_000
+_STEP_LIMIT: Final = 50_000
+_VALUE_LIMIT: Final = 1_000_000  # characters
+_GLOB_LIMIT: Final = 20_000  # files looked at
+_DEPTH_LIMIT: Final = 20
+
+_REFERENCE: Final = re.compile(r"\$\{([A-Za-z0-9_./+-]+)\}|\$ENV\{[^}]*\}|\$CACHE\{[^}]*\}")
+_ESCAPE: Final = re.compile(r"\\(.)", re.DOTALL)
+_INSTALL_WORDS: Final = frozenset(
+    "DESTINATION PERMISSIONS CONFIGURATIONS COMPONENT RENAME OPTIONAL EXCLUDE_FROM_ALL TYPE DIRECTORY_PERMISSIONS FILE_PERMISSIONS "
+    "USE_SOURCE_PERMISSIONS MESSAGE_NEVER FILES_MATCHING PATTERN REGEX EXCLUDE".split()
+)
+
+
+class Script(NamedTuple):
+    """A file, by its path, that is installed as the executable `name`."""
+
+    name: str
+    path: str
+    place: Place
+
+
+class CMakeProject(NamedTuple):
+    """What is installed: scripts among the executables of the package, folders of Python packages, and what could not be read."""
+
+    scripts: tuple[Script, ...] = ()
+    python_roots: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
+    """What the CMakeLists.txt in `folder` installs for the package of that name; `root` is what places are relative to."""
+    reader = _Reader(folder, package, root)
+    reader.read(folder, 0)
+    return CMakeProject(tuple(dict.fromkeys(reader.scripts)), tuple(dict.fromkeys(reader.python_roots)), tuple(reader.findings))
+
+
+@final
+class _Reader:
+    """One project in the course of being interpreted."""
+
+    def __init__(self, folder: str, package: str, root: Path) -> None:
+        self._top = folder
+        self._root = root
+        self._package = package
+        self._folder = folder
+        self._file = ""
+        self._steps = 0
+        self._looked_at = 0
+        self._variables: dict[str, str] = {"PROJECT_NAME": package, "CMAKE_PROJECT_NAME": package, "CMAKE_INSTALL_PREFIX": ""}
+        self._functions: dict[str, tuple[list[str], list[Command]]] = {}
+        self.scripts: list[Script] = []
+        self.python_roots: list[str] = []
+        self.findings: list[Finding] = []
+
+    def read(self, folder: str, depth: int, name: str = "CMakeLists.txt") -> None:
+        """Interpret the description in `folder`, with its own idea of the current folder."""
+        path = os.path.join(folder, name)  # noqa: PTH118  text throughout: many paths, few of them kept
+        file = place_name(path, self._root)
+        data = read_bytes(path, file, _FILE_LIMIT)
+        if isinstance(data, Finding):
+            self.findings.append(Finding("RW008", data.message, data.place))
+            return
+        commands, problem = parse_cmake(data.decode("utf-8-sig", "replace"))
+        if problem is not None:
+            self.findings.append(Finding("RW008", f"{problem[0]} What follows in this file is not read.", Place(file, problem[1])))
+        before = self._folder, self._file
+        self._folder, self._file = folder, file
+        self._run(commands, depth)
+        self._folder, self._file = before
+
+    def _run(self, commands: list[Command], depth: int) -> None:
+        position = 0
+        while position < len(commands):
+            command = commands[position]
+            position += 1
+            self._steps += 1
+            if self._steps > _STEP_LIMIT or depth > _DEPTH_LIMIT:
+                self._doubt("This project is too large to read its build description whole.", command)
+                self._steps = _STEP_LIMIT + 1
+                return
+            if command.name in {"foreach", "function", "macro"}:
+                body, position = _block(commands, position, command.name)
+                if command.name == "foreach":
+                    self._foreach(command, body, depth)
+                elif command.arguments:
+                    self._functions[command.arguments[0].text.lower()] = ([a.text for a in command.arguments[1:]], body)
+            else:
+                self._command(command, depth)
+
+    def _command(self, command: Command, depth: int) -> None:
+        arguments = self._expand(command.arguments)
+        match command.name:
+            case "project" if arguments:
+                self._variables["PROJECT_NAME"] = arguments[0]
+            case "set" if arguments:
+                values = [a for a in arguments[1:] if a != "PARENT_SCOPE"]
+                if "CACHE" in values:
+                    values = values[: values.index("CACHE")]
+                self._set(arguments[0], values)
+            case "unset" if arguments:
+                self._variables.pop(arguments[0], None)
+            case "list" if len(arguments) >= 2:
+                self._list(arguments[0], arguments[1], arguments[2:])
+            case "file" if len(arguments) >= 2 and arguments[0] in {"GLOB", "GLOB_RECURSE"}:
+                self._glob(arguments[1], arguments[2:], recurse=arguments[0] == "GLOB_RECURSE")
+            case "get_filename_component" if len(arguments) >= 3:
+                self._set(arguments[0], [_component(arguments[1], arguments[2])])
+            case "install" | "catkin_install_python" if arguments:
+                self._install(arguments, command)
+            case "ament_python_install_package" if arguments:
+                self._python_package(arguments)
+            case "add_subdirectory" if arguments:
+                inner = self._inside(arguments[0])
+                if inner is not None and os.path.isfile(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH113, PTH118
+                    self.read(inner, depth + 1)
+            case "include" if arguments and arguments[0].endswith(".cmake"):
+                inner = self._inside(arguments[0])
+                if inner is not None and os.path.isfile(inner):  # noqa: PTH113
+                    self._include(inner, depth)
+            case name if name in self._functions:
+                self._call(name, arguments, depth)
+            case _:
+                pass
+
+    def _include(self, path: str, depth: int) -> None:
+        folder = self._folder
+        self.read(os.path.dirname(path), depth + 1, os.path.basename(path))  # noqa: PTH119, PTH120
+        self._folder = folder
+
+    def _call(self, name: str, arguments: list[str], depth: int) -> None:
+        parameters, body = self._functions[name]
+        before = dict(self._variables) if len(self._variables) < 1000 else self._variables
+        self._variables["ARGV"] = ";".join(arguments)
+        self._variables["ARGN"] = ";".join(arguments[len(parameters) :])
+        for index, argument in enumerate(arguments[:20]):
+            self._variables[f"ARGV{index}"] = argument
+        for parameter, argument in zip(parameters, arguments, strict=False):
+            self._variables[parameter] = argument
+        self._run(body, depth + 1)
+        self._variables = before
+
+    def _foreach(self, command: Command, body: list[Command], depth: int) -> None:
+        arguments = self._expand(command.arguments)
+        if not arguments:
+            return
+        items: list[str] = []
+        mode = "ITEMS"
+        rest = arguments[1:]
+        if rest[:1] == ["RANGE"]:
+            numbers = [int(a) for a in rest[1:] if re.fullmatch(r"-?\d{1,4}", a)]
+            items = [str(n) for n in (range(numbers[0] + 1) if len(numbers) == 1 else range(numbers[0], numbers[1] + 1))] if numbers else []
+        elif rest[:1] == ["IN"]:
+            for argument in rest[1:]:
+                if argument in {"LISTS", "ITEMS"}:
+                    mode = argument
+                else:
+                    items += _split(self._variables.get(argument, "")) if mode == "LISTS" else [argument]
+        else:
+            items = rest
+        for item in items:
+            if self._steps > _STEP_LIMIT:
+                return
+            self._variables[arguments[0]] = item
+            self._run(body, depth + 1)
+
+    def _set(self, name: str, values: list[str]) -> None:
+        value = ";".join(values)
+        self._variables[name] = value if len(value) <= _VALUE_LIMIT else ""
+
+    def _list(self, operation: str, name: str, values: list[str]) -> None:
+        now = _split(self._variables.get(name, ""))
+        match operation:
+            case "APPEND":
+                self._set(name, now + values)
+            case "PREPEND":
+                self._set(name, values + now)
+            case "REMOVE_ITEM":
+                unwanted = set(values)
+                self._set(name, [item for item in now if item not in unwanted])
+            case "REMOVE_DUPLICATES":
+                self._set(name, list(dict.fromkeys(now)))
+            case "SORT":
+                self._set(name, sorted(now))
+            case _:
+                pass
+
+    def _expand(self, arguments: tuple[Argument, ...]) -> list[str]:
+        """The arguments with variables put in; what is not quoted falls apart at its semicolons."""
+        result: list[str] = []
+        for argument in arguments:
+            if argument.literal:
+                result.append(argument.text)
+                continue
+            text = argument.text
+            for _ in range(5):  # ${${X}}
+                replaced = _REFERENCE.sub(self._value, text)
+                if replaced == text or len(replaced) > _VALUE_LIMIT:
+                    break
+                text = replaced
+            text = _ESCAPE.sub(r"\1", text) if "\\" in text else text
+            if argument.quoted:
+                result.append(text)
+            else:
+                result += _split(text)
+        return result
+
+    def _value(self, match: re.Match[str]) -> str:
+        name = match[1] or ""
+        if name in self._variables:
+            return self._variables[name]
+        if name in {"CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"}:
+            return self._folder
+        if name in {"CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR", f"{self._package}_SOURCE_DIR"}:
+            return self._top
+        return {"CMAKE_INSTALL_LIBDIR": "lib", "CMAKE_INSTALL_BINDIR": "bin"}.get(name, "")
+
+    def _inside(self, path: str) -> str | None:
+        """The absolute form of `path`, if it is within the package."""
+        full = os.path.normpath(os.path.join(self._folder, path))  # noqa: PTH118
+        return full if "\0" not in full and (full == self._top or full.startswith(self._top + os.sep)) else None
+
+    def _glob(self, name: str, arguments: list[str], *, recurse: bool) -> None:
+        relative: str | None = None
+        patterns: list[str] = []
+        rest = iter(arguments)
+        for argument in rest:
+            if argument == "RELATIVE":
+                relative = os.path.normpath(os.path.join(self._folder, next(rest, "")))  # noqa: PTH118
+            elif argument == "LIST_DIRECTORIES":
+                next(rest, None)
+            elif argument not in {"CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"}:
+                patterns.append(argument)
+        found: list[str] = []
+        for pattern in patterns:
+            full = self._inside(pattern)
+            if full is not None:
+                found += self._matches(full, recurse=recurse)
+        self._set(name, [os.path.relpath(path, relative) if relative else path for path in sorted(set(found))])
+
+    def _matches(self, pattern: str, *, recurse: bool) -> list[str]:
+        """The files that a pattern of `file(GLOB)` names."""
+        head, _, last = pattern.rpartition(os.sep)
+        wildcard = re.search(r"[*?\[]", head)
+        start = head[: head.rfind(os.sep, 0, wildcard.start())] if wildcard else head
+        accepts = re.compile(fnmatch.translate(last)).match
+        accepts_folder = re.compile(fnmatch.translate(head)).match
+        found = []
+        for folder, inner, names in os.walk(start):
+            inner.sort()
+            self._looked_at += len(inner) + len(names)
+            if self._looked_at > _GLOB_LIMIT:
+                break
+            fits = accepts_folder(folder) and folder.count(os.sep) == head.count(os.sep)
+            if not fits and recurse:
+                fits = accepts_folder(folder) or folder == head or folder.startswith(head + os.sep)
+            if fits:
+                found += [f"{folder}{os.sep}{name}" for name in names if accepts(name)]
+            if not recurse and folder.count(os.sep) >= head.count(os.sep):
+                inner.clear()
+        return found
+
+    def _install(self, arguments: list[str], command: Command) -> None:
+        what, *rest = arguments
+        if what not in {"PROGRAMS", "FILES", "DIRECTORY"}:
+            return
+        paths: list[str] = []
+        options: dict[str, list[str]] = {}
+        into = paths
+        for argument in rest:
+            if argument in _INSTALL_WORDS:
+                into = options.setdefault(argument, [])
+            else:
+                into.append(argument)
+        destination = next(iter(options.get("DESTINATION", [])), "").strip("/")
+        if destination != f"lib/{self._package}" and not destination.startswith(f"lib/{self._package}/"):
+            return
+        executable = "OWNER_EXECUTE" in options.get("PERMISSIONS", []) + options.get("FILE_PERMISSIONS", [])
+        place = Place(self._file, command.line)
+        if what == "DIRECTORY":
+            if executable or "USE_SOURCE_PERMISSIONS" in options:
+                self._install_folders(paths, options, place, all_of_them=executable)
+        elif what == "PROGRAMS" or executable:
+            for path in paths:
+                full = self._inside(path)
+                name = next(iter(options.get("RENAME", [])), "") or os.path.basename(path)  # noqa: PTH119
+                if full is None:  # outside, or made by the build
+                    self._doubt(f"The program {path!r} is not within the package.", command)
+                else:
+                    self.scripts.append(Script(name, full, place))
+
+    def _install_folders(self, paths: list[str], options: dict[str, list[str]], place: Place, *, all_of_them: bool) -> None:
+        """Each file that is, or becomes, executable; whether it is a Python script is for the caller to see."""
+        matching = options.get("PATTERN", []) if "FILES_MATCHING" in options else []
+        unwanted = options.get("PATTERN", []) if "EXCLUDE" in options and not matching else []
+        for path in paths:
+            start = self._inside(path)
+            for folder, inner, names in os.walk(start) if start is not None else ():
+                inner.sort()
+                self._looked_at += len(inner) + len(names)
+                if self._looked_at > _GLOB_LIMIT:
+                    return
+                for name in sorted(names):
+                    full = f"{folder}{os.sep}{name}"
+                    fits = not matching or any(fnmatch.fnmatchcase(name, pattern) for pattern in matching)
+                    if fits and not any(fnmatch.fnmatchcase(name, pattern) for pattern in unwanted):
+                        if all_of_them or os.access(full, os.X_OK):
+                            self.scripts.append(Script(name, full, place))
+
+    def _python_package(self, arguments: list[str]) -> None:
+        """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER])`: modules are imported from the folder that holds it."""
+        folder = arguments[arguments.index("PACKAGE_DIR") + 1 :][:1] if "PACKAGE_DIR" in arguments else [arguments[0]]
+        full = self._inside(folder[0]) if folder else None
+        if full is not None and full != self._top:
+            self.python_roots.append(os.path.dirname(full))  # noqa: PTH120
+
+    def _doubt(self, message: str, command: Command) -> None:
+        finding = Finding("RW008", message, Place(self._file, command.line))
+        if finding not in self.findings[-20:]:
+            self.findings.append(finding)
+
+
+def _block(commands: list[Command], position: int, name: str) -> tuple[list[Command], int]:
+    """The commands up to the end of the block that has just been opened, and the position after it."""
+    depth, start = 1, position
+    while position < len(commands):
+        here = commands[position].name
+        depth += (here == name) - (here == f"end{name}")
+        position += 1
+        if not depth:
+            return commands[start : position - 1], position
+    return commands[start:], position
+
+
+def _split(text: str) -> list[str]:
+    return [part for part in text.split(";") if part]
+
+
+def _component(path: str, which: str) -> str:
+    name = path.rpartition("/")[2]
+    match which:
+        case "NAME":
+            return name
+        case "NAME_WE":
+            return name.partition(".")[0]
+        case "NAME_WLE":
+            return name.rpartition(".")[0] or name
+        case "EXT":
+            return name[name.index(".") :] if "." in name else ""
+        case "DIRECTORY" | "PATH":
+            return path.rpartition("/")[0]
+        case _:
+            return path

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where in the source something stands.
+
+    Place("src/demo/talker.py", 20, 9)  ->  src/demo/talker.py:20:9
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Place(NamedTuple):
+    """A position in a source file.
+
+    `file` is relative to the root of the analysis and written with `/`; `line` and `column` count from 1.
+    A `line` of 0 means the file as a whole.
+    """
+
+    file: str
+    line: int = 0
+    column: int = 1
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}" if self.line else self.file

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does a `package.xml` say?
+
+    <package format="3"><name>demo</name>…<export><build_type>ament_python</build_type></export></package>
+    ->  Manifest(name="demo", build_type="ament_python", depends={"rclpy", …})
+
+`catkin_pkg` reads it, as the ROS tools do. A first pass of our own sees to it that only harmless documents get that far (no document
+type, so no entities; bounded depth and conditions) and keeps the name of a package that `catkin_pkg` rejects: its nodes are real.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+from xml.parsers import expat
+
+from rosward.findings import Finding
+from rosward.source.location import Place
+from rosward.source.text import read_bytes
+
+MANIFEST_LIMIT: Final = 1_000_000
+_DEPTH_LIMIT: Final = 50
+_CONDITION_LIMIT: Final = 200  # characters; catkin_pkg's parser is exponential in nested parentheses
+_CONTEXT: Final = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": "jazzy"}
+
+
+class Manifest(NamedTuple):
+    """What a package says of itself."""
+
+    name: str
+    build_type: str
+    depends: frozenset[str] = frozenset()
+
+
+class _Refused(Exception):
+    """The document is not of a kind that a package.xml may be."""
+
+
+def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Finding | None]:
+    """The manifest at `path`, called `file`, and what is wrong with it; `folder_name` stands in for a name that cannot be read."""
+    data = read_bytes(path, file, MANIFEST_LIMIT)
+    if isinstance(data, Finding):
+        return Manifest(folder_name, ""), Finding("RW008", data.message, data.place)
+    outline = _Outline()
+    problem = outline.read(data)
+    manifest = Manifest(outline.name or folder_name, outline.build_type)
+    if problem is not None:
+        message, line = problem
+        return manifest, Finding("RW008", message, Place(file, line))
+    try:
+        return _through_catkin_pkg(data), None
+    except Exception as error:  # noqa: BLE001,RUF100  catkin_pkg raises what it likes: AssertionError, ValueError, InvalidPackage, …
+        reason = " ".join(str(error).replace(path, file).split())[:300] or type(error).__name__
+        return manifest, Finding("RW008", f"The ROS tools reject this package.xml, and would not build the package: {reason}", Place(file))
+
+
+def _through_catkin_pkg(data: bytes) -> Manifest:
+    import warnings  # noqa: PLC0415  not needed where there is no package
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        from catkin_pkg.package import parse_package_string  # noqa: PLC0415  slow to import
+
+        package = parse_package_string(data, warnings=[])
+        package.evaluate_conditions(_CONTEXT)
+        build_type = str(package.get_build_type())
+    needs = [*package.build_depends, *package.build_export_depends, *package.exec_depends]
+    return Manifest(str(package.name), build_type, frozenset(str(d.name) for d in needs if d.evaluated_condition is not False))
+
+
+class _Outline:
+    """The name and the build type of a manifest, as far as it can be read."""
+
+    def __init__(self) -> None:
+        self.name = ""
+        self.build_type = ""
+        self._path: list[str] = []
+        self._text: list[str] = []
+
+    def read(self, data: bytes) -> tuple[str, int] | None:
+        """What is wrong with the document, and in which line."""
+        parser = expat.ParserCreate()
+        parser.StartDoctypeDeclHandler = self._doctype
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._text.append
+        try:
+            parser.Parse(data, True)
+        except _Refused as error:
+            return str(error), parser.CurrentLineNumber
+        except expat.ExpatError as error:
+            return f"The package.xml is not well-formed: {expat.errors.messages[error.code]}.", error.lineno
+        except (ValueError, LookupError) as error:  # an encoding that Python does not know
+            return f"The package.xml cannot be read: {error}.", 1
+        return None
+
+    def _doctype(self, *_: object) -> None:
+        raise _Refused("The package.xml has a document type declaration; entities are not read.")
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        self._path.append(tag)
+        self._text.clear()
+        if len(self._path) > _DEPTH_LIMIT:
+            raise _Refused("The package.xml is nested too deeply.")
+        condition = attributes.get("condition", "")
+        if len(condition) > _CONDITION_LIMIT or condition.count("(") > 3:
+            raise _Refused("The package.xml has a condition that is too complex to evaluate.")
+
+    def _end(self, _: str) -> None:
+        if self._path == ["package", "name"] and not self.name:
+            self.name = "".join(self._text).strip()
+        elif self._path == ["package", "export", "build_type"] and not self.build_type.startswith("ament"):
+            self.build_type = "".join(self._text).strip()
+        self._text.clear()
+        self._path.pop()

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does a `setup.py` declare, read without running it?
+
+    setup(name=package_name, entry_points={"console_scripts": ["talker = " + package_name + ".talker:main"]})
+    ->  Declared(name="demo", entry_points=(EntryPoint("talker", "demo.talker", "main"),))
+
+Constants, names bound to them, texts built of them and comprehensions over them are understood. What is there but cannot be told
+becomes a finding (RW008), not silence.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+import warnings
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.findings import Finding
+from rosward.source.entry_points import DESCRIPTION_LIMIT, Declared, entry_points, text_lines
+from rosward.source.literal import UNKNOWN, Scope, bind, evaluate
+from rosward.source.location import Place
+from rosward.source.text import decode, read_bytes
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_COMMANDS: Final = ("console_scripts", "gui_scripts")
+
+
+def read_setup_py(path: str, file: str) -> Declared:
+    """What the `setup.py` at `path`, called `file`, declares."""
+    data = read_bytes(path, file, DESCRIPTION_LIMIT)
+    source = data if isinstance(data, Finding) else decode(data, file)
+    if isinstance(source, Finding):
+        return Declared(findings=(Finding("RW008", source.message, source.place),))
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(source.text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        line = getattr(error, "lineno", None) or 0
+        return Declared(findings=(Finding("RW008", f"The setup.py is not Python {sys.version_info[0]}: {error}.", Place(file, line)),))
+    try:
+        return _Script(file).read(tree)
+    except RecursionError:
+        return Declared(findings=(Finding("RW008", "The setup.py is nested too deeply.", Place(file)),))
+
+
+class _Script:
+    """One `setup.py` in the course of being read."""
+
+    def __init__(self, file: str) -> None:
+        self._file = file
+        self._scope = Scope({"__name__": "__main__"})
+        self._lines: dict[str, int] = {}
+        self._findings: list[Finding] = []
+
+    def read(self, tree: ast.Module) -> Declared:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                self._lines.setdefault(node.value, node.lineno)
+        result = Declared()
+        for call in self._calls(tree.body):
+            result |= self._setup(call)
+        return result._replace(findings=result.findings + tuple(self._findings))
+
+    def _calls(self, body: list[ast.stmt]) -> Iterator[ast.Call]:
+        """The calls of `setup` in the order of the text, with the names bound that stand before them."""
+        for statement in body:
+            if not self._scope.step():
+                return
+            match statement:
+                case ast.Assign(targets=targets, value=value):
+                    if _is_setup(value):
+                        yield value
+                    result = evaluate(value, self._scope)
+                    for target in targets:
+                        self._assign(target, result)
+                case ast.AnnAssign(target=target, value=ast.expr() as value):
+                    self._assign(target, evaluate(value, self._scope))
+                case ast.AugAssign(target=ast.Name() as name, op=ast.Add() as op, value=value):
+                    self._scope.bind(name.id, evaluate(ast.BinOp(ast.Name(name.id), op, value), self._scope))
+                case ast.Expr(value=ast.Call() as call):
+                    if _is_setup(call):
+                        yield call
+                    self._grow(call)
+                case ast.For(target=target, iter=iterable, body=inner):
+                    items = evaluate(iterable, self._scope)
+                    for item in items[:1000] if isinstance(items, list | tuple) else [UNKNOWN]:
+                        bind(target, item, self._scope)
+                        yield from self._calls(inner)
+                case ast.If() | ast.While():
+                    yield from self._calls([*statement.body, *statement.orelse])
+                case ast.Try():
+                    yield from self._calls([*statement.body, *statement.orelse, *statement.finalbody])
+                case ast.With() | ast.FunctionDef():
+                    yield from self._calls(statement.body)
+                case _:
+                    pass
+
+    def _assign(self, target: ast.expr, value: Any) -> None:
+        if isinstance(target, ast.Subscript):
+            owner, key = evaluate(target.value, self._scope), evaluate(target.slice, self._scope)
+            if isinstance(owner, dict):
+                owner[key] = value
+        else:
+            bind(target, value, self._scope)
+
+    def _grow(self, call: ast.Call) -> None:
+        """`commands.append(x)`, `commands.extend(xs)`, `options.update(xs)` on a known container."""
+        if not isinstance(call.func, ast.Attribute) or len(call.args) != 1:
+            return
+        owner, value = evaluate(call.func.value, self._scope), evaluate(call.args[0], self._scope)
+        match call.func.attr:
+            case "append" if isinstance(owner, list):
+                owner.append(value)
+            case "extend" if isinstance(owner, list):
+                owner.extend(list(value) if isinstance(value, list | tuple) else [UNKNOWN])
+            case "update" if isinstance(owner, dict):
+                owner.update(dict(value) if isinstance(value, dict) else {UNKNOWN: UNKNOWN})
+            case _:
+                pass
+
+    def _setup(self, call: ast.Call) -> Declared:
+        keywords: dict[str, tuple[Any, int]] = {}
+        for keyword in call.keywords:
+            value = evaluate(keyword.value, self._scope)
+            if keyword.arg is not None:
+                keywords[keyword.arg] = (value, keyword.value.lineno)
+            elif isinstance(value, dict):  # setup(**options)
+                keywords.update({key: (item, call.lineno) for key, item in value.items() if isinstance(key, str)})
+            if keyword.arg is None and (not isinstance(value, dict) or UNKNOWN in value):
+                self._doubt("arguments of setup()", call.lineno)
+        name, _ = keywords.get("name", ("", 0))
+        folders, line = keywords.get("package_dir", ({}, 0))
+        if not isinstance(folders, dict):
+            self._doubt("package_dir", line)
+            folders = {}
+        points, findings = entry_points(self._commands(*keywords.get("entry_points", ({}, 0))))
+        self._findings += findings
+        return Declared(
+            name if isinstance(name, str) else "",
+            points,
+            tuple(self._texts("scripts", *keywords.get("scripts", ([], 0)))),
+            tuple((k, v) for k, v in folders.items() if isinstance(k, str) and isinstance(v, str)),
+        )
+
+    def _commands(self, value: Any, line: int) -> Iterator[tuple[str, Place]]:
+        if isinstance(value, str):  # the form of an INI file
+            value = _sections(value)
+        if not isinstance(value, dict):
+            if value is not None:
+                self._doubt("entry_points", line)
+            return
+        if UNKNOWN in value:
+            self._doubt("entry_points", line)
+        for kind in _COMMANDS:
+            yield from self._texts(kind, value.get(kind) or [], line)
+
+    def _texts(self, what: str, value: Any, line: int) -> Iterator[tuple[str, Place]]:
+        if isinstance(value, str):
+            value = text_lines(value)
+        if not isinstance(value, list | tuple):
+            self._doubt(what, line)
+            return
+        if any(not isinstance(item, str) for item in value):
+            self._doubt(f"{what} (some of them)", line)
+        for item in value:
+            if isinstance(item, str):
+                yield item, Place(self._file, self._lines.get(item, line))
+
+    def _doubt(self, what: str, line: int) -> None:
+        message = f"The {what} in setup.py cannot be told without running it: write them as constants."
+        self._findings.append(Finding("RW008", message, Place(self._file, line)))
+
+
+def _is_setup(node: ast.expr) -> bool:
+    """Whether this calls `setup`, `setuptools.setup` or `distutils.core.setup`."""
+    if not isinstance(node, ast.Call):
+        return False
+    called = node.func
+    return (isinstance(called, ast.Name) and called.id == "setup") or (
+        isinstance(called, ast.Attribute) and called.attr == "setup" and isinstance(called.value, ast.Name | ast.Attribute)
+    )
+
+
+def _sections(text: str) -> dict[str, list[str]]:
+    """`[console_scripts]\\na = b:c` as a dictionary."""
+    sections: dict[str, list[str]] = {}
+    current: list[str] = []
+    for line in text_lines(text):
+        if line.startswith("[") and line.endswith("]"):
+            current = sections.setdefault(line[1:-1].strip(), [])
+        else:
+            current.append(line)
+    return sections

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which files under a folder are source, and which are made by a build, installed, hidden or tests?
+
+    ws/build/…, ws/install/…, ws/log/…     beside ws/src, or with the marks that colcon leaves: output
+    ws/src/demo/demo/build/planner.py      an ordinary folder of that name within a package: source
+
+A folder named `build`, `install` or `log` is taken as output if it holds what colcon, CMake or setuptools write there, if it stands
+beside a `src` folder, or at the top of what was named, and neither it nor the folder it stands in is a package. Names are only
+looked at, no file is opened.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.source.workspace import SkipReason
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+_MARKERS: Final = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
+_OUTPUT_NAMES: Final = frozenset({"build", "install", "log", "devel", "logs"})
+_OUTPUT_MARKS: Final = frozenset(
+    {
+        ".built_by", ".catkin", ".colcon_install_layout", "CMakeCache.txt", "_local_setup_util_sh.py", "_setup_util.py",
+        "latest_build", "latest_list", "local_setup.bash", "setup.bash",
+    }
+)  # fmt: skip
+_PYTHON_BUILD: Final = re.compile(r"lib|lib\.\w+.*|bdist\..+|temp\..+")
+_INSTALLED: Final = frozenset({"site-packages", "dist-packages", "node_modules", "__pypackages__"})
+_TEST_FOLDERS: Final = frozenset({"test", "tests"})
+_TEST_FILE: Final = re.compile(r"test_.*\.py|.*_test\.py|conftest\.py")
+_DESCRIPTIONS: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt"})
+_INTERFACE: Final = re.compile(r"[A-Za-z]\w*\.(?:msg|srv|action|idl)")
+_LAUNCH: Final = re.compile(r".*[._]launch\.(?:xml|yaml|yml)|.*\.launch")
+_FOLDER_LIMIT: Final = 200_000
+
+
+@final
+class Tree:
+    """What a walk found; every list holds absolute paths."""
+
+    __slots__ = ("descriptions", "interfaces", "launch", "not_files", "python", "skipped", "tests")
+
+    def __init__(self) -> None:
+        self.python: list[str] = []
+        self.tests: list[str] = []
+        self.launch: list[str] = []
+        self.interfaces: list[str] = []
+        self.descriptions: dict[str, set[str]] = {}
+        """The build descriptions that stand in a folder, by folder."""
+        self.not_files: list[tuple[str, str]] = []
+        """What is named like a Python file and is something else, and what."""
+        self.skipped: list[tuple[str, SkipReason]] = []
+
+
+class _Folder(NamedTuple):
+    path: str
+    real: str
+    top: bool
+    chosen: bool
+
+
+def is_test_file(name: str) -> bool:
+    """Whether pytest would take a file of that name for a test."""
+    return _TEST_FILE.fullmatch(name) is not None
+
+
+def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None:
+    """Add to `tree` what is under `start`, except folders that are in `seen` by their real path.
+
+    What is reached without symbolic links comes first, so that a file that can be reached in two ways has its plain name.
+    """
+    linked = [_Folder(start, os.path.realpath(start), top=True, chosen=True)]
+    while linked:
+        plain = [linked.pop(0)]
+        while plain:
+            folder = plain.pop()
+            if folder.real in seen or len(seen) > _FOLDER_LIMIT:
+                continue
+            seen.add(folder.real)
+            inner, links = _enter(folder, tree, seen, include_tests=include_tests)
+            plain += reversed(inner)
+            linked += links
+
+
+def _enter(folder: _Folder, tree: Tree, seen: set[str], *, include_tests: bool) -> tuple[list[_Folder], list[_Folder]]:
+    """List one folder; the folders within, and those within that are symbolic links."""
+    try:
+        with os.scandir(folder.path) as listing:
+            entries = sorted(listing, key=lambda entry: entry.name)
+    except OSError as error:
+        tree.not_files.append((folder.path, f"a folder that cannot be listed: {error.strerror}"))
+        return [], []
+    names = {entry.name for entry in entries}
+    if not folder.chosen:
+        reason = _reason(folder, names)
+        if reason is None and not include_tests and os.path.basename(folder.path) in _TEST_FOLDERS and "package.xml" not in names:  # noqa: PTH119
+            reason = SkipReason.TEST
+        if reason is not None:
+            tree.skipped.append((folder.path, reason))
+            return [], []
+    descriptions = _DESCRIPTIONS & names
+    if descriptions:
+        tree.descriptions[folder.path] = descriptions
+    workspace = "package.xml" not in names and (folder.top or "src" in names)
+    inner: list[_Folder] = []
+    links: list[_Folder] = []
+    for entry in entries:
+        name = entry.name
+        try:
+            is_folder, is_link = entry.is_dir(), entry.is_symlink()
+        except OSError:
+            is_folder, is_link = False, True
+        if is_folder:
+            if name.startswith(".") or name == "__pycache__":
+                if name not in {"__pycache__", ".git"}:
+                    tree.skipped.append((entry.path, SkipReason.HIDDEN))
+                continue
+            real = os.path.realpath(entry.path) if is_link else f"{folder.real}{os.sep}{name}"
+            (links if is_link else inner).append(_Folder(entry.path, real, top=workspace, chosen=False))
+            if name.endswith(".py"):
+                tree.not_files.append((entry.path, "a folder"))
+        elif name.endswith(".py"):
+            _python(entry, tree, seen, is_link=is_link, include_tests=include_tests)
+        elif _LAUNCH.fullmatch(name):
+            tree.launch.append(entry.path)
+        elif _INTERFACE.fullmatch(name):
+            tree.interfaces.append(entry.path)
+    return inner, links
+
+
+def _python(entry: os.DirEntry[str], tree: Tree, seen: set[str], *, is_link: bool, include_tests: bool) -> None:
+    if entry.name.startswith("."):
+        tree.skipped.append((entry.path, SkipReason.HIDDEN))
+        return
+    try:
+        regular = entry.is_file()
+    except OSError:
+        regular = False
+    if not regular:
+        tree.not_files.append((entry.path, "a link that leads nowhere" if is_link else "not a regular file"))
+    elif is_test_file(entry.name) and not include_tests:
+        tree.tests.append(entry.path)
+        tree.skipped.append((entry.path, SkipReason.TEST))
+    elif is_link:
+        seen_as = os.path.realpath(entry.path)
+        if seen_as not in seen:
+            tree.python.append(entry.path)
+    else:
+        tree.python.append(entry.path)
+
+
+def _reason(folder: _Folder, names: set[str]) -> SkipReason | None:
+    """Why the folder holds nothing to read, judged by its name and what is in it."""
+    name = os.path.basename(folder.path)  # noqa: PTH119
+    if not names.isdisjoint(_MARKERS):
+        return SkipReason.BUILD_OUTPUT if name in _OUTPUT_NAMES else SkipReason.IGNORED
+    if "pyvenv.cfg" in names or name in _INSTALLED or name.endswith(".egg-info"):
+        return SkipReason.ENVIRONMENT
+    if name in _OUTPUT_NAMES and "package.xml" not in names:
+        if folder.top and name in {"build", "install", "log"}:
+            return SkipReason.BUILD_OUTPUT
+        if not names.isdisjoint(_OUTPUT_MARKS):
+            return SkipReason.BUILD_OUTPUT
+        if name == "build" and "__init__.py" not in names and names and all(map(_PYTHON_BUILD.fullmatch, names)):
+            return SkipReason.BUILD_OUTPUT
+    return None
+
+
+def unique(paths: list[str], real: Callable[[str], str] = os.path.realpath) -> list[str]:
+    """Each file once: a file with a plain name before the links that lead to it."""
+    found: dict[str, str] = {}
+    links: list[str] = []
+    for path in paths:
+        if os.path.islink(path):  # noqa: PTH114
+            links.append(path)
+        else:
+            found.setdefault(real(path), path)
+    for path in sorted(links):
+        found.setdefault(real(path), path)
+    return sorted(found.values())

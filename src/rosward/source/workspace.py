@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is there to read: files, packages and executables of an analysis, as plain records.
+
+    Workspace(root="/ws", files=(talker.py, …), packages=(demo,), executables=(demo/talker -> demo.talker:main,), …)
+
+`source/discover.py` fills them. Each file and each package has one record in an analysis; they are compared by identity.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, final
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from rosward.findings import Finding
+    from rosward.source.location import Place
+
+
+@final
+@dataclass(frozen=True, slots=True, eq=False)
+class Package:
+    """A folder with a `package.xml`, or, without one, with a `setup.py` (then `build_type` is `python`).
+
+    `depends` are the packages that it names for building or running. `python_roots` are the folders from which its modules are
+    imported, the declared ones first.
+    """
+
+    name: str
+    path: Path
+    relative: str
+    build_type: str
+    depends: frozenset[str] = frozenset()
+    python_roots: tuple[Path, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<package {self.name} at {self.relative}>"
+
+
+@final
+@dataclass(frozen=True, slots=True, eq=False)
+class SourceFile:
+    """One file of source text, not yet read.
+
+    `relative` is how places name it. `module` is the dotted name under which Python imports it (`None` for a file that no import
+    can name: a script without suffix, a launch description).
+    """
+
+    path: Path
+    relative: str
+    package: Package | None = None
+    module: str | None = None
+
+    @property
+    def is_package(self) -> bool:
+        """Whether this is the `__init__.py` of a Python package."""
+        return self.path.name == "__init__.py"
+
+    def __repr__(self) -> str:
+        return f"<file {self.relative}>"
+
+
+class ExecutableKind(enum.Enum):
+    """How an executable starts."""
+
+    CONSOLE_SCRIPT = "console_script"
+    """By calling a function of a module (`module`, `function`)."""
+
+    SCRIPT = "script"
+    """By running a file as `__main__`."""
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Executable:
+    """Something that `ros2 run PACKAGE NAME` starts; `file` is `None` where its source was not found."""
+
+    package: Package
+    name: str
+    kind: ExecutableKind
+    file: SourceFile | None
+    place: Place
+    module: str | None = None
+    function: str | None = None
+
+
+class SkipReason(enum.Enum):
+    """Why a folder or file was left out."""
+
+    BUILD_OUTPUT = "build output"
+    ENVIRONMENT = "virtual environment or installed packages"
+    HIDDEN = "hidden"
+    IGNORED = "marked to be ignored (COLCON_IGNORE and the like)"
+    TEST = "tests"
+    BUILD_SCRIPT = "build script"
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Skipped:
+    """A folder or Python file that was left out, and why."""
+
+    relative: str
+    reason: SkipReason
+
+
+@final
+@dataclass(frozen=True, slots=True, eq=False)
+class Workspace:
+    """All that a run reads, in the order of the relative paths; `root` is the folder that all of it has in common."""
+
+    root: Path
+    files: tuple[SourceFile, ...] = ()
+    launch_files: tuple[SourceFile, ...] = ()
+    packages: tuple[Package, ...] = ()
+    executables: tuple[Executable, ...] = ()
+    interface_files: tuple[SourceFile, ...] = ()
+    skipped: tuple[Skipped, ...] = ()
+    findings: tuple[Finding, ...] = ()

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The files of an analysis as the engine reads them: found by module name, read and lowered at most once, failures told as findings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final, final
+
+from rosward.engine.library import Found
+from rosward.findings import Finding
+from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.ir.program import Module
+from rosward.source.imports import ImportResolver
+from rosward.source.interfaces import InterfaceIndex
+from rosward.source.location import Place
+from rosward.source.text import read_source
+from rosward.source.workspace import SourceFile, Workspace
+
+_CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
+
+
+@final
+class SourceTree:
+    """Implements `engine.library.Sources` for a workspace."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self.workspace = workspace
+        self.findings: dict[Finding, None] = {}
+        self.files_read = 0
+        self.lines_read = 0
+        self._resolver = ImportResolver(workspace)
+        self._interfaces = InterfaceIndex(workspace)
+        self._modules: dict[str, Module | None] = {}
+        self._files: dict[str, SourceFile] = {f.relative: f for f in workspace.files}
+        self._packages = {p.name for p in workspace.packages} | {(f.module or "").partition(".")[0] for f in workspace.files}
+
+    def read_all(self, progress: Callable[[int], None]) -> None:
+        """Read and lower every file of the workspace."""
+        for number, file in enumerate(self.workspace.files):
+            progress(number)
+            self.module(file.relative)
+        progress(len(self.workspace.files))
+
+    def module(self, file: str) -> Module | None:
+        """The lowered file; None where it cannot be read."""
+        if file not in self._modules:
+            source = self._files.get(file)
+            self._modules[file] = None if source is None else self._lower(source.path, file)
+        return self._modules[file]
+
+    def _lower(self, path: Path, file: str) -> Module | None:
+        text = read_source(path, self.workspace.root)
+        if isinstance(text, Finding):
+            self.findings[text] = None
+            return None
+        if text.finding is not None:
+            self.findings[text.finding] = None
+        self.files_read += 1
+        self.lines_read += text.text.count("\n") + (not text.text.endswith("\n"))
+        try:
+            return lower_module(text.text, file)
+        except FrontendError as error:
+            place = Place(file, error.line, error.column)
+            self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
+            return None
+
+    def find(self, name: str, level: int, importer: str) -> Found | None:
+        """The module of a name as written in the file `importer`."""
+        source = self._files.get(importer)
+        if source is None:
+            return None
+        found = self._resolver.resolve(name, level, source)
+        if found is None:
+            return None
+        if found.file is not None:
+            self._files.setdefault(found.file.relative, found.file)
+        file = found.file.relative if found.file is not None else ""
+        return Found(found.name, file or found.name, file, guess=found.guess)
+
+    def interface_has(self, module: str, name: str) -> bool | None:
+        """Whether an interface package has an interface of that name."""
+        return self._interfaces.has(module, name)
+
+    def belongs(self, name: str) -> bool:
+        """Whether the first part of a dotted name is a package of the workspace."""
+        return name.partition(".")[0] in self._packages

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The drawing: what is in it and what is not, and that it is well-formed whatever the names are."""
+
+from __future__ import annotations
+
+import subprocess
+import xml.etree.ElementTree as ET
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rosward.network.connect import connect
+from rosward.outputs.dot import drawing, graph_dot
+from rosward.outputs.svg import graph_svg
+from rosward.ros.entities import Resolution
+
+from .networks import fleet, node, pub, sub, talker_and_listener
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def texts(picture: str) -> list[str]:
+    return [element.text or "" for element in ET.fromstring(picture).iter(f"{SVG}text")]
+
+
+def test_what_is_drawn() -> None:
+    text = graph_dot(talker_and_listener())
+    assert '"node /robot1/talker" -> "topic /robot1/chatter" [color="#b07800", class="of-topic"];' in text
+    assert '"topic /robot1/chatter" -> "node /robot1/listener"' in text
+    assert '"node /robot1/talker" -> "service /add"' in text
+    assert '"service /add" -> "node /robot1/listener"' in text
+    assert (
+        '"node /robot1/talker" -> "topic /robot_*/cmd_vel" [color="#b07800", class="of-topic", style=dashed];' in text
+    )
+
+
+def test_system_entities_and_types_on_demand() -> None:
+    network = talker_and_listener()
+    assert "rosout" not in graph_dot(network)
+    assert "rosout" in graph_dot(network, system=True)
+    assert "std_msgs" not in graph_dot(network)
+    assert r"chatter\nstd_msgs/msg/String" in graph_dot(network, types=True)
+
+
+def test_namespaces_of_nodes_are_clusters() -> None:
+    text = graph_dot(connect("jazzy", [node("/a/x", pub("/a/x/private")), node("/a/b/y", sub("/a/b/z"))]))
+    assert text.count("subgraph") == 2
+    assert 'graph [label="/a"' in text
+    assert 'graph [label="b"' in text
+    assert '"topic /a/x/private" [label="x/private"' in text
+
+
+def test_two_unknown_names_never_meet() -> None:
+    unknown = Resolution.UNKNOWN
+    network = connect("jazzy", [node("/a", pub("/*", resolution=unknown)), node("/b", sub("/*", resolution=unknown))])
+    text = graph_dot(network)
+    assert '"topic /* of /a"' in text
+    assert '"topic /* of /b"' in text
+
+
+def test_what_everyone_uses_is_drawn_beside_each() -> None:
+    crowd = [node(f"/n{i}", pub("/tf")) for i in range(13)]
+    assert graph_dot(connect("jazzy", crowd)).count("peripheries=2") == 13
+    assert "peripheries" not in graph_dot(connect("jazzy", crowd[:12]))
+
+
+def test_the_picture_holds_the_names() -> None:
+    shown = texts(graph_svg(talker_and_listener()))
+    assert {"talker", "listener", "chatter", "/add", "dock", "/robot_*/cmd_vel ?", "* ?", "/robot1"} <= set(shown)
+
+
+def test_fifty_nodes_are_drawn() -> None:
+    shown = texts(graph_svg(fleet(8)))
+    assert shown.count("planner") == 8
+    assert "/dispatcher" in shown
+
+
+def test_the_same_network_gives_the_same_picture() -> None:
+    assert graph_svg(fleet(2), links=True) == graph_svg(fleet(2), links=True)
+
+
+def test_nothing_to_draw() -> None:
+    assert texts(graph_svg(connect("jazzy", []))) == []
+
+
+def test_a_graph_beyond_any_eye_is_told_in_words() -> None:
+    crowd = [node(f"/n{i}", *(pub(f"/t{i}_{j}") for j in range(40)), system=False) for i in range(80)]
+    assert texts(graph_svg(connect("jazzy", crowd)))[0] == "This graph is too large to draw."
+
+
+def test_a_renderer_that_is_missing_or_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    network = talker_and_listener()
+    monkeypatch.setattr("shutil.which", lambda *_, **__: None)
+    assert "not installed" in texts(graph_svg(network))[0]
+    monkeypatch.setattr("shutil.which", lambda *_, **__: "false")
+    assert "could not draw" in texts(graph_svg(network))[0]
+
+    def too_slow(*_: Any, **__: Any) -> None:
+        raise subprocess.TimeoutExpired("graphviz-pure", 1)
+
+    monkeypatch.setattr("subprocess.run", too_slow)
+    assert "seconds" in texts(graph_svg(network))[0]
+
+
+ANY = st.text(alphabet=st.characters(), max_size=10) | st.sampled_from(
+    [
+        "\\N",
+        "\\",
+        '"',
+        "&lt;b&gt;",
+        "<b>",
+        "</svg><script>alert(1)</script>",
+        "}",
+        "-->",
+        "\ud800",
+        "\x00",
+        "\\n",
+        "]]>",
+    ]
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(ANY, ANY, ANY)
+def test_any_text_gives_a_well_formed_picture(name: str, topic: str, type_: str) -> None:
+    network = connect("jazzy", [node("/a", pub("/" + topic, type_, reasons=(topic,)), name=name, namespace="/" + name)])
+    assert drawing(network).edges == 1
+    picture = graph_svg(network, types=True, links=True)
+    root = ET.fromstring(picture)
+    assert "could not draw" not in picture
+    assert {element.tag for element in root.iter()} <= {
+        SVG + tag for tag in ("svg", "g", "title", "text", "ellipse", "polygon", "path", "a", "polyline")
+    }
+    assert not [key for element in root.iter() for key in element.attrib if key.startswith("on")]
