@@ -80,10 +80,9 @@ def measure(command: Sequence[str], *, seconds: float) -> Run:
 
 
 def extract(paths: Sequence[Path], *, seconds: float = 60, options: Sequence[str] = ()) -> Extraction:
-    """Run this environment's `rosward extract`, with all its default outputs, and read the network.json it wrote."""
-    program = Path(sys.executable).with_name("rosward")
+    """Run `rosward extract` with all its default outputs, and read the network.json it wrote."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [str(program), "extract", *map(str, paths), "-o", folder, *options]
+        command = [sys.executable, "-m", "rosward", "extract", *map(str, paths), "-o", folder, *options]
         run = measure(command, seconds=seconds)
         written = Path(folder, "network.json")
         graph = load(written) if written.exists() and run.status in (0, 1) else None

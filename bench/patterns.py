@@ -89,7 +89,7 @@ def _supply(program: Path) -> list[str]:
 def _check(name: str, path: Path, expected: list[str]) -> Iterator[str]:
     """What is wrong with the result for one program, line by line."""
     try:
-        result = rosward.extract([path], distro="jazzy")
+        result = rosward.extract(path)
     except Exception:  # a crash is a result of this bench, too
         yield traceback.format_exc()
         return

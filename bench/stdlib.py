@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Analyses the whole standard library of the running Python: no crash, nothing over a limit or unreadable in silence.
+"""Analyses the running Python's whole standard library: no crash, nothing over a limit or unreadable in silence.
 
     python bench/stdlib.py [--seconds N] [OPTION_OF_EXTRACT…]
 
@@ -30,7 +30,7 @@ def main() -> int:
         ignored = shutil.ignore_patterns("site-packages", "dist-packages", "__pycache__", "config-*", "*.so")
         shutil.copytree(sysconfig.get_path("stdlib"), library, ignore=ignored)
         files = [path for path in sorted(library.rglob("*.py")) if path.is_file()]
-        extraction = extract([library], seconds=options.seconds, options=further)
+        extraction = extract([library], seconds=options.seconds, options=["--tests", *further])
         broken = {path.relative_to(library).as_posix() for path in files if not parses(path)}
     run, graph = extraction.run, extraction.graph
     print(f"{len(files)} files, {run.wall:.1f} s ({run.cpu:.1f} s CPU), {run.peak_mb:.0f} MB, exit status {run.status}")

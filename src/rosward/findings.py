@@ -68,7 +68,7 @@ _TABLE: Final = (
     Rule("RW304", "permissions too large", _W, "Signed permissions above 64 KB break the DDS handshake: split the enclave."),
     Rule("RW305", "topic outside the ROS name space", _W, "avoid_ros_namespace_conventions has no form in policy.xml: write the DDS permission by hand."),
     Rule("RW306", "differing types on one name", _W, "Publisher and subscription (server and client) of different type never talk."),
-    Rule("RW307", "node name used twice", _W, "Two nodes of one full name share their policy: rename one of them."),
+    Rule("RW307", "node name used twice", _N, "Two nodes of one full name share their policy: rename one of them."),
 )
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}

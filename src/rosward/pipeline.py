@@ -20,6 +20,7 @@ from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.findings import Finding, Severity
 from rosward.models.tables import natives
+from rosward.network.checks import UnknownNames
 from rosward.network.collect import Process, collect
 from rosward.network.connect import connect
 from rosward.network.graph import Network
@@ -64,7 +65,7 @@ class NothingToReadError(Exception):
 def extract(
     *paths: str | PathLike[str],
     distro: str = "jazzy",
-    unknown: str = "deny",
+    unknown: UnknownNames = "deny",
     models: Sequence[str | PathLike[str]] = (),
     tests: bool = False,
     budget: Budget | None = None,
@@ -98,7 +99,7 @@ def _silent(_what: str, _done: int, _all: int) -> None:
 
 
 def _extract(
-    paths: list[Path], distro: Distro, unknown: str, models: tuple[Path, ...], tests: bool, budget: Budget, progress: Progress
+    paths: list[Path], distro: Distro, unknown: UnknownNames, models: tuple[Path, ...], tests: bool, budget: Budget, progress: Progress
 ) -> Result:
     workspace = discover(paths, include_tests=tests)
     if not workspace.files:

@@ -22,7 +22,7 @@ _NOWHERE: Final = Place("", 0)
 
 def options(value: Value) -> tuple[Value, ...]:
     """The alternatives of a value: itself alone unless it is a `Choice`."""
-    return value.options if value.__class__ is Choice else (value,)  # type: ignore[attr-defined]
+    return value.options if value.__class__ is Choice else (value,)
 
 
 def join(left: Value, right: Value) -> Value:
@@ -44,15 +44,15 @@ def join_all(values: Iterable[Value]) -> Value:
     for value in values:
         for option in options(value):
             if option.__class__ is Unknown:
-                unknown = option if unknown is None else _join_unknown(unknown, option)  # type: ignore[assignment,arg-type]
+                unknown = option if unknown is None else _join_unknown(unknown, option)
             elif option.__class__ is Const:
-                key = (option.value.__class__, option.value)  # type: ignore[attr-defined]
+                key = (option.value.__class__, option.value)
                 before = consts.get(key)
                 if before is None:
-                    consts[key] = option  # type: ignore[assignment]
+                    consts[key] = option
                     found[option] = None
-                elif before.origins != option.origins:  # type: ignore[attr-defined]
-                    merged = Const(before.value, before.origins | option.origins)  # type: ignore[attr-defined]
+                elif before.origins != option.origins:
+                    merged = Const(before.value, before.origins | option.origins)
                     del found[before]
                     consts[key] = merged
                     found[merged] = None
@@ -79,15 +79,15 @@ def _join_unknown(left: Unknown, right: Unknown) -> Unknown:
 def reasons_of(value: Value) -> tuple[Reason, ...]:
     """Why a value (or a part of it) is not known; empty where it is."""
     if value.__class__ is Unknown:
-        return value.reasons  # type: ignore[attr-defined,no-any-return]
+        return value.reasons
     if value.__class__ is Text:
-        return tuple(dict.fromkeys(r for p in value.parts if not isinstance(p, str) for r in p.reasons))  # type: ignore[attr-defined]
+        return tuple(dict.fromkeys(r for p in value.parts if not isinstance(p, str) for r in p.reasons))
     if value.__class__ is Choice:
-        return tuple(dict.fromkeys(r for o in value.options for r in reasons_of(o)))  # type: ignore[attr-defined]
+        return tuple(dict.fromkeys(r for o in value.options for r in reasons_of(o)))
     if value.__class__ is Tuple:
-        return tuple(dict.fromkeys(r for o in value.items for r in reasons_of(o)))  # type: ignore[attr-defined]
+        return tuple(dict.fromkeys(r for o in value.items for r in reasons_of(o)))
     if value.__class__ is External:
-        return (Reason(Cause.MODULE, value.name, _NOWHERE),)  # type: ignore[attr-defined]
+        return (Reason(Cause.MODULE, value.name, _NOWHERE),)
     return ()
 
 
@@ -103,16 +103,16 @@ def generalise(values: tuple[Value, ...]) -> Value:
 
 
 def _is_text(value: Value) -> bool:
-    return value.__class__ is Text or (value.__class__ is Const and value.value.__class__ is str)  # type: ignore[attr-defined]
+    return value.__class__ is Text or (value.__class__ is Const and value.value.__class__ is str)
 
 
 def _kind(value: Value) -> str:
     if value.__class__ is Const:
-        return value.value.__class__.__name__  # type: ignore[attr-defined,no-any-return]
+        return value.value.__class__.__name__
     if value.__class__ is Text:
         return "str"
     if value.__class__ is Unknown:
-        return value.hint  # type: ignore[attr-defined,no-any-return]
+        return value.hint
     return "tuple" if value.__class__ is Tuple else ""
 
 
@@ -125,9 +125,14 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
     joined = join(old, new)
     if joined == old:
         return old
-    fresh = [o for o in options(joined) if o not in options(old)]
-    moving = {_kind(o) for o in fresh if o.__class__ in (Const, Text, Tuple)} - {"NoneType", "bool"}
-    if not moving:
+    absorbed = {_kind(o) for o in options(old) if o.__class__ is Unknown}
+    plain = [o for o in options(joined) if o not in options(old) and o.__class__ in (Const, Text, Tuple)]
+    moving = {_kind(o) for o in plain} - {"NoneType", "bool"}
+    if moving and (absorbed & moving or "" in absorbed):  # an unknown of that type is there already: it covers them
+        gone = {o for o in plain if "" in absorbed or _kind(o) in absorbed}
+        joined = join_all(o for o in options(joined) if o not in gone)
+        moving = {_kind(o) for o in plain if o not in gone} - {"NoneType", "bool"}
+    if not moving or joined == old:
         return joined
     keep: list[Value] = []
     strings: list[Value] = []
@@ -149,7 +154,7 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
 def lift(function: Callable[[Value], Value], value: Value) -> Value:
     """Apply to each alternative and join."""
     if value.__class__ is Choice:
-        return join_all(function(o) for o in value.options)  # type: ignore[attr-defined]
+        return join_all(function(o) for o in value.options)
     return function(value)
 
 

@@ -22,20 +22,20 @@ _NOWHERE: Final = Place("", 0)
 
 def parts_of(value: Value) -> tuple[str | Hole, ...]:
     """The parts of a str value; anything that is not a text is one hole."""
-    if value.__class__ is Const and value.value.__class__ is str:  # type: ignore[attr-defined]
-        return (value.value,)  # type: ignore[attr-defined]
+    if value.__class__ is Const and value.value.__class__ is str:
+        return (value.value,)
     if value.__class__ is Text:
-        return value.parts  # type: ignore[attr-defined,no-any-return]
+        return value.parts
     if value.__class__ is Unknown:
-        return (Hole(value.reasons, "digits" if value.hint == "int" else ""),)  # type: ignore[attr-defined]
+        return (Hole(value.reasons, "digits" if value.hint == "int" else ""),)
     if value.__class__ is External:
-        return (Hole((Reason(Cause.MODULE, value.name, _NOWHERE),)),)  # type: ignore[attr-defined]
+        return (Hole((Reason(Cause.MODULE, value.name, _NOWHERE),)),)
     return (Hole(()),)
 
 
 def origins_of(value: Value) -> Origins:
     """The origins that a value carries."""
-    return value.origins if value.__class__ in (Const, Text) else NO_ORIGINS  # type: ignore[attr-defined,no-any-return]
+    return value.origins if value.__class__ in (Const, Text) else NO_ORIGINS
 
 
 def make(parts: Iterable[str | Hole], origins: Origins = NO_ORIGINS) -> Value:
@@ -98,7 +98,7 @@ def common(values: Sequence[Value], reasons: tuple[Reason, ...]) -> Value:
         heads.append(first if isinstance(first, str) else "")
         tails.append(last if isinstance(last, str) else "")
     head = os.path.commonprefix(heads)
-    whole = min(len(h) for h in heads)
+    whole = min((len(h) for h, v in zip(heads, values, strict=True) if v.__class__ is Const), default=MAX_LENGTH)
     tail = os.path.commonprefix([t[::-1] for t in tails])[: max(0, whole - len(head))][::-1]
     return make((head, Hole(reasons), tail), origins)
 
@@ -106,3 +106,32 @@ def common(values: Sequence[Value], reasons: tuple[Reason, ...]) -> Value:
 def pattern(value: Value) -> str:
     """The text with `*` for each hole."""
     return "".join(p if isinstance(p, str) else "*" for p in parts_of(value))
+
+
+def matches(value: Value, text: str) -> bool:
+    """Whether a value covers a str: holes stand for any text of their shape."""
+    if value.__class__ is Choice:
+        return any(matches(o, text) for o in value.options)  # type: ignore[attr-defined]
+    if value.__class__ is Const:
+        return value.value.__class__ is str and value.value == text  # type: ignore[attr-defined]
+    if value.__class__ is Unknown:
+        return value.hint in ("", "str")  # type: ignore[attr-defined]
+    if value.__class__ is not Text:
+        return False
+    reached = {0}
+    for part in value.parts:  # type: ignore[attr-defined]
+        reached = {at + len(part) for at in reached if text.startswith(part, at)} if isinstance(part, str) else _behind(part, text, reached)
+    return len(text) in reached
+
+
+def _behind(hole: Hole, text: str, starts: set[int]) -> set[int]:
+    """The positions at which a hole that begins at one of `starts` can end."""
+    if not hole.shape:
+        return set(range(min(starts), len(text) + 1)) if starts else set()
+    found: set[int] = set()
+    inside = False
+    for at, char in enumerate(text):
+        inside = (inside or at in starts) and (char != "/" if hole.shape == "word" else char in "-0123456789")
+        if inside:
+            found.add(at + 1)
+    return found

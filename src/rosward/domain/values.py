@@ -38,10 +38,10 @@ class Const(Value):
     def __eq__(self, other: object) -> bool:
         return self is other or (
             other.__class__ is Const
-            and self._hash == other._hash  # type: ignore[attr-defined]
-            and self.value.__class__ is other.value.__class__  # type: ignore[attr-defined]
-            and self.value == other.value  # type: ignore[attr-defined]
-            and self.origins == other.origins  # type: ignore[attr-defined]
+            and self._hash == other._hash
+            and self.value.__class__ is other.value.__class__
+            and self.value == other.value
+            and self.origins == other.origins
         )
 
     def __hash__(self) -> int:
@@ -71,7 +71,7 @@ class Text(Value):
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
-            other.__class__ is Text and self.parts == other.parts and self.origins == other.origins  # type: ignore[attr-defined]
+            other.__class__ is Text and self.parts == other.parts and self.origins == other.origins
         )
 
     def __hash__(self) -> int:
@@ -93,7 +93,7 @@ class Unknown(Value):
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
-            other.__class__ is Unknown and self.hint == other.hint and self.reasons == other.reasons  # type: ignore[attr-defined]
+            other.__class__ is Unknown and self.hint == other.hint and self.reasons == other.reasons
         )
 
     def __hash__(self) -> int:
@@ -116,8 +116,8 @@ class Choice(Value):
     def __eq__(self, other: object) -> bool:
         return self is other or (
             other.__class__ is Choice
-            and self._hash == other._hash  # type: ignore[attr-defined]
-            and set(self.options) == set(other.options)  # type: ignore[attr-defined]
+            and self._hash == other._hash
+            and set(self.options) == set(other.options)
         )
 
     def __hash__(self) -> int:
@@ -133,7 +133,7 @@ class _Record(Value):
     __slots__ = ()
 
     def __eq__(self, other: object) -> bool:
-        return self.__class__ is other.__class__ and tuple.__eq__(self, other)  # type: ignore[arg-type]
+        return self.__class__ is other.__class__ and tuple.__eq__(self, other)
 
     def __ne__(self, other: object) -> bool:
         return not self == other
@@ -158,7 +158,7 @@ class Ref(Value):
         self.address = address
 
     def __eq__(self, other: object) -> bool:
-        return other.__class__ is Ref and self.address == other.address  # type: ignore[attr-defined]
+        return other.__class__ is Ref and self.address == other.address
 
     def __hash__(self) -> int:
         return self.address
@@ -202,7 +202,7 @@ class Class(Value):
         return f"{self.module}.{self.qualname}"
 
     def __eq__(self, other: object) -> bool:
-        return other.__class__ is Class and self.address == other.address  # type: ignore[attr-defined]
+        return other.__class__ is Class and self.address == other.address
 
     def __hash__(self) -> int:
         return self.address
@@ -223,7 +223,7 @@ class ModuleValue(Value):
         self.file = file
 
     def __eq__(self, other: object) -> bool:
-        return other.__class__ is ModuleValue and self.address == other.address  # type: ignore[attr-defined]
+        return other.__class__ is ModuleValue and self.address == other.address
 
     def __hash__(self) -> int:
         return self.address
@@ -258,11 +258,11 @@ class Function(Value):
     def __eq__(self, other: object) -> bool:
         return self is other or (
             other.__class__ is Function
-            and self.code is other.code  # type: ignore[attr-defined]
-            and self.module == other.module  # type: ignore[attr-defined]
-            and self.cells == other.cells  # type: ignore[attr-defined]
-            and self.defaults == other.defaults  # type: ignore[attr-defined]
-            and self.kwdefaults == other.kwdefaults  # type: ignore[attr-defined]
+            and self.code is other.code
+            and self.module == other.module
+            and self.cells == other.cells
+            and self.defaults == other.defaults
+            and self.kwdefaults == other.kwdefaults
         )
 
     def __hash__(self) -> int:

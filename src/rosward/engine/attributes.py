@@ -88,7 +88,7 @@ _TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "rang
 def type_name(value: Value) -> str:
     """The name of the builtin type of a value that is not an object of the heap."""
     if value.__class__ is Const:
-        return value.value.__class__.__name__  # type: ignore[attr-defined,no-any-return]
+        return value.value.__class__.__name__
     return _TYPE_NAMES.get(value.__class__, "object")
 
 
@@ -119,7 +119,7 @@ def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
     """The attribute of a class along its mro, as it stands there; None where no known class has it."""
     if cls.__class__ is not Class:
         return None
-    for base in cls.mro:  # type: ignore[attr-defined]
+    for base in cls.mro:
         if base.__class__ is Class:
             found: Value | None = machine.at(base.address).attrs.get(name)
             if found is not None and found is not UNBOUND:
@@ -134,7 +134,7 @@ def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
 def method(machine: Interpreter, value: Value, name: str) -> Value | None:
     """A method of an object's class, bound; None where it has none."""
     if value.__class__ is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+        obj = machine.obj(value)
         if obj.kind == "instance":
             found = lookup(machine, obj.cls, name)
             return None if found is None else bind(machine, found, value, obj.cls)
@@ -180,15 +180,15 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     cls = obj.cls
     own = obj.attrs.get(name)
     in_class = lookup(machine, cls, name)
-    if in_class.__class__ is Descriptor and in_class.kind == "property":  # type: ignore[union-attr]
-        return bind(machine, in_class, ref, cls)  # type: ignore[arg-type]
+    if in_class.__class__ is Descriptor and in_class.kind == "property":
+        return bind(machine, in_class, ref, cls)
     if own is not None and own is not UNBOUND:
         if obj.many and in_class is not None:
             return join(own, bind(machine, in_class, ref, cls))
         return own
     if in_class is not None:
         value = bind(machine, in_class, ref, cls)
-        if in_class.__class__ is Descriptor and in_class.kind == "cached_property" and value is not UNBOUND:  # type: ignore[attr-defined]
+        if in_class.__class__ is Descriptor and in_class.kind == "cached_property" and value is not UNBOUND:
             machine.update(ref, machine.obj(ref).with_attr(name, value))
         return value
     if name == "__class__":
@@ -207,10 +207,10 @@ def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
     """An attribute that no class we know has."""
     if cls.__class__ is External:
         cause = Cause.MESSAGE if is_interface(cls) else Cause.CALL
-        return machine.unknown(cause, f"{cls.name}.{name}")  # type: ignore[attr-defined]
+        return machine.unknown(cause, f"{cls.name}.{name}")
     if cls.__class__ is not Class:
         return machine.unknown(Cause.ERROR, f"no attribute {name}")
-    outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]  # type: ignore[attr-defined]
+    outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if outside and name in NODE_METHODS:
         node = machine.library.node_class(machine)
         found = lookup(machine, node, name) if node is not None else None
@@ -221,24 +221,24 @@ def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
         base = outside[0]
         subject = f"{base.name}.{name}" if base.__class__ is External else name
         return machine.unknown(Cause.MODULE, subject)
-    if any(b.__class__ is Class and b.stub for b in cls.mro):  # type: ignore[attr-defined]
-        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")  # type: ignore[attr-defined]
-    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")  # type: ignore[attr-defined]
+    if any(b.__class__ is Class and b.stub for b in cls.mro):
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
 
 def is_interface(value: Value) -> bool:
     """Whether an external name is that of a message, service or action type or a part of one."""
     if value.__class__ is not External:
         return False
-    parts = value.name.split(".")  # type: ignore[attr-defined]
+    parts = value.name.split(".")
     return len(parts) >= 3 and parts[1] in ("msg", "srv", "action") and parts[-1][:1].isupper()
 
 
 def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     found = lookup(machine, cls, name)
     if found is not None:
-        if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):  # type: ignore[attr-defined]
-            return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
+        if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
+            return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
         if found.__class__ is Native:
             return found
         return found
@@ -262,20 +262,20 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
 
 def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
     receiver = value.receiver
-    cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver  # type: ignore[arg-type]
-    mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()  # type: ignore[attr-defined]
+    cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
+    mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()
     behind = mro[mro.index(value.after) + 1 :] if value.after in mro else ()
     for base in behind:
         if base.__class__ is Class:
-            found = machine.at(base.address).attrs.get(name)  # type: ignore[attr-defined]
+            found = machine.at(base.address).attrs.get(name)
             if found is not None and found is not UNBOUND:
                 if receiver.__class__ is Class and found.__class__ is Function:
                     return BoundMethod(receiver, found) if name in ("__new__", "__init_subclass__") else found
                 return bind(machine, found, receiver, cls)
         elif base.__class__ is External:
-            return Partial(External(f"{base.name}.{name}"), (), ())  # type: ignore[attr-defined]
+            return Partial(External(f"{base.name}.{name}"), (), ())
         elif base.__class__ is Native:
-            short = base.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+            short = base.name.removeprefix("builtins.")
             if machine.library.native(f"{short}.{name}"):
                 return BoundMethod(receiver, Native(f"{short}.{name}"))
     if name == "__new__":
@@ -300,32 +300,40 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
     several = target.__class__ is Choice
     for option in options(target):
         if option.__class__ is Ref:
-            if not _store_object(machine, option, name, value, weak=several):  # type: ignore[arg-type]
+            if not _store_object(machine, option, name, value, weak=several):
                 return several
         elif option.__class__ in (Class, ModuleValue):
-            address = option.address  # type: ignore[attr-defined]
+            address = option.address
             record = machine.at(address)
             old = record.attrs.get(name)
             machine.put(address, record.with_attr(name, join(old, value) if several and old is not None else value))
         elif option.__class__ is Function:
-            address = machine.library.function_address(option)  # type: ignore[arg-type]
+            address = machine.library.function_address(option)
             record = machine.state.heap.get(address) or Obj("instance", NONE)
             machine.put(address, record.with_attr(name, value))
         elif option.__class__ in (External, Unknown):
-            machine.escape((value,), "an attribute of something unknown")
+            machine.escape((value,), "")
     return True
+
+
+def narrow(machine: Interpreter, target: Value, name: str, value: Value) -> None:
+    """What an object surely holds in an attribute of its own turned out to be `value`."""
+    if target.__class__ is Ref:
+        obj = machine.obj(target)
+        if obj.kind == "instance" and not obj.many and name in obj.attrs and obj.attrs[name] is not value:
+            machine.put(target.address, obj.with_attr(name, value))
 
 
 def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> bool:
     obj = machine.obj(ref)
     in_class = lookup(machine, obj.cls, name) if obj.kind == "instance" else None
-    if in_class.__class__ is Descriptor and in_class.kind == "property":  # type: ignore[union-attr]
-        if in_class.setter is not None:  # type: ignore[union-attr]
+    if in_class.__class__ is Descriptor and in_class.kind == "property":
+        if in_class.setter is not None:
             from rosward.engine import calls
 
-            return calls.call(machine, in_class.setter, (ref, value), {}) is not UNBOUND  # type: ignore[union-attr]
+            return calls.call(machine, in_class.setter, (ref, value), {}) is not UNBOUND
         if not obj.many:
-            cls = obj.cls.name if obj.cls.__class__ is Class else ""  # type: ignore[attr-defined]
+            cls = obj.cls.name if obj.cls.__class__ is Class else ""
             machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
             machine.die("AttributeError", f"can't set attribute {name}")
             return False
@@ -347,8 +355,8 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
 def delete(machine: Interpreter, target: Value, name: str) -> None:
     """del target.name."""
     if target.__class__ is Ref:
-        obj = machine.obj(target)  # type: ignore[arg-type]
+        obj = machine.obj(target)
         if name in obj.attrs and not obj.many:
-            machine.put(target.address, obj.with_attr(name, UNBOUND))  # type: ignore[attr-defined]
+            machine.put(target.address, obj.with_attr(name, UNBOUND))
 
 

@@ -89,11 +89,11 @@ def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Valu
     """Merge `**value` into keywords; returns the values whose names are not known."""
     loose: list[Value] = []
     for option in options(value):
-        if option.__class__ is Ref and machine.obj(option).kind == "dict":  # type: ignore[arg-type]
-            obj = machine.obj(option)  # type: ignore[arg-type]
+        if option.__class__ is Ref and machine.obj(option).kind == "dict":
+            obj = machine.obj(option)
             for key, item in obj.entries.items():
-                if key.__class__ is Const and isinstance(key.value, str):  # type: ignore[attr-defined]
-                    keywords[key.value] = item  # type: ignore[attr-defined]
+                if key.__class__ is Const and isinstance(key.value, str):
+                    keywords[key.value] = item
             if obj.rest is not None:
                 loose.append(obj.rest)
         elif option != NONE:
@@ -212,10 +212,10 @@ def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
         return machine.allocate(Obj("instance", Native("builtins.object")))
     if name == "object.__new__" and args:
         cls = args[0]
-        return classes.new_instance(machine, cls) if cls.__class__ is Class else machine.unknown(Cause.CALL, name)  # type: ignore[arg-type]
+        return classes.new_instance(machine, cls) if cls.__class__ is Class else machine.unknown(Cause.CALL, name)
     if name == "object.__setattr__" and len(args) == 3 and args[0].__class__ is Ref and args[1].__class__ is Const:
-        ref, key = args[0], str(args[1].value)  # type: ignore[attr-defined]
-        machine.update(ref, machine.obj(ref).with_attr(key, args[2]))  # type: ignore[arg-type]
+        ref, key = args[0], str(args[1].value)
+        machine.update(ref, machine.obj(ref).with_attr(key, args[2]))
     if name in ("object.__repr__", "object.__str__", "object.__format__"):
         return machine.unknown(Cause.RANDOM, name, "str")
     return NONE
@@ -225,7 +225,7 @@ def _descriptor(args: Arguments, name: str) -> Value:
     """`@x.setter` and its like."""
     found, function = args[0], args[1] if len(args) > 1 else NONE
     if found.__class__ is Descriptor and name == "descriptor.setter":
-        return Descriptor(found.kind, found.getter, function)  # type: ignore[attr-defined]
+        return Descriptor(found.kind, found.getter, function)
     return found
 
 
@@ -287,7 +287,8 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
         return remembered, Items(())
     raised, version = machine.raised, machine.state.version
     value, items = _run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
-    if machine.state.version == version and machine.raised == raised and value is not UNBOUND and not items.known and items.rest is None:
+    quiet = machine.state.version == version and machine.raised == raised and not items.known and items.rest is None
+    if quiet and value is not UNBOUND and not declared.is_model(function):
         machine.memo[key] = value
     return value, items
 
@@ -377,8 +378,8 @@ def run_generator(machine: Interpreter, ref: Ref, obj: Obj) -> tuple[Items, Valu
     """Run a suspended generator or coroutine to its end: what it yields, and what it returns."""
     if obj.payload is None:
         return Items(()), NONE
-    alternatives = obj.payload if isinstance(obj.payload, list) else [obj.payload]
-    function, registers = alternatives[0]
+    assert isinstance(obj.payload, tuple)
+    function, registers = obj.payload
     value, items = invoke(machine, function, list(registers))
     if obj.many:
         items = Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))])) if items.known else items
@@ -388,11 +389,11 @@ def run_generator(machine: Interpreter, ref: Ref, obj: Obj) -> tuple[Items, Valu
 def wait_for(machine: Interpreter, value: Value) -> Value:
     """`await value`."""
     if value.__class__ is Choice:
-        return join_all(wait_for(machine, o) for o in value.options)  # type: ignore[attr-defined]
+        return join_all(wait_for(machine, o) for o in value.options)
     if value.__class__ is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+        obj = machine.obj(value)
         if obj.kind == "generator":
-            return run_generator(machine, value, obj)[1]  # type: ignore[arg-type]
+            return run_generator(machine, value, obj)[1]
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:
@@ -419,8 +420,8 @@ def escape(machine: Interpreter, values: Iterable[Value], library: str, depth: i
 
 def _is_library(machine: Interpreter, value: Value) -> bool:
     while value.__class__ in (BoundMethod, Partial):
-        value = value.function  # type: ignore[attr-defined]
-    return value.__class__ is not Function or declared.is_model(value)  # type: ignore[arg-type]
+        value = value.function
+    return value.__class__ is not Function or declared.is_model(value)
 
 
 def _escape_object(machine: Interpreter, ref: Ref, library: str, depth: int) -> None:

@@ -65,7 +65,7 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     for base in bases:
         hook = attributes.lookup(machine, base, "__init_subclass__")
         if hook is not None:
-            function = hook.getter if hook.__class__ is Descriptor else hook  # type: ignore[attr-defined]
+            function = hook.getter if hook.__class__ is Descriptor else hook
             calls.call(machine, BoundMethod(cls, function), (), keywords)
             break
     return cls
@@ -83,10 +83,9 @@ def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[tuple
         several = machine.iterate(value).known if argument.kind == "star" else (value,)
         for base in several:
             if base.__class__ is Choice:  # `try: from a import B / except ImportError: B = object`: the class that is known
-                known = [o for o in base.options if o.__class__ is Class] or [  # type: ignore[attr-defined]
-                    o for o in base.options if o.__class__ is External  # type: ignore[attr-defined]
-                ]
-                bases.append(known[0] if known else base.options[0])  # type: ignore[attr-defined]
+                ours = [o for o in base.options if isinstance(o, Class)]
+                known: list[Value] = [*ours, *(o for o in base.options if isinstance(o, External))]
+                bases.append(known[0] if known else base.options[0])
             elif base.__class__ in (Class, External, Native, Unknown):
                 bases.append(base)
             else:
@@ -129,7 +128,7 @@ def _linearise(bases: tuple[Value, ...]) -> tuple[Value, ...]:
 
 
 def _is_enum_base(base: Value) -> bool:
-    return base.__class__ is Class and base.module == "enum" and base.stub  # type: ignore[attr-defined]
+    return base.__class__ is Class and base.module == "enum" and base.stub
 
 
 def is_enum(_machine: Interpreter, cls: Class) -> bool:
@@ -149,12 +148,12 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
         return machine.call(Native("enum.lookup"), (cls, args[0]))
     maker = attributes.lookup(machine, cls, "__new__")
     if maker is not None and maker.__class__ in (Function, Descriptor):
-        function = maker.getter if maker.__class__ is Descriptor else maker  # type: ignore[attr-defined]
+        function = maker.getter if maker.__class__ is Descriptor else maker
         made = calls.call(machine, function, (cls, *args), keywords)
         machine.instantiated.add(cls.place)
         initialised: list[Value] = []
         for option in options(made):
-            if option.__class__ is Ref and machine.obj(option).kind == "instance" and _has(machine, option, cls):  # type: ignore[arg-type]
+            if option.__class__ is Ref and machine.obj(option).kind == "instance" and _has(machine, option, cls):
                 if _initialise(machine, cls, option, args, keywords) is not UNBOUND:
                     initialised.append(option)
             elif option is not UNBOUND:
@@ -170,14 +169,14 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
 
 def _has(machine: Interpreter, ref: Value, cls: Class) -> bool:
     found = machine.obj(ref).cls  # type: ignore[arg-type]
-    return found.__class__ is Class and cls in found.mro  # type: ignore[attr-defined]
+    return found.__class__ is Class and cls in found.mro
 
 
 def _initialise(machine: Interpreter, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """Run `__init__`; a base that is not known gets the arguments."""
     for base in cls.mro:
         if base.__class__ is Class:
-            found = machine.at(base.address).attrs.get("__init__")  # type: ignore[attr-defined]
+            found = machine.at(base.address).attrs.get("__init__")
             if found is not None and found is not UNBOUND:
                 return calls.call(machine, BoundMethod(ref, found), args, keywords)
         elif base.__class__ in (External, Unknown):
@@ -192,8 +191,8 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
     if not outside:
         return
     for base in cls.mro:
-        if base.__class__ is Class and not base.stub:  # type: ignore[attr-defined]
-            for name, value in machine.at(base.address).attrs.items():  # type: ignore[attr-defined]
+        if base.__class__ is Class and not base.stub:
+            for name, value in machine.at(base.address).attrs.items():
                 if value.__class__ is Function and not name.startswith("__"):
                     machine.schedule_book.add(machine, BoundMethod(ref, value), None, "call by the base class")
 
@@ -230,21 +229,21 @@ def is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | Non
 def is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
     """issubclass(cls, wanted)."""
     if wanted.__class__ is Tuple:
-        found = [is_subclass(machine, cls, w) for w in wanted.items]  # type: ignore[attr-defined]
+        found = [is_subclass(machine, cls, w) for w in wanted.items]
         return True if True in found else (None if None in found else False)
     if wanted.__class__ in (Unknown, Choice, Ref):
         return None
     if cls == wanted or wanted == Native("builtins.object"):
         return True
     if cls.__class__ is Native:
-        return _native_subclass(cls.name, wanted)  # type: ignore[attr-defined]
+        return _native_subclass(cls.name, wanted)
     if cls.__class__ is Class:
-        if wanted in cls.mro:  # type: ignore[attr-defined]
+        if wanted in cls.mro:
             return True
-        natives = [_native_subclass(b.name, wanted) for b in cls.mro if b.__class__ is Native]  # type: ignore[attr-defined]
+        natives = [_native_subclass(b.name, wanted) for b in cls.mro if b.__class__ is Native]
         if True in natives:
             return True
-        return None if any(b.__class__ in (External, Unknown) for b in cls.mro) or None in natives else False  # type: ignore[attr-defined]
+        return None if any(b.__class__ in (External, Unknown) for b in cls.mro) or None in natives else False
     return None if wanted.__class__ is not Native else (None if cls.__class__ is not External else None)
 
 
@@ -255,7 +254,7 @@ def _native_subclass(name: str, wanted: Value) -> bool | None:
     if wanted.__class__ is not Native:
         return None if wanted.__class__ is External else False
     ours = getattr(builtins, name.removeprefix("builtins."), None)
-    theirs = getattr(builtins, wanted.name.removeprefix("builtins."), None)  # type: ignore[attr-defined]
+    theirs = getattr(builtins, wanted.name.removeprefix("builtins."), None)
     if isinstance(ours, type) and isinstance(theirs, type):
         return issubclass(ours, theirs)
     return None

@@ -35,7 +35,7 @@ def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot,
 
 def branch(machine: Interpreter, op: ops.If, frame: Frame) -> bool | None:
     """Follow the way that the test decides, or both."""
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     decided = truth(machine, frame.registers[op.test])
     if decided is not None:
         return machine.run(op.then if decided else op.orelse, frame) or False
@@ -78,7 +78,7 @@ def continue_(machine: Interpreter, _op: ops.Continue, frame: Frame) -> bool:
 
 def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None:
     """A loop over what a value yields."""
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     known, rest = machine.iterate(frame.registers[op.iterable])
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
@@ -131,7 +131,7 @@ def _turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
 
 def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
     """A while loop: followed while its condition is known, then to a fixpoint."""
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const

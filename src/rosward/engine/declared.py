@@ -87,9 +87,9 @@ def _instance(machine: Interpreter, cls: Value, dotted: str) -> Value:
     if cls.__class__ is Class:
         return opaque(machine, cls)
     if cls.__class__ is Native:
-        short = cls.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+        short = cls.name.removeprefix("builtins.")
         return NONE if short == "None" else Unknown(machine.unknown(Cause.CALL, dotted).reasons, short)
-    if cls.__class__ is External and not cls.name.startswith(("typing.", "collections.abc.")):  # type: ignore[attr-defined]
+    if cls.__class__ is External and not cls.name.startswith(("typing.", "collections.abc.")):
         return machine.unknown(Cause.CALL, dotted)
     return machine.unknown(Cause.CALL, dotted)
 

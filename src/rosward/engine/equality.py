@@ -58,9 +58,9 @@ def join_texts(values: list[Value]) -> Value:
 def _special(machine: Interpreter, value: Value, name: str) -> Value | None:
     """The special method of an instance of a class of the program, bound; None where there is none."""
     if value.__class__ is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+        obj = machine.obj(value)
         if obj.kind == "instance" and obj.cls.__class__ is Class:
-            found = attributes.lookup(machine, obj.cls, name)  # type: ignore[arg-type]
+            found = attributes.lookup(machine, obj.cls, name)
             if found is not None:
                 return attributes.bind(machine, found, value, obj.cls)
     return None
@@ -74,10 +74,10 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
             method = _special(machine, left, f"__i{name}__")
             if method is not None:
                 return calls.call(machine, method, (right,), {})
-            if operator == "+" and left.__class__ is Ref and machine.obj(left).kind == "list":  # type: ignore[arg-type]
+            if operator == "+" and left.__class__ is Ref and machine.obj(left).kind == "list":
                 calls.call(machine, BoundMethod(left, Native("list.extend")), (right,), {})
                 return left
-            if operator == "|" and left.__class__ is Ref and machine.obj(left).kind in ("dict", "set"):  # type: ignore[arg-type]
+            if operator == "|" and left.__class__ is Ref and machine.obj(left).kind in ("dict", "set"):
                 calls.call(machine, attributes.load(machine, left, "update"), (right,), {})
                 return left
         method = _special(machine, left, f"__{name}__")
@@ -92,7 +92,7 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
 
 
 def _is_instance_object(machine: Interpreter, value: Value) -> bool:
-    return value.__class__ is Ref and machine.obj(value).kind in ("instance", "generator")  # type: ignore[arg-type]
+    return value.__class__ is Ref and machine.obj(value).kind in ("instance", "generator")
 
 
 def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> Value:
@@ -119,23 +119,23 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
 
 def _plain(machine: Interpreter, value: Value) -> bool:
     """A value that compares by content."""
-    return value.__class__ is Const or (value.__class__ is Ref and machine.obj(value).kind in ("list", "dict", "set"))  # type: ignore[arg-type]
+    return value.__class__ is Const or (value.__class__ is Ref and machine.obj(value).kind in ("list", "dict", "set"))
 
 
 def _same(machine: Interpreter, left: Value, right: Value) -> bool | None:
     """Whether both are one object; None where that is not known."""
     if left.__class__ is Ref and right.__class__ is Ref:
         if left == right:
-            return None if machine.obj(left).many else True  # type: ignore[arg-type]
+            return None if machine.obj(left).many else True
         return False
     if left.__class__ in (Unknown, External, Choice) or right.__class__ in (Unknown, External, Choice):
         return True if left.__class__ is External and left == right else None
     if left.__class__ is Const and right.__class__ is Const:
-        if left.origins or right.origins:  # type: ignore[attr-defined]
+        if left.origins or right.origins:
             return None
-        if left.value.__class__ is not right.value.__class__:  # type: ignore[attr-defined]
+        if left.value.__class__ is not right.value.__class__:
             return False
-        return bool(left.value == right.value)  # type: ignore[attr-defined]
+        return bool(left.value == right.value)
     if left.__class__ is not right.__class__:
         return False
     return True if left == right else (None if left.__class__ not in (Class, Function, Native) else False)
@@ -179,7 +179,7 @@ def truth(machine: Interpreter, value: Value) -> bool | None:
                 if method is not None:
                     answer = calls.call(machine, method, (), {})
                     return None if answer is value else truth(machine, answer)
-            return True if obj.cls.__class__ is Class and not has_unknown_base(obj.cls) else None  # type: ignore[arg-type]
+            return True if obj.cls.__class__ is Class and not has_unknown_base(obj.cls) else None
     if value is UNBOUND:
         return None
     return operators.truth(machine, value)

@@ -63,7 +63,7 @@ def throw(machine: Interpreter, exception: Value, message: str = "") -> None:
 
 def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
     """The raise statement."""
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     exception = frame.registers[op.src] if op.src != ops.NO_REGISTER else machine.unknown(Cause.CALL, "exception")
     throw(machine, exception)
     return False
@@ -201,7 +201,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
     from rosward.engine import calls
     from rosward.engine.control import join_into
 
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     context = frame.registers[op.context]
     prefix = "__a" if op.is_async else "__"
     entered = calls.call_method(machine, context, f"{prefix}enter__", ())
@@ -263,4 +263,4 @@ def is_exception(name: str) -> bool:
 
 def external_exception(value: Value) -> bool:
     """Whether an external name looks like an exception class."""
-    return value.__class__ is External and value.name.rpartition(".")[2].endswith(("Error", "Exception"))  # type: ignore[attr-defined]
+    return value.__class__ is External and value.name.rpartition(".")[2].endswith(("Error", "Exception"))

@@ -54,6 +54,7 @@ class Frame:
         "namespace",
         "stub",
         "registers",
+        "sequence",
         "uncertain",
         "yield_rest",
         "yields",
@@ -72,6 +73,7 @@ class Frame:
         self.exits = Exits()
         self.line = code.line
         self.column = 1
+        self.sequence = 0  # how many objects the current operation has made
         self.uncertain = 0
         self.yields: list[Value] = []
         self.yield_rest: Value = UNBOUND

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from rosward.models.effects import EffectLog
     from rosward.models.native import Items
 
-Handler = Callable[["Interpreter", ops.Op, Frame], bool | None]
+Handler = Callable[["Interpreter", Any, Frame], bool | None]
 DEAD = False
 
 
@@ -147,7 +147,10 @@ class Interpreter:
     def allocate(self, obj: Obj, site: object = None) -> Ref:
         """A new object, identified by the place and context in which it is made."""
         frame = self.frames[-1] if self.frames else None
-        key = (frame.context, frame.code.file, frame.line, frame.column, obj.kind, site) if frame else (obj.kind, site)
+        if frame is None:
+            return Ref(self.place_at((obj.kind, site), obj))
+        key = (frame.context, frame.code.file, frame.line, frame.column, frame.sequence, site)
+        frame.sequence += 1
         return Ref(self.place_at(key, obj))
 
     def place_key(self, key: object) -> int:
@@ -296,7 +299,7 @@ def _move(_machine: Interpreter, op: ops.Move, frame: Frame) -> None:
 def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None:
     found = machine.at(frame.module.address).attrs.get(op.name)
     if found is None or found is UNBOUND:
-        frame.line, frame.column = op.line, op.column
+        frame.line, frame.column, frame.sequence = op.line, op.column, 0
         found = modules.load_global(machine, frame.module, op.name)
     frame.registers[op.dst] = found
 
@@ -312,7 +315,7 @@ def _load_name(machine: Interpreter, op: ops.LoadName, frame: Frame) -> None:
     if found is None or found is UNBOUND:
         found = machine.at(frame.module.address).attrs.get(op.name)
     if found is None or found is UNBOUND:
-        frame.line, frame.column = op.line, op.column
+        frame.line, frame.column, frame.sequence = op.line, op.column, 0
         found = modules.load_global(machine, frame.module, op.name)
     frame.registers[op.dst] = found
 
@@ -324,7 +327,7 @@ def _store_name(machine: Interpreter, op: ops.StoreName, frame: Frame) -> None:
 def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> None:
     found = machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND)
     if found is UNBOUND:
-        frame.line, frame.column = op.line, op.column
+        frame.line, frame.column, frame.sequence = op.line, op.column, 0
         found = machine.unknown(Cause.ERROR, "variable without a value")
     frame.registers[op.dst] = found
 
@@ -335,7 +338,7 @@ def _store_cell(machine: Interpreter, op: ops.StoreCell, frame: Frame) -> None:
 
 
 def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     cell = machine.allocate(Obj("cell", NONE), op.cell)
     cells = list(frame.cells)
     cells[op.cell] = cell.address
@@ -343,32 +346,35 @@ def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
 
 
 def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = attributes.load(machine, frame.registers[op.obj], op.name)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    if op.narrowing:
+        attributes.narrow(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
+        return None
     alive = attributes.store(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
     return None if alive else DEAD
 
 
 def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = items.load(machine, frame.registers[op.obj], frame.registers[op.index])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     items.store(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
 
 
 def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     if op.kind == "local":
         frame.registers[op.obj] = UNBOUND
     elif op.kind == "global":
@@ -380,14 +386,14 @@ def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
 
 
 def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = equality.unary(machine, op.operator, frame.registers[op.src])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     registers = frame.registers
     value = equality.binary(machine, op.operator, registers[op.left], registers[op.right], inplace=op.inplace)
     frame.registers[op.dst] = value
@@ -395,32 +401,32 @@ def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
 
 
 def _compare(machine: Interpreter, op: ops.Compare, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = equality.compare(machine, op.operator, frame.registers[op.left], frame.registers[op.right])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     registers = frame.registers
     function = registers[op.func]
     if op.simple is not None:
         value = calls.call(machine, function, tuple([registers[r] for r in op.simple]), {})
     else:
         value = calls.call_with(machine, function, op.arguments, registers)
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _build(machine: Interpreter, op: ops.Build, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     frame.registers[op.dst] = items.build(machine, op, frame)
 
 
 def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     registers = frame.registers
     known: list[Value] = []
     for part in op.parts:
@@ -446,32 +452,32 @@ def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> 
 
 
 def _make_class(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     frame.registers[op.dst] = classes.make(machine, op, frame)
 
 
 def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     frame.registers[op.dst] = modules.import_module(machine, op, frame)
 
 
 def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     frame.registers[op.dst] = modules.import_from(machine, op, frame)
 
 
 def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     modules.import_star(machine, op, frame)
 
 
 def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     items.unpack(machine, op, frame)
 
 
 def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     arguments = [frame.registers[r] for r in op.arguments]
     if op.name == "slice":
         frame.registers[op.dst] = Slice(arguments[0], arguments[1], arguments[2])
@@ -493,7 +499,7 @@ def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
 
 
 def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = frame.registers[op.src]
     known, rest = ((value,), None) if not op.many else machine.iterate(value)
     if frame.uncertain or frame.yield_rest is not UNBOUND or len(frame.yields) > machine.budget.items:
@@ -507,13 +513,13 @@ def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
 
 
 def _await(machine: Interpreter, op: ops.Await, frame: Frame) -> bool | None:
-    frame.line, frame.column = op.line, op.column
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = calls.wait_for(machine, frame.registers[op.src])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
-_HANDLERS: dict[type[ops.Op], Handler] = {
+_HANDLERS: Final[dict[type[ops.Op], Handler]] = {
     ops.Const: _const,
     ops.Move: _move,
     ops.LoadGlobal: _load_global,
@@ -553,4 +559,4 @@ _HANDLERS: dict[type[ops.Op], Handler] = {
     ops.Raise: exceptions.raise_,
     ops.Break: control.break_,
     ops.Continue: control.continue_,
-}  # type: ignore[assignment,dict-item]
+}

@@ -92,8 +92,8 @@ def load(machine: Interpreter, value: Value, index: Value) -> Value:
     if cls is Class:
         if classes.is_enum(machine, value):  # type: ignore[arg-type]
             return machine.call(Native("enum.item"), (value, index))
-        method = attributes.lookup(machine, value, "__class_getitem__")  # type: ignore[arg-type]
-        return value if method is None else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})  # type: ignore[arg-type]
+        method = attributes.lookup(machine, value, "__class_getitem__")
+        return value if method is None else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})
     if cls in (External, Native, Function):
         return value  # a generic alias such as list[int]
     return operators.load_item(machine, value, index)
@@ -102,7 +102,7 @@ def load(machine: Interpreter, value: Value, index: Value) -> Value:
 def store(machine: Interpreter, target: Value, index: Value, value: Value) -> None:
     """target[index] = value."""
     for option in options(target):
-        if option.__class__ is Ref and machine.obj(option).kind == "instance":  # type: ignore[arg-type]
+        if option.__class__ is Ref and machine.obj(option).kind == "instance":
             method = attributes.method(machine, option, "__setitem__")
             if method is not None:
                 calls.call(machine, method, (index, value), {})
@@ -114,7 +114,7 @@ def delete(machine: Interpreter, target: Value, index: Value) -> None:
     """del target[index]."""
     for option in options(target):
         if option.__class__ is Ref:
-            name = "__delitem__" if machine.obj(option).kind == "instance" else "pop"  # type: ignore[arg-type]
+            name = "__delitem__" if machine.obj(option).kind == "instance" else "pop"
             method = attributes.method(machine, option, name)
             if method is not None:
                 calls.call(machine, method, (index,), {})
@@ -158,11 +158,11 @@ def _iterate_instance(machine: Interpreter, value: Value) -> Items:
             return Items(())
         if iterator != value:
             return machine.iterate(iterator)
-    method = attributes.method(machine, value, "__next__") or attributes.method(machine, value, "__getitem__")
-    if method is not None:
-        argument = (machine.unknown(Cause.OPERATION, "index", "int"),) if method is not None and "getitem" in repr(method) else ()
-        item = calls.call(machine, method, argument, {})
-        return Items(()) if item is UNBOUND else Items((), item)
+    for name, arguments in (("__next__", ()), ("__getitem__", (machine.unknown(Cause.OPERATION, "index", "int"),))):
+        method = attributes.method(machine, value, name)
+        if method is not None:
+            item = calls.call(machine, method, arguments, {})
+            return Items(()) if item is UNBOUND else Items((), item)
     return Items((), machine.unknown(Cause.OPERATION, "iteration"))
 
 
@@ -197,9 +197,9 @@ def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
 def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Frame) -> Value:
     """The primitives of the language that no other operation says."""
     if name in ("append", "set_add"):
-        _append(machine, arguments[0], arguments[1], frame)
+        _append(machine, arguments[0], arguments[1])
     elif name == "dict_set":
-        _dict_set(machine, arguments, frame)
+        operators.store_item(machine, arguments[0], arguments[1], arguments[2])
     elif name == "annotate":
         _annotate(machine, arguments, frame)
     elif name == "isinstance":
@@ -225,30 +225,19 @@ def _answer(machine: Interpreter, answer: bool | None) -> Value:
     return TRUE if answer else FALSE
 
 
-def _append(machine: Interpreter, target: Value, value: Value, frame: Frame) -> None:
+def _append(machine: Interpreter, target: Value, value: Value) -> None:
     if target.__class__ is not Ref:
         return
-    obj: Obj = machine.obj(target)  # type: ignore[arg-type]
-    if obj.items is None or frame.uncertain or len(obj.items) >= machine.budget.items:
+    obj: Obj = machine.obj(target)
+    if obj.items is None or len(obj.items) >= machine.budget.items:
         from rosward.engine.state import element
 
         before = element(obj)
         rest = value if before is None else join(before, value)
         if obj.items is not None or rest != obj.rest:
-            machine.put(target.address, obj.replace(items=None, rest=rest))  # type: ignore[attr-defined]
+            machine.put(target.address, obj.replace(items=None, rest=rest))
         return
-    machine.put(target.address, obj.replace(items=(*obj.items, value)))  # type: ignore[attr-defined]
-
-
-def _dict_set(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:
-    target, key, value = arguments
-    if frame.uncertain and target.__class__ is Ref:
-        obj: Obj = machine.obj(target)  # type: ignore[arg-type]
-        if key.__class__ is Const and key not in obj.entries:
-            merged = obj.replace(entries={**obj.entries, key: value}, maybe=obj.maybe | {key})
-            machine.put(target.address, merged)  # type: ignore[attr-defined]
-            return
-    operators.store_item(machine, target, key, value)
+    machine.put(target.address, obj.replace(items=(*obj.items, value)))
 
 
 def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:
@@ -267,7 +256,7 @@ def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
     answers: set[bool | None] = set()
     for option in options(value):
         if option.__class__ is Ref:
-            kind = machine.obj(option).kind  # type: ignore[arg-type]
+            kind = machine.obj(option).kind
             answers.add(None if kind in ("instance", "generator") else kind == ("list" if name == "is_sequence" else "dict"))
         elif option.__class__ is Tuple:
             answers.add(name == "is_sequence")
@@ -279,7 +268,7 @@ def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
 def _length(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
     known, rest = machine.iterate(arguments[0])
     wanted = arguments[1]
-    if rest is not None or wanted.__class__ is not Const:
+    if rest is not None or not isinstance(wanted, Const) or not isinstance(wanted.value, int):
         return machine.unknown(Cause.OPERATION, "match", "bool")
-    count = wanted.value  # type: ignore[attr-defined]
+    count = wanted.value
     return TRUE if (len(known) == count if name == "length_is" else len(known) >= count) else FALSE

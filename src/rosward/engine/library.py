@@ -166,16 +166,11 @@ class Library:
         file = found.file or self._model_path(found.name) or ""
         address = loader.place_key(("module", found.name))
         module = self._models[found.name] = ModuleValue(address, found.name, file)
-        first, self.first_address = self.first_address, 1
-        try:
-            modules.run_module(loader, module, found.name)
-            if package:
-                parent = self._model(package)
-                if parent is not None:
-                    above = self.load_model(parent)
-                    loader.put(above.address, loader.at(above.address).with_attr(leaf, module))
-        finally:
-            self.first_address = first
+        modules.run_module(loader, module, found.name)
+        parent = self._model(package) if package else None
+        if parent is not None:
+            above = self.load_model(parent)
+            loader.put(above.address, loader.at(above.address).with_attr(leaf, module))
         return module
 
     def module(self, file: str) -> Module | None:

@@ -34,7 +34,7 @@ def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value
     """from a.b import c."""
     module = load(machine, op.module, frame, op.level)
     if module.__class__ is ModuleValue:
-        return attribute(machine, module, op.name, importing=True)  # type: ignore[arg-type]
+        return attribute(machine, module, op.name, importing=True)
     return machine.load_attr(module, op.name)
 
 
@@ -47,14 +47,14 @@ def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
         assert isinstance(stars, Tuple)
         machine.put(frame.module.address, here.with_attr(_STARS, Tuple((*stars.items, module))))
         return
-    record = machine.at(module.address)  # type: ignore[attr-defined]
+    record = machine.at(module.address)
     names = [n for n in record.attrs if not n.startswith("_")]
     listed = record.attrs.get("__all__")
     if listed is not None:
         known, rest = machine.iterate(listed)
         if rest is None and all(isinstance(k, Const) and isinstance(k.value, str) for k in known):
             names = [k.value for k in known if isinstance(k, Const) and isinstance(k.value, str)]
-    taken = {n: attribute(machine, module, n) for n in names if n != _STARS}  # type: ignore[arg-type]
+    taken = {n: attribute(machine, module, n) for n in names if n != _STARS}
     here = machine.at(frame.module.address)
     attrs = {**here.attrs, **taken}
     stars = record.attrs.get(_STARS)
@@ -71,23 +71,30 @@ def load(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -
         return External(name)
     found = machine.library.find(name, level, importer)
     if found is None:
+        if machine.library.sources.belongs(name) and not _is_interface_module(name):
+            machine.report("RW207", f"{'.' * level}{name} is not among the sources")
         return External(name or "." * level)
     if found.model:
         return machine.library.load_model(found)
     parts = found.name.split(".")
+    parent: Value | None = None
     if level == 0 and len(parts) > 1 and found.name == name:
         parent = load(machine, ".".join(parts[:-1]), frame)
-    else:
-        parent = None
     address = machine.place_key(("module", found.key))
     module = ModuleValue(address, found.name, found.file)
     if address not in machine.state.heap:
         run_module(machine, module, found.name)
     if parent.__class__ is ModuleValue and parent != module:
-        record = machine.at(parent.address)  # type: ignore[union-attr]
+        record = machine.at(parent.address)
         if record.attrs.get(parts[-1]) != module:
-            machine.put(parent.address, record.with_attr(parts[-1], module))  # type: ignore[union-attr]
+            machine.put(parent.address, record.with_attr(parts[-1], module))
     return module
+
+
+def _is_interface_module(name: str) -> bool:
+    """Whether a module name is that of generated interfaces: `package.msg`, `package.srv.…`."""
+    parts = name.split(".")
+    return len(parts) > 1 and parts[1] in ("msg", "srv", "action")
 
 
 def run_module(machine: Interpreter, module: ModuleValue, name: str) -> bool:
@@ -124,7 +131,8 @@ def attribute(machine: Interpreter, module: ModuleValue, name: str, *, importing
     if found is not None and found is not UNBOUND:
         return found
     dotted = f"{module.name}.{name}"
-    if machine.library.find(dotted, 0, module) is not None or (module.file.endswith("__init__.py") and importing):
+    importer = module if module.file or not machine.frames else machine.frames[-1].module
+    if machine.library.find(dotted, 0, importer) is not None or (module.file.endswith("__init__.py") and importing):
         sub = load_below(machine, module, name)
         if sub is not None:
             return sub
@@ -147,7 +155,8 @@ def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | 
     """The submodule of a package, if there is one."""
     found = machine.library.find(name, 1, module) if not machine.library.is_model_file(module.file) else None
     if found is None:
-        found = machine.library.find(f"{module.name}.{name}", 0, module)
+        importer = module if module.file or not machine.frames else machine.frames[-1].module
+        found = machine.library.find(f"{module.name}.{name}", 0, importer)
     if found is None:
         return None
     if found.model:

@@ -104,12 +104,12 @@ class Schedule:
         machine.frames.append(frame)
         machine.step_limit = max(machine.step_limit, machine.steps + machine.budget.entry_steps)
         try:
-            if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":  # type: ignore[arg-type]
+            if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
                 machine.iterate(entry.callback)
             else:
                 anything = machine.unknown(Cause.CALL, f"argument of a {entry.event}")
                 result = machine.call(entry.callback, entry.args or (), {ANY: anything})
-                if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":  # type: ignore[arg-type]
+                if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
                     machine.iterate(result)
         except LimitReachedError as limit:
             machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")

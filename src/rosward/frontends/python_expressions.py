@@ -247,7 +247,8 @@ def _yield(body: Body, node: ast.Yield | ast.YieldFrom) -> int:
 
 
 def _await(body: Body, node: ast.Await) -> int:
-    if not body.is_coroutine and body.scope is body.owner:  # a generator expression may await anywhere
+    # A generator expression may await anywhere; in a model, `await` in a plain function means "run it here".
+    if not body.is_coroutine and body.scope is body.owner and not body.unit.file.startswith("models:"):
         raise misplaced(node, "'await' outside async function")
     src = body.expression(node.value)
     dst = body.register()

@@ -5,7 +5,8 @@
         …                                  if %3: { assume %4 = %1, not is %2; self.pub = %4; … }
 
 `condition` lowers a test and returns the facts that hold where it is true and where it is false; `assume` writes them
-out at the start of a branch. A fact about an attribute, a cell or a global doesn't outlive a call, which might assign to it.
+out at the start of a branch. A fact about an attribute, a cell or a global doesn't outlive a call, which might assign
+to it.
 """
 
 from __future__ import annotations
@@ -122,9 +123,9 @@ def branch(
     """`if test: then else: orelse`."""
     outer = body.ops
     parts: Sequence[ast.expr] = (test,)
-    is_and = isinstance(test, ast.BoolOp) and type(test.op) is ast.And
-    if orelse is None and is_and and len(test.values) <= NESTED_AT_MOST:
-        parts = test.values  # nested: what the first part tells holds while the others are evaluated
+    if orelse is None and isinstance(test, ast.BoolOp) and type(test.op) is ast.And:
+        if len(test.values) <= NESTED_AT_MOST:
+            parts = test.values  # nested: what the first part tells holds while the others are evaluated
     for part in parts:
         register, true, false = condition(body, part)
         inner: Block = []

@@ -38,7 +38,7 @@ class Case:
 
     def test(self, node: ast.pattern, subject: int) -> None:
         """Write to `matched` whether the pattern matches."""
-        handler = _PATTERNS.get(type(node))
+        handler = PATTERNS.get(type(node))
         if handler is None:
             self.body.move(node, self.matched, self.body.unsupported(node))
         else:
@@ -319,7 +319,7 @@ def _is_self_matching(body: Body, cls: ast.expr) -> bool:
     return isinstance(cls, ast.Name) and cls.id in _SELF_MATCHING and body.place(cls.id).kind is not PlaceKind.REGISTER
 
 
-_PATTERNS: Final[Mapping[type, Callable[[Case, Any, int], None]]] = {
+PATTERNS: Final[Mapping[type, Callable[[Case, Any, int], None]]] = {
     ast.MatchValue: _value,
     ast.MatchSingleton: _singleton,
     ast.MatchAs: _as,

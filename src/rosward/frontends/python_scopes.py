@@ -126,7 +126,8 @@ class Scope:
 def find(scope: Scope, name: str, *, inside: bool = False) -> tuple[Scope | None, list[Scope]]:
     """The scope whose variable `name` is (None: the module's, or a class body's own), and who has to capture it.
 
-    These are the owners between the two. With `inside`, as code right inside `scope` sees it: past the names of a class body.
+    These are the owners between the two. With `inside`, as code right inside `scope` sees it: past the names of a
+    class body.
     """
     crossed: list[Scope] = []
     at: Scope | None = scope

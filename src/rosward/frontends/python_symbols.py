@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which names does each scope of a file bind and use?
 
-One walk over the tree, without recursion (a tree can be deeper than the stack). Annotations are not walked: they are kept as text.
+One walk over the tree, without recursion (a tree can be deeper than the stack). Annotations are not walked: they are
+kept as text.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Is a piece of IR well formed?
 
-`check(code)` lists what is wrong with a body and the bodies inside it; an empty list is the promise that every frontend keeps:
-registers and cells in range, temporaries written before they are read, captures that fit, `break` in a loop, `return` in a function.
+`check(code)` lists what is wrong with a body and the bodies inside it; an empty list is the promise that every frontend
+keeps: registers and cells in range, temporaries written before they are read, captures that fit, `break` in a loop,
+`return` in a function.
 """
 
 from __future__ import annotations

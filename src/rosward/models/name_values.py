@@ -49,8 +49,8 @@ def name_options(value: Value) -> list[NameOption]:
 def _name(value: Value) -> NameOption:
     origins = origins_of(value)
     depends = tuple(sorted({o.name for o in origins}))
-    if value.__class__ is Const and isinstance(value.value, str):  # type: ignore[attr-defined]
-        return NameOption(value.value, resolution_of(origins), depends, ())  # type: ignore[attr-defined]
+    if value.__class__ is Const and isinstance(value.value, str):
+        return NameOption(value.value, resolution_of(origins), depends, ())
     reasons = reasons_of(value)
     if value.__class__ is Text:
         return NameOption(pattern(value), Resolution.PATTERN, _depends(depends, reasons), reasons)
@@ -75,7 +75,7 @@ def interface_type(value: Value) -> str | None:
     """`package/msg/Name` of an interface type; None where the value is not surely one."""
     if value.__class__ is not External:
         return None
-    parts = value.name.split(".")  # type: ignore[attr-defined]
+    parts = value.name.split(".")
     if len(parts) >= 3 and parts[1] in ("msg", "srv", "action"):
         inner = [p for p in parts[2:] if not p.startswith("_")]
         return "/".join((parts[0], parts[1], "_".join(inner))) if inner else None
@@ -118,9 +118,9 @@ def qos_of(machine: Interpreter, value: Value | None) -> tuple[Qos | None, bool]
     """What is known of a QoS profile, and whether the topic keeps the prefix of the ROS name space."""
     if value is None:
         return None, True
-    if value.__class__ is Const and isinstance(value.value, int) and not isinstance(value.value, bool):  # type: ignore[attr-defined]
-        return Qos("reliable", "volatile", "keep_last", value.value), True  # type: ignore[attr-defined]
-    if value.__class__ is not Ref or machine.obj(value).kind != "instance":  # type: ignore[arg-type]
+    if value.__class__ is Const and isinstance(value.value, int) and not isinstance(value.value, bool):
+        return Qos("reliable", "volatile", "keep_last", value.value), True
+    if value.__class__ is not Ref or machine.obj(value).kind != "instance":
         return None, True
     words = [_policy(machine, name, _attr(machine, value, name)) for name in _POLICIES]
     depth = _attr(machine, value, "depth")

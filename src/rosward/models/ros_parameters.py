@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, join_all, options
+from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Tuple, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Value
 from rosward.models.effects import NodeEffect, ParameterEffect
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros_effects import create, final_name, host, is_true, mark, text_of, word_text
@@ -39,7 +39,7 @@ def _declare(call: NativeCall) -> Value:
     found: list[Value] = []
     for each in options(node):
         for key in options(name):
-            value = _initial(machine, each, key, default)
+            value = _initial(machine, each, key, default, _hint(machine, type_))
             address = each.address if isinstance(each, Ref) else None
             machine.log.parameters[ParameterEffect(address, key, default, value, type_, machine.place)] = None
             table = _table(machine, each)
@@ -49,14 +49,26 @@ def _declare(call: NativeCall) -> Value:
     return join_all(found)
 
 
-def _initial(machine: Interpreter, node: Value, name: Value, default: Value) -> Value:
+_HINTS: Final = {"BOOL": "bool", "INTEGER": "int", "DOUBLE": "float", "STRING": "str"}
+
+
+def _hint(machine: Interpreter, type_: Value) -> str:
+    """The Python type of a parameter of a declared type; '' where it is not known."""
+    if not isinstance(type_, Ref):
+        return ""
+    label = machine.obj(type_).attrs.get("name", machine.obj(type_).attrs.get("_name_"))
+    word = text_of(label)
+    return "list" if word.endswith("_ARRAY") else _HINTS.get(word, "")
+
+
+def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hint: str) -> Value:
     """The value of a parameter when it is declared: an override of the code itself, else its default, which anybody may change."""
     label = text_of(name, word_text(name))
     override = _override(machine, node, label)
     if override is not None:
         return override
     values = [
-        machine.unknown(Cause.PARAMETER, label, "") if option == NONE or option is UNBOUND else mark(machine, option, Origin("parameter", label))
+        machine.unknown(Cause.PARAMETER, label, hint) if option == NONE or option is UNBOUND else mark(machine, option, Origin("parameter", label))
         for option in options(default)
     ]
     return join_all(values)
@@ -134,22 +146,48 @@ def _set(call: NativeCall) -> Value:
     return NONE
 
 
-def _undeclared(call: NativeCall) -> Value:
-    """The value of a parameter that may not be declared: its value, or the given default."""
-    value = _parameter(call._replace(args=call.args[:2]))
-    return join(value, call.args[2]) if len(call.args) > 2 else value
-
-
-def _names(call: NativeCall) -> Value:
+def _has(call: NativeCall) -> Value:
+    """Whether a parameter is declared."""
     machine = host(call)
-    table = _table(machine, call.args[0])
-    return Tuple(tuple(machine.obj(table).entries)) if table is not None else Tuple(())
+    answers: set[bool | None] = set()
+    for node in options(call.args[0]):
+        table = _table(machine, node)
+        for name in options(call.args[1]):
+            record = machine.obj(table) if table is not None else None
+            if record is None or not isinstance(name, Const) or record.rest is not None or Const(name.value) in record.maybe:
+                answers.add(None)
+            else:
+                answers.add(Const(name.value) in record.entries)
+    if len(answers) == 1 and None not in answers:
+        return TRUE if answers.pop() else FALSE
+    return machine.unknown(Cause.PARAMETER, "whether it is declared", "bool")
+
+
+def _by_prefix(call: NativeCall) -> Value:
+    """The declared parameters below a prefix, by the rest of their names."""
+    machine = host(call)
+    prefix = text_of(call.args[1])
+    entries: dict[Value, Value] = {}
+    rest: Value | None = None
+    for node in options(call.args[0]):
+        table = _table(machine, node)
+        if table is None:
+            rest = machine.unknown(Cause.PARAMETER, prefix)
+            continue
+        for key, value in machine.obj(table).entries.items():
+            name = text_of(key)
+            if not prefix or name.startswith(f"{prefix}."):
+                short = name.removeprefix(f"{prefix}.") if prefix else name
+                cls = machine.load_attr(machine.load_module("rclpy.parameter"), "Parameter")
+                entries[Const(short)] = machine.call(cls, (key, NONE, value))
+        rest = rest or machine.obj(table).rest
+    return machine.new_dict(entries, rest)
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.declare_parameter": _declare,
     "_rosward.parameter": _parameter,
-    "_rosward.parameter_or": _undeclared,
-    "_rosward.parameter_names": _names,
+    "rclpy.node.Node.has_parameter": _has,
+    "rclpy.node.Node.get_parameters_by_prefix": _by_prefix,
     "_rosward.set_parameter": _set,
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Command lines: what `argparse`, `optparse`, `click` and `getopt` make of their declarations, and of arguments that are known.
+"""Command lines: what `argparse`, `optparse`, `click` and `getopt` make of declarations, and of known arguments.
 
     parser.add_argument('--topic-name', default='/scan')    dest 'topic_name', shown as --topic-name
     parser.parse_args(['--topic-name', '/points'])          exact: read by Python's own argparse
@@ -17,7 +17,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Tuple, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.models.std_support import exact_list, names_of, text_of
+from rosward.models.std_support import exact_list, names_of, place_list, text_of
 
 _SIMPLE_ACTIONS: Final = frozenset(
     {"store", "store_true", "store_false", "store_const", "append", "append_const", "count", "extend"}
@@ -93,7 +93,7 @@ def _declared(machine: Machine, parser: _Parser, index: int, obj: Obj) -> None:
 
 def _converted(machine: Machine, obj: Obj, found: object) -> Value:
     if isinstance(found, list):
-        return machine.new_list([_converted(machine, obj, f) for f in found])
+        return place_list(machine, [_converted(machine, obj, f) for f in found], obj.attrs["dest"])
     if isinstance(found, str):
         convert = obj.attrs["type"]
         return Const(found) if convert == NONE else machine.call(convert, (Const(found),))
@@ -103,7 +103,7 @@ def _converted(machine: Machine, obj: Obj, found: object) -> Value:
 
 
 def _exact(call: NativeCall) -> Value:
-    """argparse._exact(actions, arguments, some): ({dest: value of what is given}, extra arguments), None where not all is known."""
+    """argparse._exact(actions, arguments, some): ({dest: value given}, extra arguments); None if not all is known."""
     machine = call.machine
     actions, arguments = exact_list(machine, call.args[0]), exact_list(machine, call.args[1])
     if actions is None or arguments is None:
@@ -130,7 +130,7 @@ def _exact(call: NativeCall) -> Value:
     for key, found in vars(namespace).items():
         obj = objs[int(key)]
         given[obj.attrs["dest"]] = _converted(machine, obj, found)
-    return Tuple((machine.new_dict(given), machine.new_list([Const(e) for e in extra])))
+    return Tuple((machine.new_dict(given), place_list(machine, [Const(e) for e in extra], "extra")))
 
 
 def _getopt(call: NativeCall) -> Value:
@@ -142,7 +142,7 @@ def _getopt(call: NativeCall) -> Value:
     names += [f"--{n.rstrip('=?')}" for n in names_of(listed or ())]
     option = join_all(map(Const, names)) if names else machine.unknown(Cause.ARGUMENT, "getopt", "str")
     value = machine.unknown(Cause.ARGUMENT, " ".join(names), "str")
-    return Tuple((machine.new_list((), Tuple((option, value))), machine.new_list((), value)))
+    return Tuple((machine.new_list((), Tuple((option, value))), place_list(machine, None, "rest", value)))
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {

@@ -4,8 +4,9 @@
     class Side(Enum):
         LEFT = 'left'       Side.LEFT is an instance of Side with name 'LEFT' and value 'left'
 
-The engine calls `enum.make_members(cls)` behind the body of a class that has `enum.Enum` among its bases, `enum.iterate(cls)` to
-iterate over such a class, `enum.lookup(cls, value)` where it is called, and `enum.by_name(cls, name)` where it is subscripted.
+The engine calls `enum.make_members(cls)` behind the body of a class that has `enum.Enum` among its bases,
+`enum.iterate(cls)` to iterate over such a class, `enum.lookup(cls, value)` where it is called, and
+`enum.item(cls, name)` where it is subscripted.
 A member of a class that also derives from str or int holds that value as the `payload` of its heap record.
 """
 
@@ -32,7 +33,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.std_support import bare, class_obj, exact_dict, int_of, text_of
+from rosward.models.std_support import bare, class_obj, exact_dict, exact_list, int_of, place, text_of
 
 AUTO: Final = External("enum.auto()")
 _NO_MEMBER: Final = (Function, Descriptor, Class, Native, Partial)
@@ -83,9 +84,10 @@ def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) ->
     numbers = [n for n in map(int_of, before) if n is not None]
     if len(numbers) != len(before):
         return call.machine.unknown(Cause.OPERATION, "enum.auto", "int")
+    highest: int = max(numbers, default=0)
     if _derives(cls, "enum.Flag", "enum.IntFlag"):
-        return Const(1 << max(numbers).bit_length() if numbers and max(numbers) else 1)
-    return Const(max(numbers) + 1 if numbers else 1)
+        return Const(1 << highest.bit_length())
+    return Const(highest + 1 if numbers else 1)
 
 
 def _resolve(call: NativeCall, cls: Class, name: str, value: Value, before: list[Value]) -> Value:
@@ -122,7 +124,7 @@ def make_members(call: NativeCall) -> Value:
         member = by_value.get(value)
         if member is None:
             attrs = {"_name_": Const(name), "name": Const(name), "_value_": value, "value": value}
-            member = machine.allocate(Obj("instance", cls, attrs, payload=value if data else None))
+            member = place(machine, Obj("instance", cls, attrs, payload=value if data else None), ("member", name))
             by_value[value] = member
             _initialise(call, cls, member, value)
         members[Const(name)] = member
@@ -254,13 +256,13 @@ def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
                     return call.machine.call(function, (cls, value))
         if _derives(cls, "enum.Flag", "enum.IntFlag"):
             attrs: dict[str, Value] = {"_value_": value, "value": value, "name": NONE, "_name_": NONE}
-            return call.machine.allocate(Obj("instance", cls, attrs, payload=value))
+            return place(call.machine, Obj("instance", cls, attrs, payload=value), value)
         return call.machine.die("ValueError", f"{value.value!r} is not a valid {cls.qualname}")
     return call.machine.unknown(Cause.CALL, "enum.Enum")
 
 
-def by_name(call: NativeCall) -> Value:
-    """enum.by_name(cls, name): `Cls['NAME']`; any member where the name is not known."""
+def item(call: NativeCall) -> Value:
+    """enum.item(cls, name): `Cls['NAME']`; any member where the name is not known."""
     members = _members(call, call.args[0])
     if members is None:
         return call.machine.unknown(Cause.CALL, "enum.Enum")
@@ -276,6 +278,30 @@ def by_name(call: NativeCall) -> Value:
     return join_all(found)
 
 
+def _make_class(call: NativeCall) -> Value:
+    """enum._make_class(base, name, names): `Enum('Side', 'LEFT RIGHT')`."""
+    machine, (base, name, names) = call.machine, call.args
+    if not isinstance(base, Class) or names == NONE:
+        return machine.unknown(Cause.CALL, "enum.Enum")
+    plain = text_of(names)
+    entries = exact_dict(machine, names)
+    if plain is not None:
+        pairs: list[tuple[Value, Value]] = [(Const(n), AUTO) for n in plain.replace(",", " ").split()]
+    elif entries is not None:
+        pairs = list(entries.items())
+    else:
+        listed = [(i, exact_list(machine, i)) for i in exact_list(machine, names) or ()]
+        pairs = [(p[0], p[1]) if p is not None and len(p) == 2 else (i, AUTO) for i, p in listed]
+    members = {text: value for key, value in pairs if (text := text_of(key))}
+    if not members:
+        return machine.unknown(Cause.CALL, "enum.Enum")
+    made = text_of(name) or "Enum"
+    where = machine.allocate(Obj("class", Native("builtins.type"), members))
+    cls = Class(where.address, made, made, machine.place.file, (base,), base.mro, machine.place, False)
+    make_members(NativeCall(machine, "enum.make_members", (cls,), {}))
+    return cls
+
+
 def _auto(_: NativeCall) -> Value:
     return AUTO
 
@@ -284,16 +310,24 @@ def _same(call: NativeCall) -> Value:
     return call.args[0] if call.args else Native("enum._same")
 
 
+def _property(call: NativeCall) -> Value:
+    return Descriptor("property", call.args[0], None) if call.args else NONE
+
+
 def _verify(_: NativeCall) -> Value:
     return Native("enum._same")
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
+    "enum._make_class": _make_class,
     "enum.make_members": make_members,
     "enum.iterate": iterate,
     "enum.lookup": lookup,
-    "enum.by_name": by_name,
+    "enum.item": item,
     "enum.auto": _auto,
+    "enum.property": _property,
+    "enum.member": _same,
+    "enum.nonmember": _same,
     "enum.unique": _same,
     "enum.global_enum": _same,
     "enum.verify": _verify,

@@ -51,7 +51,7 @@ def _cached_property(call: NativeCall) -> Value:
 
 
 def _reduce(call: NativeCall) -> Value:
-    """reduce(f, items[, first]): exact on known items; for others what any number of further steps gives (three are run)."""
+    """reduce(f, items[, first]): exact on known items; three steps are run for any number of others."""
     machine, function = call.machine, call.args[0]
     known, rest = machine.iterate(call.args[1])
     if len(call.args) > 2:

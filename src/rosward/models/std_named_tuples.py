@@ -4,7 +4,8 @@
     Pose = namedtuple('Pose', 'x y')
     Pose(1, y=2)                        an instance with x = 1, y = 2, that unpacks and indexes as (1, 2)
 
-The methods stand in stubs/collections/__init__.pyi (`_NamedTuple`, also the base of `typing.NamedTuple`); here is what needs code.
+The methods stand in stubs/collections/__init__.pyi (`_NamedTuple`, also the base of `typing.NamedTuple`);
+here is what needs code.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from typing import Final
 
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Ref, Tuple, Value
+from rosward.domain.values import NONE, Class, Const, Native, Ref, Tuple, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.std_records import annotations_of
 from rosward.models.std_support import class_obj, exact_dict, exact_list, names_of, text_of
@@ -46,7 +47,7 @@ def _make(call: NativeCall) -> Value:
         ),
     }
     name = text_of(typename) or "namedtuple"
-    where = machine.allocate(Obj("class", NONE, attrs))
+    where = machine.allocate(Obj("class", Native("builtins.type"), attrs))
     return Class(where.address, name, name, machine.place.file, (base,), base.mro, machine.place, False)
 
 
@@ -65,17 +66,21 @@ def _fields(machine: Machine, instance: Value) -> tuple[tuple[str, ...], dict[Va
 
 
 def _init(call: NativeCall) -> Value:
-    """collections._NamedTuple.__init__(self, *args, **keywords)."""
-    machine, instance = call.machine, call.args[0]
+    """collections._fill(self, args, keywords): the fields of an instance."""
+    machine, (instance, args, keywords) = call.machine, call.args
     found = _fields(machine, instance)
     if found is None or not isinstance(instance, Ref):
         return NONE
     names, defaults = found
-    if len(call.args) - 1 > len(names) or any(k not in names for k in call.keywords):
+    known, rest = machine.iterate(args)
+    named = exact_dict(machine, keywords)
+    if len(known) > len(names) or any(text_of(k) not in names for k in named or ()):
         return machine.die("TypeError", "__new__() got arguments that are no fields")
-    values = {**dict(zip(names, call.args[1:], strict=False)), **call.keywords}
+    values: dict[str, Value] = dict(zip(names, known, strict=False))
+    values.update({text_of(k) or "": v for k, v in (named or {}).items()})
+    open_end = rest if rest is not None else machine.unknown(Cause.OPERATION, "**") if named is None else None
     for name in names:
-        value = values.get(name, defaults.get(Const(name)))
+        value = values.get(name, open_end if open_end is not None else defaults.get(Const(name)))
         if value is None:
             return machine.die("TypeError", f"__new__() missing 1 required positional argument: '{name}'")
         machine.update(instance, machine.obj(instance).with_attr(name, value))
@@ -103,7 +108,7 @@ def _keys(call: NativeCall) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "collections._make_named_tuple": _make,
-    "collections._NamedTuple.__init__": _init,
+    "collections._fill": _init,
     "collections._items": _items,
     "collections._keys": _keys,
 }

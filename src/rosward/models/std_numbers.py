@@ -21,7 +21,11 @@ from rosward.models.std_support import NotKnown, apply_plain, exact_list, int_of
 _MAX_COUNT: Final = 1_000
 _INT_MATH: Final = ("ceil", "comb", "factorial", "floor", "gcd", "isqrt", "lcm", "perm", "trunc")
 _BOOL_MATH: Final = ("isclose", "isfinite", "isinf", "isnan")
-_MATH: Final = ["acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "cbrt", "copysign", "cos", "cosh", "degrees", "dist", "erf", "erfc", "exp", "exp2", "expm1", "fabs", "fmod", "frexp", "fsum", "gamma", "hypot", "ldexp", "lgamma", "log", "log10", "log1p", "log2", "modf", "nextafter", "pow", "prod", "radians", "remainder", "sin", "sinh", "sqrt", "tan", "tanh", "ulp"]
+_FLOAT_MATH: Final = frozenset(
+    """acos acosh asin asinh atan atan2 atanh cbrt copysign cos cosh degrees dist erf erfc exp exp2 expm1 fabs fmod
+    frexp fsum gamma hypot ldexp lgamma log log10 log1p log2 modf nextafter pow prod radians remainder sin sinh sqrt
+    tan tanh ulp""".split()  # noqa: SIM905 - a table reads better as one
+)
 
 
 def _math_hint(name: str) -> str:
@@ -163,7 +167,8 @@ def _none(_: NativeCall) -> Value:
 
 _VARYING: Final = {
     "str": """platform.node platform.platform platform.system platform.machine platform.release platform.version
-        platform.processor platform.python_version socket.gethostname socket.getfqdn socket.gethostbyname getpass.getuser
+        platform.processor platform.python_version socket.gethostname socket.getfqdn socket.gethostbyname
+        getpass.getuser
         time.ctime time.strftime time.asctime tempfile.mkdtemp tempfile.gettempdir tempfile.mktemp secrets.token_hex
         secrets.token_urlsafe locale.setlocale numpy.datetime64""",
     "float": """random.random random.uniform random.gauss random.normalvariate random.triangular random.betavariate
@@ -173,13 +178,14 @@ _VARYING: Final = {
         secrets.randbits os.getpid os.getppid os.getuid threading.get_ident threading.get_native_id os.cpu_count
         multiprocessing.cpu_count""",
     "bytes": "random.randbytes os.urandom secrets.token_bytes",
-    "": """uuid.uuid1 uuid.uuid4 datetime.datetime.now datetime.datetime.utcnow datetime.datetime.today datetime.date.today
+    "": """uuid.uuid1 uuid.uuid4
+        datetime.datetime.now datetime.datetime.utcnow datetime.datetime.today datetime.date.today
         time.localtime time.gmtime numpy.random.random numpy.random.rand numpy.random.randn numpy.random.randint
         numpy.random.uniform numpy.random.normal numpy.random.default_rng random.Random random.SystemRandom""",
 }
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    **{f"math.{name}": _math for name in (*_MATH, *_INT_MATH, *_BOOL_MATH)},
+    **{f"math.{name}": _math for name in (*sorted(_FLOAT_MATH), *_INT_MATH, *_BOOL_MATH)},
     **{f"operator.{name}": _operator for name in (*_OPERATORS, *_COMPARISONS)},
     "operator.getitem": _getitem,
     "operator.contains": _contains,

@@ -13,7 +13,7 @@ from rosward.domain.choice import lift
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Ref, Tuple, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.std_support import class_obj, joined_elements, unknown_from
+from rosward.models.std_support import class_obj, joined_elements, place, unknown_from
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
 _MAX_DEPTH: Final = 40
@@ -30,7 +30,7 @@ def _shallow(call: NativeCall) -> Value:
 
 
 def _again(call: NativeCall, ref: Ref) -> Ref:
-    return call.machine.allocate(call.machine.obj(ref).replace(many=False))
+    return place(call.machine, call.machine.obj(ref).replace(many=False), ref.address)
 
 
 def _hook(call: NativeCall, ref: Ref, name: str) -> Value | None:
@@ -94,7 +94,7 @@ def _any_of(call: NativeCall) -> Value:
 
 
 def _elements(call: NativeCall) -> Value:
-    """numpy._elements(items, dtype): the items where an array keeps them as they are (all int, or all str), else unknown ones."""
+    """numpy._elements(items, dtype): the items where an array keeps them as they are, else unknown ones."""
     machine = call.machine
     items, dtype = call.args
     found = machine.iterate(items)

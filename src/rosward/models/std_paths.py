@@ -113,7 +113,7 @@ def splitext(value: Value) -> tuple[Value, Value]:
 
 
 def normal(value: Value) -> Value:
-    """The text of `pathlib.PurePath`: no double slashes, no `.` components, no slash at the end (parts beside holes are kept)."""
+    """The text of `pathlib.PurePath`: no double slashes, no `.` components, no slash at the end."""
     plain = text_of(value)
     if plain is None:
         parts = parts_of(value)

@@ -6,8 +6,8 @@
         name: str                  Topic('/scan').name == '/scan', .depth == 10
         depth: int = 10
 
-`dataclasses.dataclass` leaves the fields in the class attribute `__dataclass_fields__` and `Native('dataclasses.init')` as `__init__`:
-a native in a class is bound like a function, so the instance comes first.
+`dataclasses.dataclass` leaves the fields in the class attribute `__dataclass_fields__` and
+`Native('dataclasses.init')` as `__init__`: a native in a class is bound like a function, the instance comes first.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.models.std_support import class_obj, exact_dict, text_of
+from rosward.models.std_support import class_obj, exact_dict, place, place_dict, place_list, text_of
 
 FIELDS: Final = "__dataclass_fields__"
 FIELD: Final = External("dataclasses.Field")
@@ -106,8 +106,8 @@ def dataclass(call: NativeCall) -> Value:
         text = annotation.strip("'\" ")
         if text.rpartition(".")[2] == "KW_ONLY":
             kw_only = True
-        elif not text.split("[")[0].rpartition(".")[2] == "ClassVar":
-            fields[name] = _field(machine, cls, name, text, attrs.get(name, UNBOUND), kw_only)
+        elif text.split("[")[0].rpartition(".")[2] != "ClassVar":
+            fields[name] = _field(machine, cls, name, text, written=attrs.get(name, UNBOUND), kw_only=kw_only)
     machine.store_attr(cls, FIELDS, Tuple(tuple(f.pack() for f in fields.values())))
     positional = tuple(Const(f.name) for f in fields.values() if f.init and not f.kw_only)
     if "__match_args__" not in attrs:
@@ -125,7 +125,7 @@ def annotations_of(machine: Machine, cls: Class) -> dict[str, str]:
     return {text_of(k) or "": text_of(v) or "" for k, v in (entries or {}).items()}
 
 
-def _field(machine: Machine, cls: Class, name: str, annotation: str, written: Value, kw_only: bool) -> _Field:
+def _field(machine: Machine, cls: Class, name: str, annotation: str, *, written: Value, kw_only: bool) -> _Field:
     kind = "initvar" if annotation.split("[", maxsplit=1)[0].rpartition(".")[2] == "InitVar" else "field"
     obj = machine.obj(written) if isinstance(written, Ref) else None
     if obj is None or obj.cls != FIELD:
@@ -224,29 +224,28 @@ def _field_names(machine: Machine, value: Value) -> list[str] | None:
 
 def _as(call: NativeCall) -> Value:
     """asdict, astuple: fields that are dataclasses, or lists and dicts of such, are converted too."""
-    factory = call.keywords.get("dict_factory")
-    made = _convert(call.machine, call.args[0], call.name.endswith("asdict"), 0)
-    return made if factory is None else call.machine.unknown(Cause.CALL, call.name)
+    if "dict_factory" in call.keywords or "tuple_factory" in call.keywords:
+        return call.machine.unknown(Cause.CALL, call.name)
+    return _convert(call.machine, call.args[0], call.name.endswith("asdict"), ("as",))
 
 
-def _convert(machine: Machine, value: Value, as_dict: bool, depth: int) -> Value:
-    if depth > 20 or not isinstance(value, (Ref, Tuple)):
+def _convert(machine: Machine, value: Value, as_dict: bool, path: tuple[object, ...]) -> Value:
+    if len(path) > 20 or not isinstance(value, (Ref, Tuple)):
         return value
     if isinstance(value, Tuple):
-        return Tuple(tuple(_convert(machine, v, as_dict, depth + 1) for v in value.items))
+        return Tuple(tuple(_convert(machine, v, as_dict, (*path, i)) for i, v in enumerate(value.items)))
     names = _field_names(machine, value)
     if names is not None:
-        parts = [_convert(machine, machine.load_attr(value, n), as_dict, depth + 1) for n in names]
-        return (
-            machine.new_dict({Const(n): v for n, v in zip(names, parts, strict=True)})
-            if as_dict
-            else Tuple(tuple(parts))
-        )
+        parts = [_convert(machine, machine.load_attr(value, n), as_dict, (*path, n)) for n in names]
+        if not as_dict:
+            return Tuple(tuple(parts))
+        return place_dict(machine, {Const(n): v for n, v in zip(names, parts, strict=True)}, path)
     obj = machine.obj(value)
     if obj.kind == "list" and obj.items is not None:
-        return machine.new_list([_convert(machine, v, as_dict, depth + 1) for v in obj.items])
+        return place_list(machine, [_convert(machine, v, as_dict, (*path, i)) for i, v in enumerate(obj.items)], path)
     if obj.kind == "dict" and obj.rest is None and not obj.maybe:
-        return machine.new_dict({k: _convert(machine, v, as_dict, depth + 1) for k, v in obj.entries.items()})
+        entries = {k: _convert(machine, v, as_dict, (*path, i)) for i, (k, v) in enumerate(obj.entries.items())}
+        return place_dict(machine, entries, path)
     return value
 
 
@@ -276,7 +275,7 @@ def _fields(call: NativeCall) -> Value:
             }
             if field.default is not UNBOUND:
                 attrs["default"] = field.default
-            made.append(machine.allocate(Obj("instance", FIELD, attrs)))
+            made.append(place(machine, Obj("instance", FIELD, attrs), field.name))
     return Tuple(tuple(made))
 
 

@@ -9,13 +9,14 @@ from_plain(machine, {"topics": ["/a"]})                        a dict on the hea
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Sequence
-from typing import Final
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Final, cast
 
 from rosward.domain.choice import join_all, options, reasons_of
+from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
-from rosward.domain.values import Class, Const, Ref, Tuple, Unknown, Value
+from rosward.domain.values import Class, Const, Native, Ref, Tuple, Unknown, Value
 from rosward.models.native import Machine, NativeCall
 
 MAX_COMBINATIONS: Final = 64
@@ -78,6 +79,23 @@ def bare(key: Value) -> Value:
     return Const(key.value) if isinstance(key, Const) else key
 
 
+def place(machine: Machine, obj: Obj, site: object) -> Ref:
+    """A new object among several that one call makes; `site` tells it from the others."""
+    allocate = cast("Callable[[Obj, object], Ref]", machine.allocate)
+    return allocate(obj, site)
+
+
+def place_list(machine: Machine, items: Iterable[Value] | None, site: object, rest: Value | None = None) -> Ref:
+    """A new list among several that one call makes (of unknown length where items is None)."""
+    known = None if items is None else tuple(items)
+    return place(machine, Obj("list", Native("builtins.list"), items=known, rest=rest), site)
+
+
+def place_dict(machine: Machine, entries: Mapping[Value, Value], site: object) -> Ref:
+    """A new dict among several that one call makes."""
+    return place(machine, Obj("dict", Native("builtins.dict"), entries=dict(entries)), site)
+
+
 class _Reader:
     """Makes plain values of abstract ones, within a bound, and collects the origins of what it reads."""
 
@@ -121,26 +139,28 @@ def to_plain(machine: Machine, value: Value) -> tuple[object, Origins]:
 
 
 def from_plain(machine: Machine, value: object, origins: Origins = NO_ORIGINS) -> Value:
-    """The abstract value of a plain object: constants, tuples, and lists, sets and dicts on the heap; bounded in size and depth."""
+    """The abstract value of a plain object, its containers on the heap; bounded in size and depth."""
     left = [MAX_NODES]
 
-    def build(part: object, depth: int) -> Value:
+    def build(part: object, path: tuple[object, ...]) -> Value:
         left[0] -= 1
-        if left[0] < 0 or depth > MAX_DEPTH:
+        if left[0] < 0 or len(path) > MAX_DEPTH:
             return machine.unknown(Cause.LIMIT, "size of a literal value")
         if isinstance(part, _PLAIN):
             return Const(part, origins)
         if isinstance(part, tuple):
-            return Tuple(tuple(build(p, depth + 1) for p in part))
+            return Tuple(tuple(build(p, (*path, i)) for i, p in enumerate(part)))
         if isinstance(part, dict):
-            return machine.new_dict({build(k, depth + 1): build(v, depth + 1) for k, v in part.items()})
+            built = {build(k, (*path, "key", i)): build(v, (*path, i)) for i, (k, v) in enumerate(part.items())}
+            return place_dict(machine, {bare(k): v for k, v in built.items()}, path)
         if isinstance(part, list):
-            return machine.new_list([build(p, depth + 1) for p in part])
+            return place_list(machine, [build(p, (*path, i)) for i, p in enumerate(part)], path)
         if isinstance(part, (set, frozenset)):
-            return machine.new_set([build(p, depth + 1) for p in sorted(part, key=repr)])
+            members = tuple(build(p, (*path, i)) for i, p in enumerate(sorted(part, key=repr)))
+            return place(machine, Obj("set", Native("builtins.set"), items=members), path)
         return machine.unknown(Cause.CALL, part.__class__.__name__)
 
-    return build(value, 0)
+    return build(value, ("data",))
 
 
 def unknown_from(call: NativeCall, hint: str, values: Iterable[Value]) -> Unknown:
@@ -150,7 +170,7 @@ def unknown_from(call: NativeCall, hint: str, values: Iterable[Value]) -> Unknow
 
 
 def apply_plain(call: NativeCall, function: Callable[..., object], values: Sequence[Value], hint: str = "") -> Value:
-    """A pure function applied to every combination of the alternatives of its operands; unknown where one is not known."""
+    """A pure function applied to every combination of its operands' alternatives; unknown where one is not known."""
     alternatives = [options(v) for v in values]
     count = 1
     for one in alternatives:
@@ -164,7 +184,7 @@ def apply_plain(call: NativeCall, function: Callable[..., object], values: Seque
             reader = _Reader(call.machine)
             plain = [reader.read(v) for v in combination]
             results.append(from_plain(call.machine, function(*plain), reader.origins))
-        except NotKnown:
+        except NotKnown:  # noqa: PERF203 - each combination fails for itself
             results.append(unknown_from(call, hint, combination))
         except (*_FAILURES, RecursionError) as error:
             failure = error

@@ -7,6 +7,7 @@ re.sub('(a+)+b', '', text)          unknown: the pattern may take exponential ti
 
 from __future__ import annotations
 
+import ast
 import fnmatch
 import re
 import shlex
@@ -17,7 +18,7 @@ from typing import Any, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Const, Value
+from rosward.domain.values import NONE, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import NotKnown, apply_plain, from_plain, text_of, to_plain, unknown_from
 
@@ -30,7 +31,7 @@ _REPEAT: Final = re.compile(r"\{(\d*)(,?)(\d*)\}")
 
 
 def is_cheap(pattern: str, length: int) -> bool:
-    """Whether matching takes at most polynomial, small time: no repeat or alternative inside a repeat, no back reference, few repeats."""
+    """Whether matching takes little time: no repeat or alternative inside a repeat, no back reference, few repeats."""
     if len(pattern) > MAX_PATTERN or length > MAX_TEXT or "(?P=" in pattern or "(?(" in pattern:
         return False
     if any(m.group()[1].isdigit() and m.group()[1] != "0" for m in _ESCAPE.finditer(pattern)):
@@ -197,8 +198,6 @@ def _shell_split(call: NativeCall) -> Value:
 
 def _literal(call: NativeCall) -> Value:
     """ast.literal_eval of a constant."""
-    import ast  # only this function needs it
-
     try:
         source, origins = to_plain(call.machine, call.args[0])
         if not isinstance(source, str) or len(source) > 10_000 or source.count("(") + source.count("[") > 100:
@@ -220,7 +219,6 @@ def _matches(name: Any, pattern: Any) -> object:
     if not isinstance(name, str) or not isinstance(pattern, str) or len(name) > MAX_TEXT or pattern.count("*") > 3:
         raise NotKnown
     return fnmatch.fnmatchcase(name, pattern)
-
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {

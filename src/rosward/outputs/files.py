@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.dot import graph_dot
 from rosward.outputs.network_json import network_json
@@ -18,7 +19,7 @@ from rosward.outputs.svg import graph_svg
 
 
 def write_outputs(
-    network: Network, folder: str, formats: Iterable[str], *, unknown: str = "deny", system: bool = False, types: bool = False
+    network: Network, folder: str, formats: Iterable[str], *, unknown: UnknownNames = "deny", system: bool = False, types: bool = False
 ) -> list[str]:
     """Write the chosen formats below `folder`; returns the paths written, without those of single enclaves.
 
@@ -35,7 +36,7 @@ def write_outputs(
     return written
 
 
-def _texts(network: Network, formats: tuple[str, ...], unknown: str, system: bool, types: bool) -> Iterator[tuple[str, str]]:
+def _texts(network: Network, formats: tuple[str, ...], unknown: UnknownNames, system: bool, types: bool) -> Iterator[tuple[str, str]]:
     if "json" in formats:
         yield "network.json", network_json(network)
     if "policy" in formats and network.nodes:

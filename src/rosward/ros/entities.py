@@ -103,8 +103,10 @@ class Node:
 
     @property
     def fqn(self) -> str:
-        """The fully qualified name, `/namespace/name`."""
-        return f"/{self.name}" if self.namespace == "/" else f"{self.namespace}/{self.name}"
+        """The fully qualified name, `/namespace/name`; a namespace that is not known at all may be the root."""
+        if self.namespace in ("/", "/*"):
+            return self.namespace + self.name
+        return f"{self.namespace}/{self.name}"
 
     def of_kind(self, kind: EntityKind) -> tuple[Entity, ...]:
         """The entities of one kind, in order."""

@@ -4,9 +4,9 @@
     install(PROGRAMS scripts/talker.py DESTINATION lib/${PROJECT_NAME} RENAME talker)
     ->  Script("talker", "scripts/talker.py", line=1)
 
-The commands are interpreted in their order as far as lists of files need it: variables, lists, globs, `foreach`, functions, included
-folders. Every branch of an `if` is taken, since the answer to "what could this package install?" should not miss a script. Files
-outside the package are neither read nor listed.
+The commands are interpreted in their order as far as lists of files need it: variables, lists, globs, `foreach`,
+functions, included folders. Every branch of an `if` is taken, since the answer to "what could this package install?"
+should not miss a script. Files outside the package are neither read nor listed.
 """
 
 from __future__ import annotations
@@ -33,9 +33,12 @@ _DEPTH_LIMIT: Final = 20
 _REFERENCE: Final = re.compile(r"\$\{([A-Za-z0-9_./+-]+)\}|\$ENV\{[^}]*\}|\$CACHE\{[^}]*\}")
 _ESCAPE: Final = re.compile(r"\\(.)", re.DOTALL)
 _INSTALL_WORDS: Final = frozenset(
-    "DESTINATION PERMISSIONS CONFIGURATIONS COMPONENT RENAME OPTIONAL EXCLUDE_FROM_ALL TYPE DIRECTORY_PERMISSIONS FILE_PERMISSIONS "
-    "USE_SOURCE_PERMISSIONS MESSAGE_NEVER FILES_MATCHING PATTERN REGEX EXCLUDE".split()
-)
+    {
+        "COMPONENT", "CONFIGURATIONS", "DESTINATION", "DIRECTORY_PERMISSIONS", "EXCLUDE", "EXCLUDE_FROM_ALL",
+        "FILES_MATCHING", "FILE_PERMISSIONS", "MESSAGE_NEVER", "OPTIONAL", "PATTERN", "PERMISSIONS", "REGEX", "RENAME",
+        "TYPE", "USE_SOURCE_PERMISSIONS",
+    }
+)  # fmt: skip
 
 
 class Script(NamedTuple):
@@ -47,7 +50,7 @@ class Script(NamedTuple):
 
 
 class CMakeProject(NamedTuple):
-    """What is installed: scripts among the executables of the package, folders of Python packages, and what could not be read."""
+    """What is installed as executables, the folders of Python packages, and what could not be read."""
 
     scripts: tuple[Script, ...] = ()
     python_roots: tuple[str, ...] = ()
@@ -55,10 +58,12 @@ class CMakeProject(NamedTuple):
 
 
 def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
-    """What the CMakeLists.txt in `folder` installs for the package of that name; `root` is what places are relative to."""
+    """What the CMakeLists.txt in `folder` installs for the package of that name; places are relative to `root`."""
     reader = _Reader(folder, package, root)
     reader.read(folder, 0)
-    return CMakeProject(tuple(dict.fromkeys(reader.scripts)), tuple(dict.fromkeys(reader.python_roots)), tuple(reader.findings))
+    return CMakeProject(
+        tuple(dict.fromkeys(reader.scripts)), tuple(dict.fromkeys(reader.python_roots)), tuple(reader.findings)
+    )
 
 
 @final
@@ -73,7 +78,11 @@ class _Reader:
         self._file = ""
         self._steps = 0
         self._looked_at = 0
-        self._variables: dict[str, str] = {"PROJECT_NAME": package, "CMAKE_PROJECT_NAME": package, "CMAKE_INSTALL_PREFIX": ""}
+        self._variables: dict[str, str] = {
+            "PROJECT_NAME": package,
+            "CMAKE_PROJECT_NAME": package,
+            "CMAKE_INSTALL_PREFIX": "",
+        }
         self._functions: dict[str, tuple[list[str], list[Command]]] = {}
         self.scripts: list[Script] = []
         self.python_roots: list[str] = []
@@ -89,7 +98,8 @@ class _Reader:
             return
         commands, problem = parse_cmake(data.decode("utf-8-sig", "replace"))
         if problem is not None:
-            self.findings.append(Finding("RW008", f"{problem[0]} What follows in this file is not read.", Place(file, problem[1])))
+            message = f"{problem[0]} What follows in this file is not read."
+            self.findings.append(Finding("RW008", message, Place(file, problem[1])))
         before = self._folder, self._file
         self._folder, self._file = folder, file
         self._run(commands, depth)
@@ -175,7 +185,11 @@ class _Reader:
         rest = arguments[1:]
         if rest[:1] == ["RANGE"]:
             numbers = [int(a) for a in rest[1:] if re.fullmatch(r"-?\d{1,4}", a)]
-            items = [str(n) for n in (range(numbers[0] + 1) if len(numbers) == 1 else range(numbers[0], numbers[1] + 1))] if numbers else []
+            items = (
+                [str(n) for n in range(numbers[0] if len(numbers) > 1 else 0, numbers[min(1, len(numbers) - 1)] + 1)]
+                if numbers
+                else []
+            )
         elif rest[:1] == ["IN"]:
             for argument in rest[1:]:
                 if argument in {"LISTS", "ITEMS"}:
@@ -277,9 +291,9 @@ class _Reader:
             self._looked_at += len(inner) + len(names)
             if self._looked_at > _GLOB_LIMIT:
                 break
-            fits = accepts_folder(folder) and folder.count(os.sep) == head.count(os.sep)
-            if not fits and recurse:
-                fits = accepts_folder(folder) or folder == head or folder.startswith(head + os.sep)
+            depth = folder.count(os.sep) - head.count(os.sep)
+            fits = accepts_folder(folder) is not None and (recurse or depth == 0)
+            fits = fits or (recurse and folder.startswith(head + os.sep))
             if fits:
                 found += [f"{folder}{os.sep}{name}" for name in names if accepts(name)]
             if not recurse and folder.count(os.sep) >= head.count(os.sep):
@@ -315,7 +329,9 @@ class _Reader:
                 else:
                     self.scripts.append(Script(name, full, place))
 
-    def _install_folders(self, paths: list[str], options: dict[str, list[str]], place: Place, *, all_of_them: bool) -> None:
+    def _install_folders(
+        self, paths: list[str], options: dict[str, list[str]], place: Place, *, all_of_them: bool
+    ) -> None:
         """Each file that is, or becomes, executable; whether it is a Python script is for the caller to see."""
         matching = options.get("PATTERN", []) if "FILES_MATCHING" in options else []
         unwanted = options.get("PATTERN", []) if "EXCLUDE" in options and not matching else []
@@ -329,12 +345,12 @@ class _Reader:
                 for name in sorted(names):
                     full = f"{folder}{os.sep}{name}"
                     fits = not matching or any(fnmatch.fnmatchcase(name, pattern) for pattern in matching)
-                    if fits and not any(fnmatch.fnmatchcase(name, pattern) for pattern in unwanted):
-                        if all_of_them or os.access(full, os.X_OK):
-                            self.scripts.append(Script(name, full, place))
+                    fits = fits and not any(fnmatch.fnmatchcase(name, pattern) for pattern in unwanted)
+                    if fits and (all_of_them or os.access(full, os.X_OK)):
+                        self.scripts.append(Script(name, full, place))
 
     def _python_package(self, arguments: list[str]) -> None:
-        """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER])`: modules are imported from the folder that holds it."""
+        """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER])`: imported from the folder that holds it."""
         folder = arguments[arguments.index("PACKAGE_DIR") + 1 :][:1] if "PACKAGE_DIR" in arguments else [arguments[0]]
         full = self._inside(folder[0]) if folder else None
         if full is not None and full != self._top:

@@ -86,7 +86,7 @@ def parse_cmake(text: str) -> tuple[list[Command], tuple[str, int] | None]:
 def _tokens(text: str) -> Iterator[tuple[str, str, int]]:
     """Kind, content and line of each token that matters; `wrong` with a message where the text cannot be read."""
     position, line = 0, 1
-    unclosed: set[str] = set()  # ends of brackets that do not occur any more; without them reading would take quadratic time
+    unclosed: set[str] = set()  # ends of brackets that do not occur any more: looked for once, not at each bracket
     while position < len(text):
         opening = _BRACKET.match(text, position)
         closing = f"]{opening[2]}]" if opening else ""

@@ -3,13 +3,14 @@
 
     "talker = demo.talker:main"  ->  EntryPoint("talker", "demo.talker", "main")
 
-One record and one parser for every place in which they are declared, `setup.py`, `setup.cfg` and `pyproject.toml`; the latter two
-are read here.
+One record and one parser for every place in which they are declared, `setup.py`, `setup.cfg` and `pyproject.toml`;
+the latter two are read here.
 """
 
 from __future__ import annotations
 
 import configparser
+import importlib
 import re
 import sys
 from typing import TYPE_CHECKING, Final, NamedTuple
@@ -40,8 +41,8 @@ class EntryPoint(NamedTuple):
 class Declared(NamedTuple):
     """What the build description of a package declares of its Python side.
 
-    `scripts` are files, relative to the package, that are installed as they are. `package_dir` maps a Python package (`""` for
-    all) to its folder, as setuptools means it. `name` is empty where it is not said, or not readable.
+    `scripts` are files, relative to the package, that are installed as they are. `package_dir` maps a Python package
+    (`""` for all) to its folder, as setuptools means it. `name` is empty where it is not said, or not readable.
     """
 
     name: str = ""
@@ -79,7 +80,8 @@ def entry_points(texts: Iterable[tuple[str, Place]]) -> tuple[tuple[EntryPoint, 
     for text, place in texts:
         parsed = parse_entry_point(text)
         if parsed is None:
-            bad.append(Finding("RW008", f"This is no entry point of the form 'name = module:function': {text[:100]!r}.", place))
+            message = f"This is no entry point of the form 'name = module:function': {text[:100]!r}."
+            bad.append(Finding("RW008", message, place))
         else:
             good.append(EntryPoint(*parsed, place))
     return tuple(good), tuple(bad)
@@ -100,7 +102,9 @@ def read_setup_cfg(path: str, file: str) -> Declared:
         config.read_string(text)
     except configparser.Error as error:
         line = getattr(error, "lineno", None) or next((number for number, _ in getattr(error, "errors", ())), 0)
-        return Declared(findings=(Finding("RW008", "The setup.cfg is not in the form of a configuration file.", Place(file, line)),))
+        return Declared(
+            findings=(Finding("RW008", "The setup.cfg is not in the form of a configuration file.", Place(file, line)),)
+        )
     lines = _Lines(text, file)
 
     def get(section: str, option: str) -> str:
@@ -125,13 +129,10 @@ def read_pyproject(path: str, file: str) -> Declared:
     text = _read_text(path, file)
     if isinstance(text, Finding):
         return Declared(findings=(text,))
-    if sys.version_info >= (3, 11):
-        import tomllib  # noqa: PLC0415  few packages have such a file
-    else:
-        import tomli as tomllib  # noqa: PLC0415
+    tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
     try:
         document = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         line = re.search(r"at line (\d+)", str(error))
         place = Place(file, int(line[1]) if line else 0)
         return Declared(findings=(Finding("RW008", "The pyproject.toml is not TOML.", place),))
@@ -150,7 +151,9 @@ def read_pyproject(path: str, file: str) -> Declared:
     return Declared(
         str(project.get("name") or poetry.get("name") or ""),
         points,
-        tuple((script, lines.of(script)) for script in files if isinstance(script, str)) if isinstance(files, list) else (),
+        tuple((script, lines.of(script)) for script in files if isinstance(script, str))
+        if isinstance(files, list)
+        else (),
         tuple((name, folder) for name, folder in _table(setuptools, "package-dir").items() if isinstance(folder, str)),
         findings,
     )

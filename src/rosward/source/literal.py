@@ -4,13 +4,14 @@
     name = "demo";  [f"{n} = {name}.{n}:main" for n in ("talker", "listener")]
     ->  ["talker = demo.talker:main", "listener = demo.listener:main"]
 
-A small reader over `ast`, for the declarations in build scripts. What it cannot tell is `UNKNOWN`, never a guess. It has no loops
-of its own but comprehensions over known lists, and every value is bounded, so it ends soon.
+A small reader over `ast`, for the declarations in build scripts. What it cannot tell is `UNKNOWN`, never a guess. It
+has no loops of its own but comprehensions over known lists, and every value is bounded, so it ends soon.
 """
 
 from __future__ import annotations
 
 import ast
+import itertools
 import os.path
 from typing import Any, Final, final
 
@@ -21,7 +22,20 @@ _TEXT_LIMIT: Final = 100_000
 """Longest text."""
 
 _TEXT_METHODS: Final = frozenset(
-    {"format", "join", "lower", "lstrip", "removeprefix", "removesuffix", "replace", "rstrip", "split", "strip", "title", "upper"}
+    {
+        "format",
+        "join",
+        "lower",
+        "lstrip",
+        "removeprefix",
+        "removesuffix",
+        "replace",
+        "rstrip",
+        "split",
+        "strip",
+        "title",
+        "upper",
+    }
 )
 
 
@@ -90,7 +104,7 @@ def _bounded(value: Any) -> Any:
     return value
 
 
-def _evaluate(node: ast.expr | None, scope: Scope) -> Any:  # noqa: C901  a table of cases
+def _evaluate(node: ast.expr | None, scope: Scope) -> Any:
     match node:
         case ast.Constant(value=str() | int() | float() | None as value):
             return value
@@ -170,7 +184,13 @@ def _binary(op: ast.operator, left: Any, right: Any) -> Any:
         return UNKNOWN
     if isinstance(op, ast.Add):
         return left + right
-    if isinstance(op, ast.Mod) and isinstance(left, str) and not _has_unknown(right) and "*" not in left and not _wide(left):
+    if (
+        isinstance(op, ast.Mod)
+        and isinstance(left, str)
+        and not _has_unknown(right)
+        and "*" not in left
+        and not _wide(left)
+    ):
         return left % right if _small(left, right) else UNKNOWN
     return UNKNOWN
 
@@ -203,12 +223,18 @@ def _small(base: str, value: Any) -> bool:
 
 
 def _length(value: Any) -> int:
-    return 1 + sum(map(_length, value)) if isinstance(value, list | tuple) else len(value) if isinstance(value, str) else 30
+    return (
+        1 + sum(map(_length, value))
+        if isinstance(value, list | tuple)
+        else len(value)
+        if isinstance(value, str)
+        else 30
+    )
 
 
 def _wide(text: str) -> bool:
     """Whether a format asks for a width, which could be any number."""
-    return any(a in "%:0123456789" and b.isdigit() for a, b in zip(text, text[1:], strict=False))
+    return any(a in "%:0123456789" and b.isdigit() for a, b in itertools.pairwise(text))
 
 
 def _comprehend(element: ast.expr, generators: list[ast.comprehension], scope: Scope, found: list[Any]) -> None:
@@ -257,7 +283,11 @@ def _call(node: ast.Call, scope: Scope) -> Any:
         return str(arguments[0])
     if dotted in {"list", "tuple", "sorted"} and len(arguments) == 1 and isinstance(arguments[0], list | tuple):
         return arguments[0] if dotted != "sorted" or _has_unknown(arguments[0]) else sorted(arguments[0])
-    if dotted in {"os.path.join", "path.join", "join"} and arguments and all(isinstance(part, str) for part in arguments):
+    if (
+        dotted in {"os.path.join", "path.join", "join"}
+        and arguments
+        and all(isinstance(part, str) for part in arguments)
+    ):
         return os.path.join(*arguments).replace(os.sep, "/")  # noqa: PTH118
     if isinstance(node.func, ast.Attribute):
         return _method(evaluate(node.func.value, scope), node.func.attr, arguments, keywords)
@@ -269,7 +299,12 @@ def _method(base: Any, name: str, arguments: list[Any], keywords: dict[Any, Any]
         return [tuple(i) if name == "items" else i for i in getattr(base, name)()]
     if isinstance(base, dict) and name == "get" and arguments:
         return base.get(*arguments) if UNKNOWN not in base else UNKNOWN
-    if not isinstance(base, str) or name not in _TEXT_METHODS or _has_unknown(arguments) or UNKNOWN in keywords.values():
+    if (
+        not isinstance(base, str)
+        or name not in _TEXT_METHODS
+        or _has_unknown(arguments)
+        or UNKNOWN in keywords.values()
+    ):
         return UNKNOWN
     values = [*arguments, *keywords.values()]
     if not _small(base, values) or any(not isinstance(value, str | int | list | tuple) for value in values):

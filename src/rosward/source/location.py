@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where in the source something stands.
 
-    Place("src/demo/talker.py", 20, 9)  ->  src/demo/talker.py:20:9
+Place("src/demo/talker.py", 20, 9)  ->  src/demo/talker.py:20:9
 """
 
 from __future__ import annotations

@@ -4,8 +4,9 @@
     <package format="3"><name>demo</name>…<export><build_type>ament_python</build_type></export></package>
     ->  Manifest(name="demo", build_type="ament_python", depends={"rclpy", …})
 
-`catkin_pkg` reads it, as the ROS tools do. A first pass of our own sees to it that only harmless documents get that far (no document
-type, so no entities; bounded depth and conditions) and keeps the name of a package that `catkin_pkg` rejects: its nodes are real.
+`catkin_pkg` reads it, as the ROS tools do. A first pass of our own sees to it that only harmless documents get that
+far (no document type, so no entities; bounded depth and conditions) and keeps the name of a package that `catkin_pkg`
+rejects: its nodes are real.
 """
 
 from __future__ import annotations
@@ -31,12 +32,15 @@ class Manifest(NamedTuple):
     depends: frozenset[str] = frozenset()
 
 
-class _Refused(Exception):
+class _RefusedError(Exception):
     """The document is not of a kind that a package.xml may be."""
 
 
 def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Finding | None]:
-    """The manifest at `path`, called `file`, and what is wrong with it; `folder_name` stands in for a name that cannot be read."""
+    """The manifest at `path`, called `file`, and what is wrong with it.
+
+    `folder_name` stands in for a name that cannot be read.
+    """
     data = read_bytes(path, file, MANIFEST_LIMIT)
     if isinstance(data, Finding):
         return Manifest(folder_name, ""), Finding("RW008", data.message, data.place)
@@ -48,9 +52,10 @@ def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Fin
         return manifest, Finding("RW008", message, Place(file, line))
     try:
         return _through_catkin_pkg(data), None
-    except Exception as error:  # noqa: BLE001,RUF100  catkin_pkg raises what it likes: AssertionError, ValueError, InvalidPackage, …
+    except Exception as error:  # catkin_pkg raises AssertionError, ValueError, InvalidPackage and others
         reason = " ".join(str(error).replace(path, file).split())[:300] or type(error).__name__
-        return manifest, Finding("RW008", f"The ROS tools reject this package.xml, and would not build the package: {reason}", Place(file))
+        message = f"The ROS tools reject this package.xml, and would not build the package: {reason}"
+        return manifest, Finding("RW008", message, Place(file))
 
 
 def _through_catkin_pkg(data: bytes) -> Manifest:
@@ -64,7 +69,8 @@ def _through_catkin_pkg(data: bytes) -> Manifest:
         package.evaluate_conditions(_CONTEXT)
         build_type = str(package.get_build_type())
     needs = [*package.build_depends, *package.build_export_depends, *package.exec_depends]
-    return Manifest(str(package.name), build_type, frozenset(str(d.name) for d in needs if d.evaluated_condition is not False))
+    depends = frozenset(str(each.name) for each in needs if each.evaluated_condition is not False)
+    return Manifest(str(package.name), build_type, depends)
 
 
 class _Outline:
@@ -85,7 +91,7 @@ class _Outline:
         parser.CharacterDataHandler = self._text.append
         try:
             parser.Parse(data, True)
-        except _Refused as error:
+        except _RefusedError as error:
             return str(error), parser.CurrentLineNumber
         except expat.ExpatError as error:
             return f"The package.xml is not well-formed: {expat.errors.messages[error.code]}.", error.lineno
@@ -94,16 +100,16 @@ class _Outline:
         return None
 
     def _doctype(self, *_: object) -> None:
-        raise _Refused("The package.xml has a document type declaration; entities are not read.")
+        raise _RefusedError("The package.xml has a document type declaration; entities are not read.")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._path.append(tag)
         self._text.clear()
         if len(self._path) > _DEPTH_LIMIT:
-            raise _Refused("The package.xml is nested too deeply.")
+            raise _RefusedError("The package.xml is nested too deeply.")
         condition = attributes.get("condition", "")
         if len(condition) > _CONDITION_LIMIT or condition.count("(") > 3:
-            raise _Refused("The package.xml has a condition that is too complex to evaluate.")
+            raise _RefusedError("The package.xml has a condition that is too complex to evaluate.")
 
     def _end(self, _: str) -> None:
         if self._path == ["package", "name"] and not self.name:

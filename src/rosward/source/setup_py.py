@@ -4,8 +4,8 @@
     setup(name=package_name, entry_points={"console_scripts": ["talker = " + package_name + ".talker:main"]})
     ->  Declared(name="demo", entry_points=(EntryPoint("talker", "demo.talker", "main"),))
 
-Constants, names bound to them, texts built of them and comprehensions over them are understood. What is there but cannot be told
-becomes a finding (RW008), not silence.
+Constants, names bound to them, texts built of them and comprehensions over them are understood. What is there but
+cannot be told becomes a finding (RW008), not silence.
 """
 
 from __future__ import annotations
@@ -39,7 +39,8 @@ def read_setup_py(path: str, file: str) -> Declared:
             tree = ast.parse(source.text)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 0
-        return Declared(findings=(Finding("RW008", f"The setup.py is not Python {sys.version_info[0]}: {error}.", Place(file, line)),))
+        message = f"The setup.py is not Python {sys.version_info[0]}: {error}."
+        return Declared(findings=(Finding("RW008", message, Place(file, line)),))
     try:
         return _Script(file).read(tree)
     except RecursionError:
@@ -59,6 +60,8 @@ class _Script:
         for node in ast.walk(tree):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 self._lines.setdefault(node.value, node.lineno)
+                if "=" in node.value:  # 'talker = ' + package + '.talker:main'
+                    self._lines.setdefault(_head(node.value), node.lineno)
         result = Declared()
         for call in self._calls(tree.body):
             result |= self._setup(call)
@@ -71,7 +74,7 @@ class _Script:
                 return
             match statement:
                 case ast.Assign(targets=targets, value=value):
-                    if _is_setup(value):
+                    if isinstance(value, ast.Call) and _is_setup(value):
                         yield value
                     result = evaluate(value, self._scope)
                     for target in targets:
@@ -167,20 +170,24 @@ class _Script:
             self._doubt(f"{what} (some of them)", line)
         for item in value:
             if isinstance(item, str):
-                yield item, Place(self._file, self._lines.get(item, line))
+                yield item, Place(self._file, self._lines.get(item) or self._lines.get(_head(item), line))
 
     def _doubt(self, what: str, line: int) -> None:
         message = f"The {what} in setup.py cannot be told without running it: write them as constants."
         self._findings.append(Finding("RW008", message, Place(self._file, line)))
 
 
-def _is_setup(node: ast.expr) -> bool:
+def _head(command: str) -> str:
+    return command.partition("=")[0].strip() + " ="
+
+
+def _is_setup(call: ast.Call) -> bool:
     """Whether this calls `setup`, `setuptools.setup` or `distutils.core.setup`."""
-    if not isinstance(node, ast.Call):
-        return False
-    called = node.func
+    called = call.func
     return (isinstance(called, ast.Name) and called.id == "setup") or (
-        isinstance(called, ast.Attribute) and called.attr == "setup" and isinstance(called.value, ast.Name | ast.Attribute)
+        isinstance(called, ast.Attribute)
+        and called.attr == "setup"
+        and isinstance(called.value, ast.Name | ast.Attribute)
     )
 
 

@@ -3,13 +3,15 @@
 
     b"# coding: latin-1\\nx = '\\xe9'"  ->  SourceText(..., text="# coding: latin-1\\nx = 'é'", finding=None)
 
-Bytes become text by the byte order mark, else the declaration of PEP 263, else UTF-8. Where that fails, Python would refuse the
-file; a reader still wants to know what is in it, so it is read as UTF-8 or Latin-1 and the doubt is told (RW004).
-Nothing here raises for what a file system can hold, and nothing blocks: a FIFO, a socket or a device is never opened.
+Bytes become text by the byte order mark, else the declaration of PEP 263, else UTF-8. Where that fails, Python would
+refuse the file; a reader still wants to know what is in it, so it is read as UTF-8 or Latin-1 and the doubt is told
+(RW004). Nothing here raises for what a file system can hold, and nothing blocks: a FIFO, a socket or a device is
+never opened.
 """
 
 from __future__ import annotations
 
+import contextlib
 import io
 import os
 import stat
@@ -45,17 +47,15 @@ class SourceText(NamedTuple):
 
 
 def place_name(path: str | Path, root: str | Path) -> str:
-    """`path` relative to `root`, with `/`, and free of what cannot be printed (undecodable bytes, control characters)."""
+    """`path` relative to `root`, with `/`, and free of what cannot be printed (undecodable bytes, controls)."""
     text = os.fspath(path)
     base = os.fspath(root)
     prefix = base if base.endswith(os.sep) else base + os.sep
     if text.startswith(prefix):
         text = text[len(prefix) :]
     else:
-        try:
+        with contextlib.suppress(ValueError):  # another drive, or a NUL in the name
             text = os.path.relpath(text, base)
-        except ValueError:  # another drive, or a NUL in the name
-            pass
     if os.sep != "/":
         text = text.replace(os.sep, "/")
     if text.isascii() and text.isprintable():

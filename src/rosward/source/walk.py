@@ -4,21 +4,18 @@
     ws/build/…, ws/install/…, ws/log/…     beside ws/src, or with the marks that colcon leaves: output
     ws/src/demo/demo/build/planner.py      an ordinary folder of that name within a package: source
 
-A folder named `build`, `install` or `log` is taken as output if it holds what colcon, CMake or setuptools write there, if it stands
-beside a `src` folder, or at the top of what was named, and neither it nor the folder it stands in is a package. Names are only
-looked at, no file is opened.
+A folder named `build`, `install` or `log` is taken as output if it holds what colcon, CMake or setuptools write
+there, if it stands beside a `src` folder, or at the top of what was named, and neither it nor the folder it stands in
+is a package. Names are only looked at, no file is opened.
 """
 
 from __future__ import annotations
 
 import os
 import re
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import Final, NamedTuple, final
 
 from rosward.source.workspace import SkipReason
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 _MARKERS: Final = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
 _OUTPUT_NAMES: Final = frozenset({"build", "install", "log", "devel", "logs"})
@@ -32,7 +29,7 @@ _PYTHON_BUILD: Final = re.compile(r"lib|lib\.\w+.*|bdist\..+|temp\..+")
 _INSTALLED: Final = frozenset({"site-packages", "dist-packages", "node_modules", "__pypackages__"})
 _TEST_FOLDERS: Final = frozenset({"test", "tests"})
 _TEST_FILE: Final = re.compile(r"test_.*\.py|.*_test\.py|conftest\.py")
-_DESCRIPTIONS: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt"})
+DESCRIPTIONS: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt"})
 _INTERFACE: Final = re.compile(r"[A-Za-z]\w*\.(?:msg|srv|action|idl)")
 _LAUNCH: Final = re.compile(r".*[._]launch\.(?:xml|yaml|yml)|.*\.launch")
 _FOLDER_LIMIT: Final = 200_000
@@ -40,12 +37,14 @@ _FOLDER_LIMIT: Final = 200_000
 
 @final
 class Tree:
-    """What a walk found; every list holds absolute paths."""
+    """What a walk found: absolute paths; `python` by their real path, so that each file is there once."""
 
-    __slots__ = ("descriptions", "interfaces", "launch", "not_files", "python", "skipped", "tests")
+    __slots__ = ("descriptions", "interfaces", "launch", "linked", "not_files", "python", "skipped", "tests")
 
     def __init__(self) -> None:
-        self.python: list[str] = []
+        self.python: dict[str, str] = {}
+        self.linked: list[str] = []
+        """Python files that are symbolic links; they count where nothing else leads to the file."""
         self.tests: list[str] = []
         self.launch: list[str] = []
         self.interfaces: list[str] = []
@@ -57,6 +56,8 @@ class Tree:
 
 
 class _Folder(NamedTuple):
+    """`top`: at the level of a workspace, where `build` is output; `chosen`: named by the user, so read in any case."""
+
     path: str
     real: str
     top: bool
@@ -71,22 +72,24 @@ def is_test_file(name: str) -> bool:
 def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None:
     """Add to `tree` what is under `start`, except folders that are in `seen` by their real path.
 
-    What is reached without symbolic links comes first, so that a file that can be reached in two ways has its plain name.
+    What is reached without symbolic links comes first, so that a file with two ways to it has its plain name.
     """
-    linked = [_Folder(start, os.path.realpath(start), top=True, chosen=True)]
-    while linked:
-        plain = [linked.pop(0)]
+    linked = [_Folder(start, os.path.realpath(start), top=False, chosen=True)]
+    position = 0
+    while position < len(linked):
+        plain = [linked[position]]
+        position += 1
         while plain:
             folder = plain.pop()
             if folder.real in seen or len(seen) > _FOLDER_LIMIT:
                 continue
             seen.add(folder.real)
-            inner, links = _enter(folder, tree, seen, include_tests=include_tests)
+            inner, links = _enter(folder, tree, include_tests=include_tests)
             plain += reversed(inner)
             linked += links
 
 
-def _enter(folder: _Folder, tree: Tree, seen: set[str], *, include_tests: bool) -> tuple[list[_Folder], list[_Folder]]:
+def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_Folder], list[_Folder]]:
     """List one folder; the folders within, and those within that are symbolic links."""
     try:
         with os.scandir(folder.path) as listing:
@@ -97,15 +100,16 @@ def _enter(folder: _Folder, tree: Tree, seen: set[str], *, include_tests: bool) 
     names = {entry.name for entry in entries}
     if not folder.chosen:
         reason = _reason(folder, names)
-        if reason is None and not include_tests and os.path.basename(folder.path) in _TEST_FOLDERS and "package.xml" not in names:  # noqa: PTH119
+        if reason is None and not include_tests and _is_test_folder(folder, names):
             reason = SkipReason.TEST
         if reason is not None:
             tree.skipped.append((folder.path, reason))
             return [], []
-    descriptions = _DESCRIPTIONS & names
+    descriptions = set(DESCRIPTIONS & names)
     if descriptions:
         tree.descriptions[folder.path] = descriptions
-    workspace = "package.xml" not in names and (folder.top or "src" in names)
+    workspace = "src" in names or (folder.chosen and "__init__.py" not in names)
+    workspace = workspace and "package.xml" not in names
     inner: list[_Folder] = []
     links: list[_Folder] = []
     for entry in entries:
@@ -124,7 +128,7 @@ def _enter(folder: _Folder, tree: Tree, seen: set[str], *, include_tests: bool) 
             if name.endswith(".py"):
                 tree.not_files.append((entry.path, "a folder"))
         elif name.endswith(".py"):
-            _python(entry, tree, seen, is_link=is_link, include_tests=include_tests)
+            _python(entry, folder, tree, is_link=is_link, include_tests=include_tests)
         elif _LAUNCH.fullmatch(name):
             tree.launch.append(entry.path)
         elif _INTERFACE.fullmatch(name):
@@ -132,7 +136,11 @@ def _enter(folder: _Folder, tree: Tree, seen: set[str], *, include_tests: bool) 
     return inner, links
 
 
-def _python(entry: os.DirEntry[str], tree: Tree, seen: set[str], *, is_link: bool, include_tests: bool) -> None:
+def _is_test_folder(folder: _Folder, names: set[str]) -> bool:
+    return os.path.basename(folder.path) in _TEST_FOLDERS and "package.xml" not in names  # noqa: PTH119
+
+
+def _python(entry: os.DirEntry[str], folder: _Folder, tree: Tree, *, is_link: bool, include_tests: bool) -> None:
     if entry.name.startswith("."):
         tree.skipped.append((entry.path, SkipReason.HIDDEN))
         return
@@ -146,11 +154,9 @@ def _python(entry: os.DirEntry[str], tree: Tree, seen: set[str], *, is_link: boo
         tree.tests.append(entry.path)
         tree.skipped.append((entry.path, SkipReason.TEST))
     elif is_link:
-        seen_as = os.path.realpath(entry.path)
-        if seen_as not in seen:
-            tree.python.append(entry.path)
+        tree.linked.append(entry.path)
     else:
-        tree.python.append(entry.path)
+        tree.python.setdefault(f"{folder.real}{os.sep}{entry.name}", entry.path)
 
 
 def _reason(folder: _Folder, names: set[str]) -> SkipReason | None:
@@ -168,17 +174,3 @@ def _reason(folder: _Folder, names: set[str]) -> SkipReason | None:
         if name == "build" and "__init__.py" not in names and names and all(map(_PYTHON_BUILD.fullmatch, names)):
             return SkipReason.BUILD_OUTPUT
     return None
-
-
-def unique(paths: list[str], real: Callable[[str], str] = os.path.realpath) -> list[str]:
-    """Each file once: a file with a plain name before the links that lead to it."""
-    found: dict[str, str] = {}
-    links: list[str] = []
-    for path in paths:
-        if os.path.islink(path):  # noqa: PTH114
-            links.append(path)
-        else:
-            found.setdefault(real(path), path)
-    for path in sorted(links):
-        found.setdefault(real(path), path)
-    return sorted(found.values())

@@ -3,7 +3,8 @@
 
     Workspace(root="/ws", files=(talker.py, …), packages=(demo,), executables=(demo/talker -> demo.talker:main,), …)
 
-`source/discover.py` fills them. Each file and each package has one record in an analysis; they are compared by identity.
+`source/discover.py` fills them. Each file and each package has one record in an analysis; they are compared by
+identity.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
 class Package:
     """A folder with a `package.xml`, or, without one, with a `setup.py` (then `build_type` is `python`).
 
-    `depends` are the packages that it names for building or running. `python_roots` are the folders from which its modules are
-    imported, the declared ones first.
+    `depends` are the packages that it names for building or running. `python_roots` are the folders from which, by its
+    build description, its modules are imported.
     """
 
     name: str
@@ -44,8 +45,8 @@ class Package:
 class SourceFile:
     """One file of source text, not yet read.
 
-    `relative` is how places name it. `module` is the dotted name under which Python imports it (`None` for a file that no import
-    can name: a script without suffix, a launch description).
+    `relative` is how places name it. `module` is the dotted name under which Python imports it (`None` for a file that
+    no import can name: a script without suffix, a launch description).
     """
 
     path: Path

@@ -8,8 +8,8 @@ class ABC: ...
 
 def abstractmethod(funcobj):
     return funcobj
-def abstractproperty(funcobj):
-    return property(funcobj)
+def abstractproperty(fget=None, fset=None, fdel=None, doc=None):
+    return property(fget)
 def abstractclassmethod(funcobj):
     return classmethod(funcobj)
 def abstractstaticmethod(funcobj):

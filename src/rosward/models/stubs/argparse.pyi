@@ -194,7 +194,7 @@ class ArgumentParser(_ActionsContainer):
             self._actions.extend(parent._actions)
             self._defaults.update(parent._defaults)
     def add_subparsers(self, *, title=None, description=None, prog=None, parser_class=None, action=None, option_string=None, dest=None,
-                       required=False, help=None, metavar=None):
+                       required=False, help=None, metavar=None, **kwargs):
         made = _SubParsers(self, dest, required)
         self._sub.append(made)
         return made

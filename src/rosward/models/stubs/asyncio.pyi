@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`asyncio`: a coroutine that is awaited runs in place, a task runs at any time from then on.
-
-`await` stands here in plain functions too: it means "run this coroutine, give what it returns".
+A future that is awaited gives its `result()`.
 """
 from _rosward import native, schedule, spin, unknown
 from threading import Condition as Condition
@@ -11,6 +10,15 @@ from threading import BoundedSemaphore as BoundedSemaphore
 
 @native
 def _any(items): ...
+
+async def _into(box, awaitable):
+    box.append(await awaitable)
+def _wait(awaitable):
+    """Run a coroutine from a plain function; what it returns."""
+    box = []
+    for _ in _into(box, awaitable):
+        pass
+    return box[0]
 
 FIRST_COMPLETED = 'FIRST_COMPLETED'
 FIRST_EXCEPTION = 'FIRST_EXCEPTION'
@@ -29,6 +37,7 @@ class Future:
         self._result = result
     def set_exception(self, exception, /) -> None: ...
     def result(self):
+        spin()
         return self._result if self._result is not None else unknown('live', 'asyncio.Future.result')
     def exception(self): ...
     def add_done_callback(self, fn, /, *, context=None):
@@ -39,9 +48,6 @@ class Future:
     def done(self) -> bool: ...
     def get_loop(self):
         return _loop
-    def __await__(self):
-        spin()
-        return self.result()
 
 class Task(Future):
     def __init__(self, coro, *, loop=None, name=None, context=None):
@@ -49,15 +55,13 @@ class Task(Future):
         self._coro = coro
         schedule(self._run, event='task')
     def _run(self):
-        self._result = await self._coro
+        self._result = _wait(self._coro)
     def get_name(self) -> str: ...
     def set_name(self, value, /) -> None: ...
     def get_coro(self):
         return self._coro
-    def __await__(self):
-        return self._await()
-    def _await(self):
-        return await self._coro
+    def result(self):
+        return _wait(self._coro)
 
 class Handle:
     def cancel(self) -> None: ...
@@ -67,7 +71,7 @@ class TimerHandle(Handle):
 
 class AbstractEventLoop:
     def run_until_complete(self, future):
-        return await future
+        return _wait(future)
     def run_forever(self):
         spin()
     def create_task(self, coro, *, name=None, context=None):
@@ -125,7 +129,7 @@ def set_event_loop(loop) -> None: ...
 def set_event_loop_policy(policy) -> None: ...
 
 def run(main, *, debug=None):
-    result = await main
+    result = _wait(main)
     return result
 class Runner:
     def __init__(self, *, debug=None, loop_factory=None): ...
@@ -133,7 +137,7 @@ class Runner:
         return self
     def __exit__(self, exc_type, exc_val, exc_tb): ...
     def run(self, coro, *, context=None):
-        return await coro
+        return _wait(coro)
     def get_loop(self):
         return _loop
     def close(self) -> None: ...
@@ -158,7 +162,7 @@ async def gather(*coros_or_futures, return_exceptions=False):
     for one in coros_or_futures:
         ensure_future(one)
     spin()
-    return [one.result() if isinstance(one, Future) else unknown('live', 'result of a task') for one in coros_or_futures]
+    return [unknown('live', 'result of a task') for one in coros_or_futures]
 async def wait(fs, *, timeout=None, return_when=ALL_COMPLETED):
     tasks = {ensure_future(one) for one in fs}
     spin()
@@ -172,7 +176,7 @@ def as_completed(fs, *, timeout=None):
 async def to_thread(func, /, *args, **kwargs):
     return func(*args, **kwargs)
 class timeout:
-    def __init__(self, when): ...
+    def __init__(self, delay): ...
     async def __aenter__(self):
         return self
     async def __aexit__(self, exc_type, exc_val, exc_tb): ...

@@ -16,13 +16,13 @@ class SectionProxy:
     def __setitem__(self, key, value):
         self._parser.set(self._name, key, value)
     def __contains__(self, key) -> bool: ...
-    def get(self, option, fallback=None, *, raw=False, vars=None):
+    def get(self, option, fallback=None, *, raw=False, vars=None, _impl=None, **kwargs):
         return either(fallback, self._parser.get(self._name, option))
-    def getint(self, option, fallback=None):
+    def getint(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
         return either(fallback, unknown('file', self._name + '.' + option, 'int'))
-    def getfloat(self, option, fallback=None):
+    def getfloat(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
         return either(fallback, unknown('file', self._name + '.' + option, 'float'))
-    def getboolean(self, option, fallback=None):
+    def getboolean(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
         return either(fallback, unknown('file', self._name + '.' + option, 'bool'))
     def keys(self):
         return unknown('file', self._name, 'list')
@@ -39,18 +39,18 @@ class RawConfigParser:
     def read_file(self, f, source=None) -> None: ...
     def read_string(self, string, source='<string>') -> None: ...
     def read_dict(self, dictionary, source='<dict>') -> None: ...
-    def get(self, section, option, *, raw=False, vars=None, fallback=None):
+    def get(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
         value = unknown('file', section + '.' + option, 'str')
         if (section, option) in self._set:
             value = either(value, self._set[(section, option)])
         return value if fallback is None else either(fallback, value)
-    def getint(self, section, option, *, raw=False, vars=None, fallback=None):
+    def getint(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
         value = unknown('file', section + '.' + option, 'int')
         return value if fallback is None else either(fallback, value)
-    def getfloat(self, section, option, *, raw=False, vars=None, fallback=None):
+    def getfloat(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
         value = unknown('file', section + '.' + option, 'float')
         return value if fallback is None else either(fallback, value)
-    def getboolean(self, section, option, *, raw=False, vars=None, fallback=None):
+    def getboolean(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
         value = unknown('file', section + '.' + option, 'bool')
         return value if fallback is None else either(fallback, value)
     def set(self, section, option, value=None):

@@ -3,26 +3,14 @@
 from _rosward import native
 
 @native
-def auto(*args): ...
-@native
-def unique(enumeration): ...
-@native
-def global_enum(cls, update_str=False): ...
-@native
-def verify(*args): ...
+def _make_class(base, name, names): ...
 
 class EnumMeta(type): ...
 EnumType = EnumMeta
 
-def property(fget=None, fset=None, fdel=None, doc=None):
-    import builtins
-    return builtins.property(fget)
-def member(value):
-    return value
-def nonmember(value):
-    return value
-
 class Enum:
+    def __new__(cls, value, names=None, **kwargs):
+        return _make_class(cls, value, names)
     def __str__(self):
         return type(self).__name__ + '.' + self.name
     def __repr__(self) -> str: ...

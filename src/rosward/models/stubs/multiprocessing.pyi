@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`multiprocessing`: a process is a thread that shares nothing."""
-from _rosward import native, schedule, spin, unknown
+from _rosward import schedule, spin, unknown
 from queue import Queue as _Queue
 from threading import Thread, Timer, Condition, Event, Semaphore, BoundedSemaphore, Barrier, Lock, RLock
-
-@native
-def cpu_count(): ...
 
 class ProcessError(Exception): ...
 class TimeoutError(ProcessError): ...

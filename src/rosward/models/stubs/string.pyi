@@ -4,8 +4,6 @@ from _rosward import native
 
 @native
 def _substitute(template, mapping, safe): ...
-@native
-def capwords(s, sep=None): ...
 
 ascii_lowercase = 'abcdefghijklmnopqrstuvwxyz'
 ascii_uppercase = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'

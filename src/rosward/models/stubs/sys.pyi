@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`sys`: the command line, the end of the program, the standard streams."""
+"""`sys`: the command line, the end of the program, the standard streams (`exit`: models/std_process.py)."""
 from _rosward import native, unknown
 
-@native
-def exit(status=None, /): ...
 @native
 def _argv(): ...
 @native

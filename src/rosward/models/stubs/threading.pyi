@@ -1,11 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`threading`: what a thread runs may run at any time from its start on."""
-from _rosward import native, schedule, spin, unknown
-
-@native
-def get_ident(): ...
-@native
-def get_native_id(): ...
+from _rosward import schedule, spin, unknown
 
 TIMEOUT_MAX = 9223372036.0
 
@@ -59,7 +54,7 @@ class _Lock:
 
 def Lock():
     return _Lock()
-def RLock():
+def RLock(*args, **kwargs):
     return _Lock()
 class Semaphore(_Lock):
     def __init__(self, value=1): ...
@@ -109,4 +104,3 @@ def enumerate():
 def settrace(func): ...
 def setprofile(func): ...
 def stack_size(size=0, /) -> int: ...
-def excepthook(args, /): ...

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`typing`: without effect when the program runs; annotations are kept as text."""
-from collections import _NamedTuple
+from collections import _NamedTuple, _make_named_tuple
 from collections import OrderedDict as OrderedDict
 from collections import defaultdict as DefaultDict
 from collections import deque as Deque
@@ -22,13 +22,22 @@ class _Form:
     def __call__(self, *args, **kwargs):
         return self
 
-class Generic(_Form): ...
-class Protocol(_Form): ...
+class Generic:
+    def __class_getitem__(cls, item):
+        return cls
+class Protocol:
+    def __class_getitem__(cls, item):
+        return cls
 
-class NamedTuple(_NamedTuple): ...
+class NamedTuple(_NamedTuple):
+    def __new__(cls, *args, **kwargs):
+        if cls is NamedTuple:
+            return _make_named_tuple(_NamedTuple, args[0], args[1] if len(args) > 1 else list(kwargs), None)
+        return object.__new__(cls)
 
-def TypedDict(*args, **kwargs):
-    return dict
+class TypedDict:
+    def __new__(cls, *args, **kwargs):
+        return dict(*args, **kwargs)
 
 def TypeVar(name, *constraints, bound=None, covariant=False, contravariant=False):
     return _Form()

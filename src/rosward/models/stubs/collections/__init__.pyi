@@ -7,14 +7,16 @@ OrderedDict = dict
 @native
 def _make_named_tuple(base, typename, field_names, defaults): ...
 @native
+def _fill(instance, args, keywords): ...
+@native
 def _items(instance): ...
 @native
 def _keys(instance): ...
 
 class _NamedTuple:
     """What a named tuple does; its fields are found by the class."""
-    @native
-    def __init__(self, *args, **kwargs): ...
+    def __init__(self, *args, **kwargs):
+        _fill(self, args, kwargs)
     def __iter__(self):
         return iter(_items(self))
     def __len__(self):

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Drive, battery and manual control of the delivery robot."""

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+from setuptools import setup
+
+package_name = 'delivery_navigation'
+
+setup(
+    name=package_name,
+    version='0.1.0',
+    packages=[package_name],
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='rosward',
+    maintainer_email='rosward@example.org',
+    description='Localisation and delivery runs of the delivery robot.',
+    license='Apache-2.0',
+    entry_points={
+        'console_scripts': [
+            'delivery_planner = delivery_navigation.delivery_planner:main',
+            'localisation = delivery_navigation.localisation:main',
+        ],
+    },
+)

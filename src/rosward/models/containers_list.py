@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The methods of `list` and `tuple`, on records that hold every element or, where their number is not known, the join of them.
+
+    names = ['a']; names.append(unknown)        items ('a', unknown)
+    names.pop(unknown)                          any of the elements; each place then holds its element or the next one
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Final
+
+from rosward.domain.choice import join, join_all
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import NO_ORIGINS
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
+from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.operators_compare import comparable, equal
+from rosward.models.plain import NOT_PLAIN, Raised, int_of, native, origins, plain, unknown_from, with_origins
+
+MAX_ITEMS: Final = 1_000
+ITERATOR: Final = "iterator"
+"""The payload of a list that stands for an iterator: `next` takes its first element away."""
+
+
+def element(obj: Obj) -> Value | None:
+    """The join of all elements; None where there are none."""
+    values = [*(obj.items or ()), *(() if obj.rest is None else (obj.rest,))]
+    return join_all(values) if values else None
+
+
+def write(machine: Machine, ref: Ref, items: Iterable[Value] | None, rest: Value | None = None) -> None:
+    """Give a list or set new elements: exactly `items`, or (None) any number of `rest`."""
+    exact = None if items is None else tuple(items)
+    if exact is not None and (rest is not None or len(exact) > MAX_ITEMS):
+        rest, exact = join_all([*exact, *(() if rest is None else (rest,))]), None
+    machine.update(ref, machine.obj(ref).replace(items=exact, rest=rest))
+
+
+def add_to_rest(machine: Machine, ref: Ref, values: Iterable[Value]) -> None:
+    """The number of elements is no longer known, and these may be among them."""
+    obj = machine.obj(ref)
+    joined = join_all([*(obj.items or ()), *(() if obj.rest is None else (obj.rest,)), *values])
+    write(machine, ref, None, None if joined is UNBOUND else joined)
+
+
+def _receiver(call: NativeCall) -> Ref | None:
+    first = call.args[0] if call.args else None
+    return first if isinstance(first, Ref) and call.machine.obj(first).kind in ("list", "set") else None
+
+
+def _lost(call: NativeCall) -> Value:
+    """The receiver is no list that we know."""
+    return unknown_from(call.machine, call.name, "", *call.args)
+
+
+def _append(call: NativeCall) -> Value:
+    ref, value = _receiver(call), call.args[1]
+    if ref is not None:
+        items = call.machine.obj(ref).items
+        if items is None:
+            add_to_rest(call.machine, ref, (value,))
+        else:
+            write(call.machine, ref, (*items, value))
+    return NONE
+
+
+def _extend(call: NativeCall) -> Value:
+    ref = _receiver(call)
+    known, rest = call.machine.iterate(call.args[1])
+    if ref is not None:
+        items = call.machine.obj(ref).items
+        if items is None:
+            add_to_rest(call.machine, ref, (*known, *(() if rest is None else (rest,))))
+        else:
+            write(call.machine, ref, (*items, *known), rest)
+    return NONE
+
+
+def _insert(call: NativeCall) -> Value:
+    ref, index, value = _receiver(call), int_of(call.args[1]), call.args[2]
+    if ref is None:
+        return NONE
+    items = call.machine.obj(ref).items
+    if items is None:
+        add_to_rest(call.machine, ref, (value,))
+    elif index is None:
+        write(call.machine, ref, (join_all((*items[max(0, n - 1) : n + 1], value)) for n in range(len(items) + 1)))
+    else:
+        changed = list(items)
+        changed.insert(index, value)
+        write(call.machine, ref, changed)
+    return NONE
+
+
+def _pop(call: NativeCall) -> Value:
+    """list.pop(index), and `del list[index]`."""
+    machine, ref = call.machine, _receiver(call)
+    if ref is None:
+        return _lost(call)
+    obj = machine.obj(ref)
+    where = call.args[1] if len(call.args) > 1 else Const(-1)
+    if isinstance(where, Slice):
+        return _delete_slice(machine, ref, where)
+    anything = element(obj)
+    if anything is None:
+        raise Raised("IndexError", "pop from empty list")
+    if obj.items is None:
+        return anything
+    index = int_of(where)
+    if index is None:
+        write(machine, ref, (join(a, b) for a, b in zip(obj.items, obj.items[1:], strict=False)))
+        return anything
+    if not -len(obj.items) <= index < len(obj.items):
+        raise Raised("IndexError", "pop index out of range")
+    left = list(obj.items)
+    taken = left.pop(index)
+    write(machine, ref, left)
+    return with_origins(taken, origins(where))
+
+
+def _delete_slice(machine: Machine, ref: Ref, where: Slice) -> Value:
+    ends = [plain(e) for e in where]
+    items = machine.obj(ref).items
+    if items is None or NOT_PLAIN in ends:
+        add_to_rest(machine, ref, ())
+    else:
+        left = list(items)
+        del left[slice(*ends)]
+        write(machine, ref, left)
+    return NONE
+
+
+def _remove(call: NativeCall) -> Value:
+    machine, ref, value = call.machine, _receiver(call), call.args[1]
+    if ref is None:
+        return NONE
+    items = machine.obj(ref).items
+    found = None if items is None else _position(machine, items, value)
+    if items is not None and found == -1:
+        raise Raised("ValueError", "list.remove(x): x not in list")
+    if items is None or found is None:
+        add_to_rest(machine, ref, ())
+    else:
+        write(machine, ref, (*items[:found], *items[found + 1 :]))
+    return NONE
+
+
+def _position(machine: Machine, items: tuple[Value, ...], value: Value) -> int | None:
+    """The index of the first element that equals a value; -1 where there is none, None where it is not known."""
+    for number, item in enumerate(items):
+        answer = equal(machine, item, value)
+        if answer is not False:
+            return number if answer else None
+    return -1
+
+
+def _clear(call: NativeCall) -> Value:
+    ref = _receiver(call)
+    if ref is not None:
+        write(call.machine, ref, ())
+    return NONE
+
+
+def _index(call: NativeCall) -> Value:
+    known, rest = call.machine.iterate(call.args[0])
+    found = _position(call.machine, known, call.args[1])
+    if found is None or rest is not None or len(call.args) > 2:
+        return unknown_from(call.machine, call.name, "int", *call.args)
+    if found == -1:
+        raise Raised("ValueError", "value is not in list")
+    return Const(found, origins(call.args[1]))
+
+
+def _count(call: NativeCall) -> Value:
+    known, rest = call.machine.iterate(call.args[0])
+    answers = [equal(call.machine, item, call.args[1]) for item in known]
+    if None in answers or rest is not None:
+        return unknown_from(call.machine, call.name, "int", *call.args)
+    return Const(answers.count(True), origins(call.args[1]))
+
+
+def order(machine: Machine, items: Items, key: Value | None, reverse: Value | None) -> Items:
+    """Sorted items: in order where all keys are known, else each place holds any of them."""
+    known, rest = items
+    if rest is not None or len(known) < 2:
+        return items
+    keys = list(known) if key is None or key == NONE else [machine.call(key, (item,)) for item in known]
+    decided = False if reverse is None else machine.truth(reverse)
+    ranks = [comparable(machine, k) for k in keys]
+    if any(k is NOT_PLAIN for k in ranks) or decided is None:
+        return Items((join_all(known),) * len(known))
+    try:
+        ranked = sorted(range(len(known)), key=lambda n: ranks[n], reverse=decided)  # type: ignore[arg-type,return-value]
+    except TypeError as error:
+        raise Raised("TypeError", str(error)) from error
+    source = origins(*keys) if any(origins(k) for k in keys) else NO_ORIGINS
+    return Items(tuple(with_origins(known[n], source) for n in ranked))
+
+
+def _sort(call: NativeCall) -> Value:
+    ref = _receiver(call)
+    if ref is not None:
+        obj = call.machine.obj(ref)
+        if obj.items is not None:
+            ordered = order(call.machine, Items(obj.items), call.keywords.get("key"), call.keywords.get("reverse"))
+            write(call.machine, ref, ordered.known)
+    return NONE
+
+
+def _reverse(call: NativeCall) -> Value:
+    ref = _receiver(call)
+    items = call.machine.obj(ref).items if ref is not None else None
+    if ref is not None and items is not None:
+        write(call.machine, ref, items[::-1])
+    return NONE
+
+
+def _copy(call: NativeCall) -> Value:
+    known, rest = call.machine.iterate(call.args[0])
+    return call.machine.new_list(known, rest)
+
+
+def _length(call: NativeCall) -> Value:
+    return call.machine.call(_LEN, call.args[:1])
+
+
+def _contains(call: NativeCall) -> Value:
+    return call.machine.compare("in", call.args[1], call.args[0])
+
+
+def _get_item(call: NativeCall) -> Value:
+    return call.machine.load_item(call.args[0], call.args[1])
+
+
+def _set_item(call: NativeCall) -> Value:
+    call.machine.store_item(*call.args[:3])
+    return NONE
+
+
+def new_tuple(machine: Machine, items: Items) -> Value:
+    """A tuple; one of unknown length lives on the heap like a list."""
+    if items.rest is None and len(items.known) <= MAX_ITEMS:
+        return Tuple(items.known)
+    from rosward.domain.values import Native
+
+    return machine.allocate(Obj("list", Native("builtins.tuple"), items=None, rest=join_all((*items.known, *items[1:2]))))
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "list.append": native(_append),
+    "list.extend": native(_extend),
+    "list.insert": native(_insert),
+    "list.pop": native(_pop),
+    "list.remove": native(_remove),
+    "list.clear": native(_clear),
+    "list.index": native(_index),
+    "list.count": native(_count),
+    "list.sort": native(_sort),
+    "list.reverse": native(_reverse),
+    "list.copy": native(_copy),
+    "tuple.index": native(_index),
+    "tuple.count": native(_count),
+    **{f"{kind}.__contains__": native(_contains) for kind in ("str", "list", "tuple", "dict", "set", "range")},
+    **{f"{kind}.__getitem__": native(_get_item) for kind in ("str", "list", "tuple", "dict", "range")},
+    **{f"{kind}.__setitem__": native(_set_item) for kind in ("list", "dict")},
+    **{f"{kind}.__len__": native(_length) for kind in ("str", "list", "tuple", "dict", "set", "range")},
+}

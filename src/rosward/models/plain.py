@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Computing with constants as Python itself does, and with alternatives one by one.
+
+    evaluate(machine, "upper", str.upper, (Const('a'),))        Const('A')
+    spread(f, Choice(a, b), c)                                  join of f(a, c) and f(b, c); one that raises is left out
+
+What the analysed program raises travels as `Raised` inside the models of builtins; `native` and `operation` turn it into the end of the path.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+from typing import Concatenate, Final, ParamSpec, TypeVar
+
+from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join_all, options, reasons_of
+from rosward.domain.text import MAX_LENGTH, make
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
+from rosward.domain.values import UNBOUND, Choice, Const, Hole, Range, Slice, Text, Tuple, Unknown, Value
+from rosward.models.native import Machine, NativeCall, NativeFunction
+
+MAX_BITS: Final = 4096
+MAX_WORK: Final = 1 << 20
+"""The product of the lengths of the operands of one string operation."""
+MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
+NOT_PLAIN: Final = object()
+_FAILURES: Final = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+class Raised(Exception):  # noqa: N818 - an exception of the analysed program, no error of ours
+    """The analysed program raises the builtin exception `error` here."""
+
+    def __init__(self, error: str, message: str) -> None:
+        super().__init__(error, message)
+        self.error = error
+        self.message = message
+
+
+def native(function: Callable[[NativeCall], Value]) -> NativeFunction:
+    """A native in which `Raised` ends the path; one that Python would call with other arguments raises a TypeError."""
+
+    def guarded(call: NativeCall) -> Value:
+        try:
+            return function(call)
+        except Raised as raised:
+            return call.machine.die(raised.error, raised.message)
+
+    return guarded
+
+
+def operation(function: Callable[Concatenate[Machine, _P], Value]) -> Callable[Concatenate[Machine, _P], Value]:
+    """The same for a function of a machine."""
+
+    def guarded(machine: Machine, *args: _P.args, **keywords: _P.kwargs) -> Value:
+        try:
+            return function(machine, *args, **keywords)
+        except Raised as raised:
+            return machine.die(raised.error, raised.message)
+
+    return guarded
+
+
+def run(function: Callable[..., _R], *args: object) -> _R:
+    """function(*args) of Python itself; what it raises is what the program raises."""
+    try:
+        return function(*args)
+    except _FAILURES as error:
+        raise Raised(error.__class__.__name__, str(error)) from error
+
+
+def spread(function: Callable[..., Value], *values: Value) -> Value:
+    """The join of function over each combination of alternatives. Those that raise are left out; where all do, the first is raised."""
+    if not any(v.__class__ is Choice for v in values):
+        return function(*values)
+    results: list[Value] = []
+    failure: Raised | None = None
+    for combination in itertools.product(*_bounded([options(v) for v in values])):
+        try:
+            results.append(function(*combination))
+        except Raised as raised:
+            failure = failure or raised
+    if not results and failure is not None:
+        raise failure
+    return join_all(results)
+
+
+def _bounded(alternatives: list[tuple[Value, ...]]) -> list[tuple[Value, ...]]:
+    """Alternatives with at most `MAX_COMBINATIONS` combinations: the most numerous are generalised."""
+    while True:
+        count = 1
+        for one in alternatives:
+            count *= len(one)
+        if count <= MAX_COMBINATIONS:
+            return alternatives
+        widest = max(range(len(alternatives)), key=lambda n: len(alternatives[n]))
+        alternatives[widest] = (generalise(alternatives[widest]),)
+
+
+def plain(value: Value) -> object:
+    """The Python object that a value surely is (a constant or a tuple of such), else NOT_PLAIN."""
+    if value.__class__ is Const:
+        return value.value  # type: ignore[attr-defined]
+    if value.__class__ is Tuple:
+        items = tuple(plain(v) for v in value.items)  # type: ignore[attr-defined]
+        return NOT_PLAIN if NOT_PLAIN in items else items
+    return NOT_PLAIN
+
+
+def text_of(value: Value | None) -> str | None:
+    """The str that a value surely is, else None."""
+    return value.value if isinstance(value, Const) and isinstance(value.value, str) else None
+
+
+def int_of(value: Value | None) -> int | None:
+    """The int that a value surely is, else None."""
+    return int(value.value) if isinstance(value, Const) and isinstance(value.value, int) else None
+
+
+def origins(*values: Value | None) -> Origins:
+    """The origins of values and of their parts."""
+    found: Origins = NO_ORIGINS
+    for value in values:
+        if isinstance(value, (Const, Text)):
+            found |= value.origins
+        elif isinstance(value, Choice):
+            found |= origins(*value.options)
+        elif isinstance(value, (Tuple, Range, Slice)):
+            found |= origins(*(value.items if isinstance(value, Tuple) else value))
+    return found
+
+
+def with_origins(value: Value, more: Origins) -> Value:
+    """The value, computed from these origins too."""
+    if not more or value is UNBOUND:
+        return value
+    if isinstance(value, Const):
+        return value if more <= value.origins else Const(value.value, value.origins | more)
+    if isinstance(value, Text):
+        return value if more <= value.origins else Text(value.parts, value.origins | more)
+    if isinstance(value, Choice):
+        return join_all(with_origins(o, more) for o in value.options)
+    if isinstance(value, Tuple):
+        return Tuple(tuple(with_origins(v, more) for v in value.items))
+    return value
+
+
+def unknown_from(machine: Machine, what: str, hint: str, *values: Value | None) -> Unknown:
+    """An unknown for the reasons of the operands, or because of the operation where these have none."""
+    reasons = tuple(dict.fromkeys(r for v in values if v is not None for r in reasons_of(v)))[:MAX_REASONS]
+    return Unknown(reasons, hint) if reasons else machine.unknown(Cause.OPERATION, what, hint)
+
+
+def hole_from(machine: Machine, what: str, *values: Value | None, shape: str = "") -> Hole:
+    """A hole for the reasons of the operands."""
+    return Hole(unknown_from(machine, what, "str", *values).reasons, shape)
+
+
+def truth_const(machine: Machine, value: Value, what: str = "bool") -> Value:
+    """bool(value): a constant keeps its origins."""
+    if isinstance(value, Const):
+        return Const(bool(value.value), value.origins)
+    decided = machine.truth(value)
+    return unknown_from(machine, what, "bool", value) if decided is None else Const(decided, origins(value))
+
+
+def from_python(machine: Machine, value: object, source: Origins = NO_ORIGINS, what: str = "") -> Value:
+    """The abstract value of what Python computed; a text or number beyond the bounds is not kept."""
+    if isinstance(value, str):
+        if len(value) <= MAX_LENGTH:
+            return Const(value, source)
+        return make((value[: MAX_LENGTH // 2], Hole(machine.unknown(Cause.LIMIT, what).reasons)), source)
+    if (isinstance(value, int) and value.bit_length() > MAX_BITS) or (isinstance(value, bytes) and len(value) > MAX_LENGTH):
+        return machine.unknown(Cause.LIMIT, what, value.__class__.__name__)
+    if value is None or isinstance(value, (bool, int, float, complex, bytes)):
+        return Const(value, source)
+    if isinstance(value, (tuple, list, dict)):
+        return _collection(machine, value, source, what)
+    return machine.unknown(Cause.OPERATION, what, value.__class__.__name__)
+
+
+def _collection(
+    machine: Machine, value: tuple[object, ...] | list[object] | dict[object, object], source: Origins, what: str
+) -> Value:
+    if isinstance(value, dict):
+        return machine.new_dict({from_python(machine, k, what=what): from_python(machine, v, source, what) for k, v in value.items()})
+    items = [from_python(machine, v, source, what) for v in value]
+    return Tuple(tuple(items)) if isinstance(value, tuple) else machine.new_list(items)
+
+
+def evaluate(machine: Machine, what: str, function: Callable[..., object], values: Sequence[Value]) -> Value | None:
+    """function of Python itself on values that are all plain; None where one is not."""
+    operands = [plain(v) for v in values]
+    if NOT_PLAIN in operands:
+        return None
+    return from_python(machine, run(function, *operands), origins(*values), what)
+
+
+def too_much(operands: Sequence[object]) -> bool:
+    """Whether an operation on texts of these lengths may take long."""
+    work = 1
+    for operand in operands:
+        if isinstance(operand, (str, bytes)):
+            work *= max(1, len(operand))
+        elif isinstance(operand, int) and abs(operand) > MAX_LENGTH:
+            return True
+    return work > MAX_WORK

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.executors: every `spin*` lets run what is registered; `create_task` registers.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from _rosward import schedule, spins
+
+from rclpy.context import Context
+from rclpy.task import Future as Future, Task as Task
+
+
+async def await_or_execute(callback, *args):
+    return callback(*args)
+
+
+class TimeoutException(Exception): ...
+
+
+class ShutdownException(Exception): ...
+
+
+class ExternalShutdownException(Exception): ...
+
+
+class ConditionReachedException(Exception): ...
+
+
+class TimeoutObject:
+    def __init__(self, timeout):
+        self.timeout = timeout
+
+
+class Executor:
+    def __init__(self, *, context=None):
+        self._nodes = []
+
+    @property
+    def context(self) -> Context: ...
+
+    def create_task(self, callback, *args, **kwargs):
+        task = Task(callback, args, kwargs, executor=self)
+        schedule(task, event="task")
+        return task
+
+    def create_future(self):
+        return Future(executor=self)
+
+    def shutdown(self, timeout_sec=None) -> bool: ...
+
+    def add_node(self, node):
+        self._nodes.append(node)
+        return True
+
+    def remove_node(self, node) -> None: ...
+    def wake(self) -> None: ...
+
+    def get_nodes(self):
+        return self._nodes
+
+    @spins
+    def spin(self) -> None: ...
+
+    @spins
+    def spin_until_future_complete(self, future, timeout_sec=None) -> None: ...
+
+    @spins
+    def spin_once(self, timeout_sec=None) -> None: ...
+
+    @spins
+    def spin_once_until_future_complete(self, future, timeout_sec=None) -> None: ...
+
+    def can_execute(self, entity) -> bool: ...
+
+    @spins
+    def wait_for_ready_callbacks(self, *args, **kwargs): ...
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+
+
+class SingleThreadedExecutor(Executor):
+    def __init__(self, *, context=None):
+        super().__init__(context=context)
+
+    @spins
+    def spin_once(self, timeout_sec=None) -> None: ...
+
+    @spins
+    def spin_once_until_future_complete(self, future, timeout_sec=None) -> None: ...
+
+
+class MultiThreadedExecutor(Executor):
+    def __init__(self, num_threads=None, *, context=None):
+        super().__init__(context=context)
+
+    @spins
+    def spin_once(self, timeout_sec=None) -> None: ...
+
+    @spins
+    def spin_once_until_future_complete(self, future, timeout_sec=None) -> None: ...
+
+    def shutdown(self, timeout_sec=None, *, wait_for_threads=True) -> bool: ...

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.impl.logging_severity.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from enum import IntEnum
+
+
+class LoggingSeverity(IntEnum):
+    UNSET = 0
+    DEBUG = 10
+    INFO = 20
+    WARN = 30
+    ERROR = 40
+    FATAL = 50

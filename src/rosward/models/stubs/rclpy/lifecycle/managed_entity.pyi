@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.lifecycle.managed_entity.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from enum import IntEnum
+
+
+class TransitionCallbackReturn(IntEnum):
+    SUCCESS = 97
+    FAILURE = 98
+    ERROR = 99
+
+
+class ManagedEntity:
+    def on_configure(self, state):
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_cleanup(self, state):
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_shutdown(self, state):
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_activate(self, state):
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_deactivate(self, state):
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_error(self, state):
+        return TransitionCallbackReturn.SUCCESS
+
+
+class SimpleManagedEntity(ManagedEntity):
+    def __init__(self) -> None: ...
+
+    @property
+    def is_activated(self) -> bool: ...
+
+    @staticmethod
+    def when_enabled(wrapped=None, *, when_not_enabled=None):
+        if wrapped is None:
+            return lambda function: function
+        return wrapped

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.lifecycle.publisher.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from rclpy.lifecycle.managed_entity import SimpleManagedEntity
+from rclpy.publisher import Publisher
+
+
+class LifecyclePublisher(SimpleManagedEntity, Publisher):
+    def __init__(self, *args, **kwargs):
+        SimpleManagedEntity.__init__(self)
+        Publisher.__init__(self, *args, **kwargs)
+
+    def publish(self, msg) -> None: ...

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.logging_service: made by a node with enable_logger_service (a row of the table of implicit entities).
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
+
+
+class LoggingService:
+    def __init__(self, node):
+        node.create_service(GetLoggerLevels, node.get_name() + "/get_logger_levels", self._get_logger_levels)
+        node.create_service(SetLoggerLevels, node.get_name() + "/set_logger_levels", self._set_logger_levels)
+
+    def _get_logger_levels(self, request, response):
+        return response
+
+    def _set_logger_levels(self, request, response):
+        return response

@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.node: the node, its entities and its parameters.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from _rosward import (
+    calls,
+    create_node,
+    creates,
+    declare_parameter,
+    default,
+    message,
+    native,
+    node_fqn,
+    node_name,
+    node_namespace,
+    parameter,
+    resolve_name,
+    schedule,
+    set_parameter,
+    unknown,
+)
+from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, SetParametersResult
+
+from rclpy.callback_groups import CallbackGroup as CallbackGroup
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
+from rclpy.callback_groups import ReentrantCallbackGroup as ReentrantCallbackGroup
+from rclpy.client import Client as Client
+from rclpy.clock import Clock as Clock, ROSClock as ROSClock
+from rclpy.constants import S_TO_NS as S_TO_NS
+from rclpy.context import Context as Context
+from rclpy.event_handler import PublisherEventCallbacks as PublisherEventCallbacks
+from rclpy.event_handler import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from rclpy.exceptions import *
+from rclpy.executors import Executor as Executor
+from rclpy.expand_topic_name import expand_topic_name as expand_topic_name
+from rclpy.guard_condition import GuardCondition as GuardCondition
+from rclpy.impl.rcutils_logger import RcutilsLogger as RcutilsLogger
+from rclpy.logging import get_logger as get_logger
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING as PARAMETER_SEPARATOR_STRING
+from rclpy.parameter import Parameter as Parameter
+from rclpy.publisher import Publisher as Publisher
+from rclpy.qos import QoSProfile as QoSProfile
+from rclpy.qos import qos_profile_parameter_events as qos_profile_parameter_events
+from rclpy.qos import qos_profile_rosout_default as qos_profile_rosout_default
+from rclpy.qos import qos_profile_services_default as qos_profile_services_default
+from rclpy.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
+from rclpy.qos_overriding_options import _declare_qos_parameters
+from rclpy.service import Service as Service
+from rclpy.subscription import Subscription as Subscription
+from rclpy.timer import Rate as Rate, Timer as Timer
+
+HIDDEN_NODE_PREFIX = "_"
+
+
+class NodeNameNonExistentError(Exception): ...
+
+
+class Node:
+    PARAM_REL_TOL = 1e-6
+    _rosward_lifecycle = False
+    _rosward_lifecycle_services = True
+
+    def __init__(
+        self,
+        node_name,
+        *,
+        context=None,
+        cli_args=None,
+        namespace=None,
+        use_global_arguments=True,
+        enable_rosout=True,
+        rosout_qos_profile=qos_profile_rosout_default,
+        start_parameter_services=True,
+        parameter_overrides=None,
+        allow_undeclared_parameters=False,
+        automatically_declare_parameters_from_overrides=False,
+        enable_logger_service=False,
+    ):
+        create_node(
+            self,
+            node_name,
+            namespace=namespace,
+            cli_args=cli_args,
+            use_global_arguments=use_global_arguments,
+            enable_rosout=enable_rosout,
+            start_parameter_services=start_parameter_services,
+            enable_logger_service=enable_logger_service,
+            parameter_overrides=parameter_overrides,
+            allow_undeclared_parameters=allow_undeclared_parameters,
+            automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
+            lifecycle=self._rosward_lifecycle,
+            lifecycle_services=self._rosward_lifecycle_services,
+        )
+
+    # What the node has. None of these can be assigned (`self.timers = []` raises AttributeError), except `executor`.
+
+    @property
+    def publishers(self): ...
+
+    @property
+    def subscriptions(self): ...
+
+    @property
+    def clients(self): ...
+
+    @property
+    def services(self): ...
+
+    @property
+    def timers(self): ...
+
+    @property
+    def guards(self): ...
+
+    @property
+    def waitables(self): ...
+
+    @property
+    def executor(self) -> Executor | None: ...
+
+    @executor.setter
+    def executor(self, new_executor) -> None: ...
+
+    @property
+    def context(self) -> Context: ...
+
+    @property
+    def default_callback_group(self) -> CallbackGroup: ...
+
+    @property
+    def handle(self): ...
+
+    # Names
+
+    def get_name(self):
+        return node_name(self)
+
+    def get_namespace(self):
+        return node_namespace(self)
+
+    def get_fully_qualified_name(self):
+        return node_fqn(self)
+
+    def resolve_topic_name(self, topic, *, only_expand=False):
+        if only_expand:
+            return expand_topic_name(topic, node_name(self), node_namespace(self))
+        return resolve_name(self, topic, "topic")
+
+    def resolve_service_name(self, service, *, only_expand=False):
+        if only_expand:
+            return expand_topic_name(service, node_name(self), node_namespace(self))
+        return resolve_name(self, service, "service")
+
+    def get_clock(self) -> Clock: ...
+    def get_logger(self) -> RcutilsLogger: ...
+
+    # Parameters
+
+    def declare_parameter(self, name, value=None, descriptor=None, ignore_override=False):
+        if isinstance(value, Parameter.Type):
+            return Parameter(name, value, declare_parameter(self, name, None, value))
+        return Parameter(name, None, declare_parameter(self, name, value))
+
+    def declare_parameters(self, namespace, parameters, ignore_override=False):
+        declared = []
+        for entry in parameters:
+            name = f"{namespace}.{entry[0]}" if namespace else entry[0]
+            value = entry[1] if len(entry) > 1 else None
+            declared.append(Node.declare_parameter(self, name, value))
+        return declared
+
+    def undeclare_parameter(self, name) -> None: ...
+
+    @native
+    def has_parameter(self, name) -> bool: ...
+
+    def get_parameter_types(self, names):
+        return [self.get_parameter(name).type_ for name in names]
+
+    def get_parameter_type(self, name):
+        return self.get_parameter(name).type_
+
+    def get_parameters(self, names):
+        return [self.get_parameter(name) for name in names]
+
+    def get_parameter(self, name):
+        return Parameter(name, None, parameter(self, name))
+
+    def get_parameter_or(self, name, alternative_value=None):
+        if self.has_parameter(name):
+            return self.get_parameter(name)
+        if alternative_value is None:
+            return Parameter(name, Parameter.Type.NOT_SET, None)
+        return Parameter(
+            alternative_value.name, alternative_value.type_, default("parameter", name, alternative_value.value)
+        )
+
+    @native
+    def get_parameters_by_prefix(self, prefix) -> dict: ...
+
+    def set_parameters(self, parameter_list):
+        results = []
+        for new in parameter_list:
+            set_parameter(self, new.name, new.value)
+            results.append(message(SetParametersResult, "result"))
+        return results
+
+    def set_parameters_atomically(self, parameter_list):
+        for new in parameter_list:
+            set_parameter(self, new.name, new.value)
+        return message(SetParametersResult, "result")
+
+    def list_parameters(self, prefixes, depth) -> ListParametersResult: ...
+
+    def add_pre_set_parameters_callback(self, callback):
+        schedule(callback, _new_parameters(), event="parameters")
+
+    def add_on_set_parameters_callback(self, callback):
+        schedule(callback, _new_parameters(), event="parameters")
+
+    def add_post_set_parameters_callback(self, callback):
+        schedule(callback, _new_parameters(), event="parameters")
+
+    def remove_pre_set_parameters_callback(self, callback) -> None: ...
+    def remove_on_set_parameters_callback(self, callback) -> None: ...
+    def remove_post_set_parameters_callback(self, callback) -> None: ...
+    def describe_parameter(self, name) -> ParameterDescriptor: ...
+
+    def describe_parameters(self, names):
+        return [self.describe_parameter(name) for name in names]
+
+    def set_descriptor(self, name, descriptor, alternative_value=None):
+        return self.get_parameter(name).get_parameter_value()
+
+    # Entities
+
+    def add_waitable(self, waitable):
+        schedule(waitable.execute, unknown("input", "data of a waitable"), event="waitable")
+
+    def remove_waitable(self, waitable) -> None: ...
+
+    @creates("publisher", node="self", name="topic", type="msg_type", qos="qos_profile")
+    def create_publisher(
+        self,
+        msg_type,
+        topic,
+        qos_profile,
+        *,
+        callback_group=None,
+        event_callbacks=None,
+        qos_overriding_options=None,
+        publisher_class=Publisher,
+    ):
+        if qos_overriding_options is not None:
+            _declare_qos_parameters("publisher", self, self.resolve_topic_name(topic), qos_profile, qos_overriding_options)
+        return publisher_class(
+            self, msg_type, topic, qos_profile, event_callbacks=event_callbacks, callback_group=callback_group
+        )
+
+    @creates("subscription", node="self", name="topic", type="msg_type", qos="qos_profile", callback="callback")
+    @calls("callback", event="message", args=("message:msg_type",))
+    def create_subscription(
+        self,
+        msg_type,
+        topic,
+        callback,
+        qos_profile,
+        *,
+        callback_group=None,
+        event_callbacks=None,
+        qos_overriding_options=None,
+        raw=False,
+        content_filter_options=None,
+    ):
+        if qos_overriding_options is not None:
+            _declare_qos_parameters(
+                "subscription", self, self.resolve_topic_name(topic), qos_profile, qos_overriding_options
+            )
+        return Subscription(self, msg_type, topic, callback, callback_group, qos_profile, raw, event_callbacks)
+
+    @creates("service_client", node="self", name="srv_name", type="srv_type", qos="qos_profile")
+    def create_client(self, srv_type, srv_name, *, qos_profile=qos_profile_services_default, callback_group=None):
+        return Client(None, self, srv_type, srv_name, qos_profile, callback_group)
+
+    @creates("service_server", node="self", name="srv_name", type="srv_type", qos="qos_profile", callback="callback")
+    @calls("callback", event="service", args=("request:srv_type", "response:srv_type"))
+    def create_service(
+        self, srv_type, srv_name, callback, *, qos_profile=qos_profile_services_default, callback_group=None
+    ):
+        return Service(self, srv_type, srv_name, callback, callback_group, qos_profile)
+
+    def create_timer(self, timer_period_sec, callback, callback_group=None, clock=None, autostart=True):
+        return Timer(callback, callback_group, timer_period_sec, clock, autostart=autostart)
+
+    def create_guard_condition(self, callback, callback_group=None):
+        return GuardCondition(callback, callback_group)
+
+    def create_rate(self, frequency, clock=None) -> Rate: ...
+    def destroy_publisher(self, publisher) -> bool: ...
+    def destroy_subscription(self, subscription) -> bool: ...
+    def destroy_client(self, client) -> bool: ...
+    def destroy_service(self, service) -> bool: ...
+    def destroy_timer(self, timer) -> bool: ...
+    def destroy_guard_condition(self, guard) -> bool: ...
+    def destroy_rate(self, rate) -> bool: ...
+    def destroy_node(self) -> None: ...
+
+    # The running system, which nobody knows before it runs
+
+    def get_publisher_names_and_types_by_node(self, node_name, node_namespace, no_demangle=False):
+        return unknown("live", "publishers of a node")
+
+    def get_subscriber_names_and_types_by_node(self, node_name, node_namespace, no_demangle=False):
+        return unknown("live", "subscriptions of a node")
+
+    def get_service_names_and_types_by_node(self, node_name, node_namespace):
+        return unknown("live", "services of a node")
+
+    def get_client_names_and_types_by_node(self, node_name, node_namespace):
+        return unknown("live", "service clients of a node")
+
+    def get_topic_names_and_types(self, no_demangle=False):
+        return unknown("live", "topics of the system")
+
+    def get_service_names_and_types(self):
+        return unknown("live", "services of the system")
+
+    def get_node_names(self):
+        return unknown("live", "nodes of the system")
+
+    def get_fully_qualified_node_names(self):
+        return unknown("live", "nodes of the system")
+
+    def get_node_names_and_namespaces(self):
+        return unknown("live", "nodes of the system")
+
+    def get_node_names_and_namespaces_with_enclaves(self):
+        return unknown("live", "nodes of the system")
+
+    def count_publishers(self, topic_name) -> int: ...
+    def count_subscribers(self, topic_name) -> int: ...
+    def count_clients(self, service_name) -> int: ...
+    def count_services(self, service_name) -> int: ...
+
+    def get_publishers_info_by_topic(self, topic_name, no_mangle=False):
+        return unknown("live", "publishers of a topic")
+
+    def get_subscriptions_info_by_topic(self, topic_name, no_mangle=False):
+        return unknown("live", "subscriptions of a topic")
+
+    def wait_for_node(self, fully_qualified_node_name, timeout) -> bool: ...
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+
+
+def _new_parameters():
+    """What a callback for parameters sees: any number of them, of any name and value."""
+    return [
+        Parameter(unknown("parameter", "name, set when it runs"), None, unknown("parameter", "value, set when it runs"))
+        for _ in unknown("parameter", "set when it runs")
+    ]

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.parameter: a name and a value; all that reads the value gives the value.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from enum import IntEnum
+
+from _rosward import unknown
+from rcl_interfaces.msg import Parameter as ParameterMsg
+
+PARAMETER_SEPARATOR_STRING = "."
+
+
+class _ParameterValue:
+    """Stands for rcl_interfaces/msg/ParameterValue: whichever field is asked for holds the value."""
+
+    def __init__(self, value):
+        self._value = value
+
+    @property
+    def type(self):
+        return Parameter.Type.from_parameter_value(self._value)
+
+    @property
+    def bool_value(self):
+        return self._value
+
+    @property
+    def integer_value(self):
+        return self._value
+
+    @property
+    def double_value(self):
+        return self._value
+
+    @property
+    def string_value(self):
+        return self._value
+
+    @property
+    def byte_array_value(self):
+        return self._value
+
+    @property
+    def bool_array_value(self):
+        return self._value
+
+    @property
+    def integer_array_value(self):
+        return self._value
+
+    @property
+    def double_array_value(self):
+        return self._value
+
+    @property
+    def string_array_value(self):
+        return self._value
+
+
+class Parameter:
+    class Type(IntEnum):
+        NOT_SET = 0
+        BOOL = 1
+        INTEGER = 2
+        DOUBLE = 3
+        STRING = 4
+        BYTE_ARRAY = 5
+        BOOL_ARRAY = 6
+        INTEGER_ARRAY = 7
+        DOUBLE_ARRAY = 8
+        STRING_ARRAY = 9
+
+        @classmethod
+        def from_parameter_value(cls, parameter_value):
+            if parameter_value is None:
+                return Parameter.Type.NOT_SET
+            if isinstance(parameter_value, bool):
+                return Parameter.Type.BOOL
+            if isinstance(parameter_value, int):
+                return Parameter.Type.INTEGER
+            if isinstance(parameter_value, float):
+                return Parameter.Type.DOUBLE
+            if isinstance(parameter_value, str):
+                return Parameter.Type.STRING
+            for item in parameter_value:
+                if isinstance(item, bool):
+                    return Parameter.Type.BOOL_ARRAY
+                if isinstance(item, int):
+                    return Parameter.Type.INTEGER_ARRAY
+                if isinstance(item, float):
+                    return Parameter.Type.DOUBLE_ARRAY
+                if isinstance(item, str):
+                    return Parameter.Type.STRING_ARRAY
+            return Parameter.Type.BYTE_ARRAY
+
+        def check(self, parameter_value) -> bool: ...
+
+    def __init__(self, name, type_=None, value=None):
+        self._name = name
+        self._type = type_
+        self._value = value
+
+    @classmethod
+    def from_parameter_msg(cls, param_msg):
+        return cls(param_msg.name, None, unknown("message", "value of a parameter"))
+
+    @property
+    def name(self):
+        return self._name
+
+    @property
+    def type_(self):
+        if self._type is None:
+            return Parameter.Type.from_parameter_value(self._value)
+        return self._type
+
+    @property
+    def value(self):
+        return self._value
+
+    def get_parameter_value(self):
+        return _ParameterValue(self._value)
+
+    def to_parameter_msg(self) -> ParameterMsg: ...
+
+
+def get_parameter_value(string_value):
+    return _ParameterValue(unknown("input", "parameter value parsed from text"))
+
+
+def parameter_value_to_python(parameter_value):
+    return unknown("message", "value of a parameter")
+
+
+def parameter_dict_from_yaml_file(parameter_file, use_wildcard=False, target_nodes=None, namespace=""):
+    return unknown("file", "parameter file")

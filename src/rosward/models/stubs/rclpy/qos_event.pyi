@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.qos_event: the old name of rclpy.event_handler.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from rclpy.event_handler import *

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.subscription_content_filter_options (kilted and later).
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+class ContentFilterOptions:
+    def __init__(self, filter_expression, expression_parameters):
+        self.filter_expression = filter_expression
+        self.expression_parameters = expression_parameters

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.task: a future holds what it was given; its callbacks may run with it.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from _rosward import schedule
+
+
+class Future:
+    def __init__(self, *, executor=None):
+        self._result = None
+
+    def __await__(self):
+        yield None
+        return self._result
+
+    def cancel(self) -> None: ...
+    def cancelled(self) -> bool: ...
+    def done(self) -> bool: ...
+
+    def result(self):
+        return self._result
+
+    def exception(self) -> Exception | None: ...
+
+    def set_result(self, result):
+        self._result = result
+
+    def set_exception(self, exception) -> None: ...
+
+    def add_done_callback(self, callback):
+        schedule(callback, self, event="future")
+
+    def remove_done_callback(self, callback) -> bool: ...
+
+
+class Task(Future):
+    def __init__(self, handler, args=None, kwargs=None, executor=None):
+        super().__init__(executor=executor)
+        self._handler = handler
+        self._args = () if args is None else args
+        self._kwargs = {} if kwargs is None else kwargs
+
+    def __call__(self):
+        # A coroutine object, which one hands over instead of a function, is awaited.
+        if callable(self._handler):
+            self.set_result(self._handler(*self._args, **self._kwargs))
+        else:
+            schedule(self._handler, event="task")
+
+    def executing(self) -> bool: ...
+    def cancel(self) -> None: ...

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.type_description_service (iron and later): made by every node (a row of the table of implicit entities).
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
+
+
+class TypeDescriptionService:
+    def __init__(self, node) -> None: ...
+    def destroy(self) -> None: ...

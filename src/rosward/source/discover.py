@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is there to read under the paths that a user names?
+
+    discover([Path("my_ws")])  ->  Workspace with files, launch files, packages, executables, by name
+
+A file that is named is taken whatever it is called; a folder is walked by the rules of `source/walk.py`. A test file
+that an entry point names is no test. The package around a path is looked for above it, so that a file alone knows its
+package and its executables.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from rosward.findings import Finding
+from rosward.source.executables import executables
+from rosward.source.imports import ImportResolver
+from rosward.source.layout import Layout
+from rosward.source.location import Place
+from rosward.source.packages import Described, describe, is_build_script
+from rosward.source.setup_py import read_setup_py
+from rosward.source.text import PYTHON_LIMIT, place_name, read_bytes
+from rosward.source.walk import DESCRIPTIONS, Tree, walk
+from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Workspace
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from rosward.source.entry_points import Declared
+
+_LEVELS_ABOVE: Final = 12
+
+
+def discover(
+    paths: Sequence[Path], *, include_tests: bool = False, read_setup: Callable[[str, str], Declared] = read_setup_py
+) -> Workspace:
+    """What the files and folders `paths` hold; `read_setup` reads a `setup.py` (path, name in findings)."""
+    starts = list(dict.fromkeys(os.path.abspath(path) for path in paths)) or [os.path.abspath(".")]  # noqa: PTH100
+    root = _common_folder(starts)
+    tree = Tree()
+    findings: list[Finding] = []
+    chosen = _look(starts, tree, root, findings, include_tests=include_tests)
+    files = sorted({*tree.python.values()})
+    launch = {path for path in files if _is_launch(path)}
+    named_setup = [path for path in files if path.endswith(f"{os.sep}setup.py") and path not in chosen]
+    scripts = {path for path in named_setup if is_build_script(path)}
+    tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]
+
+    described = _describe_all(tree, starts, root, read_setup)
+    owners = _Owners(package for package, _ in described)
+    layout = Layout()
+
+    def record(path: str, *, module: bool) -> SourceFile:
+        package = owners.of(path)
+        return SourceFile(
+            Path(path), place_name(path, root), package, layout.module_name(path, package) if module else None
+        )
+
+    sources = [record(path, module=True) for path in files if path not in launch and path not in scripts]
+    packages = tuple(sorted((package for package, _ in described), key=lambda p: (p.relative, p.name)))
+    before = Workspace(root, tuple(sources), packages=packages)
+    started, doubts = _executables(described, ImportResolver(before, layout), set(files) if chosen else None, starts)
+    known = {os.fspath(file.path) for file in sources}
+    for executable in started:
+        if executable.file is not None and os.fspath(executable.file.path) not in known:
+            known.add(os.fspath(executable.file.path))
+            sources.append(executable.file)
+    return Workspace(
+        root=root,
+        files=tuple(sorted(sources, key=_by_name)),
+        launch_files=tuple(sorted((record(path, module=False) for path in {*launch, *tree.launch}), key=_by_name)),
+        packages=packages,
+        executables=tuple(started),
+        interface_files=tuple(sorted((record(path, module=False) for path in set(tree.interfaces)), key=_by_name)),
+        skipped=tuple(
+            Skipped(place_name(path, root), reason) for path, reason in sorted(set(tree.skipped), key=lambda s: s[0])
+        ),
+        findings=tuple(sorted(dict.fromkeys([*findings, *doubts]), key=lambda f: (f.place, f.code, f.message))),
+    )
+
+
+def _common_folder(starts: list[str]) -> Path:
+    """The folder that all paths have in common."""
+    folders = [path if os.path.isdir(path) else os.path.dirname(path) for path in starts]  # noqa: PTH112, PTH120
+    try:
+        return Path(os.path.commonpath(folders))
+    except ValueError:  # on several drives
+        return Path(folders[0])
+
+
+def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *, include_tests: bool) -> set[str]:
+    """Fill `tree` from the paths; the files that were named themselves."""
+    chosen: set[str] = set()
+    seen: set[str] = set()
+    for path in starts:
+        if os.path.isdir(path):  # noqa: PTH112
+            walk(path, tree, seen, include_tests=include_tests)
+        elif os.path.isfile(path):  # noqa: PTH113
+            chosen.add(path)
+            tree.python[os.path.realpath(path)] = path
+        else:
+            there = os.path.lexists(path)
+            what = "This is no regular file or folder, or cannot be reached." if there else "There is no such file."
+            findings.append(Finding("RW002", what, Place(place_name(path, root))))
+    for path in sorted(tree.linked):
+        tree.python.setdefault(os.path.realpath(path), path)
+    for path, what in tree.not_files:
+        findings.append(Finding("RW002", f"This is not a file with text: {what}.", Place(place_name(path, root))))
+    return chosen
+
+
+def _is_launch(path: str) -> bool:
+    """Whether a Python file describes a launch: by its name, or in a launch folder by the function that makes it."""
+    folder, _, name = path.rpartition(os.sep)
+    if name.endswith(".launch.py"):
+        return True
+    if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
+        return False
+    data = read_bytes(path, path, PYTHON_LIMIT)
+    return isinstance(data, bytes) and b"generate_launch_description" in data
+
+
+def _describe_all(
+    tree: Tree, starts: list[str], root: Path, read_setup: Callable[[str, str], Declared]
+) -> list[tuple[Package, Described]]:
+    """The packages below the paths and around them."""
+    folders = dict(tree.descriptions)
+    for start in starts:
+        above = _package_above(start)
+        if above is not None:
+            folders.setdefault(*above)
+    found = (describe(folder, folders[folder], root, read_setup) for folder in sorted(folders))
+    return [(each.package, each) for each in found if each is not None]
+
+
+def _package_above(start: str) -> tuple[str, set[str]] | None:
+    """The nearest folder around `start` with a package.xml, and the descriptions in it; not beyond a repository."""
+    folder = start if os.path.isdir(start) else os.path.dirname(start)  # noqa: PTH112, PTH120
+    for _ in range(_LEVELS_ABOVE):
+        names = {n for n in DESCRIPTIONS if _is_file(folder, n)}
+        if "package.xml" in names:
+            return folder, names
+        above = os.path.dirname(folder)  # noqa: PTH120
+        if above == folder or os.path.lexists(f"{folder}{os.sep}.git"):
+            return None
+        folder = above
+    return None
+
+
+def _is_file(folder: str, name: str) -> bool:
+    return os.path.isfile(f"{folder}{os.sep}{name}")  # noqa: PTH113
+
+
+def _executables(
+    described: list[tuple[Package, Described]], resolver: ImportResolver, taken: set[str] | None, starts: list[str]
+) -> tuple[list[Executable], list[Finding]]:
+    """The executables in the order of packages and names.
+
+    Of a package that is not itself below a path that was named, only those count whose file is among the `taken` ones.
+    """
+    started: list[Executable] = []
+    doubts: list[Finding] = []
+    for package, description in described:
+        found, findings = executables(description, resolver)
+        path = os.fspath(package.path)
+        if any(path == start or path.startswith(start + os.sep) for start in starts):
+            started += found
+            doubts += [*description.findings, *findings]
+        else:
+            started += [e for e in found if e.file is not None and _is_taken(os.fspath(e.file.path), taken, starts)]
+    return sorted(started, key=lambda e: (e.package.relative, e.name, e.place)), doubts
+
+
+def _is_taken(path: str, taken: set[str] | None, starts: list[str]) -> bool:
+    return path in (taken or ()) or any(path.startswith(start + os.sep) for start in starts)
+
+
+def _by_name(file: SourceFile) -> str:
+    return file.relative
+
+
+class _Owners:
+    """The package that a path belongs to: the innermost around it."""
+
+    def __init__(self, packages: Iterable[Package]) -> None:
+        self._packages = {os.fspath(package.path): package for package in packages}
+        self._known: dict[str, Package | None] = {}
+
+    def of(self, path: str) -> Package | None:
+        folder = path.rpartition(os.sep)[0]
+        if folder not in self._known:
+            here, owner = folder, None
+            while here:
+                owner = self._packages.get(here)
+                if owner is not None:
+                    break
+                here = here.rpartition(os.sep)[0]
+            self._known[folder] = owner
+        return self._known[folder]

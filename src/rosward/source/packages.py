@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which package does a folder with a build description hold, and what does that declare?
+
+    /ws/src/demo with package.xml, setup.py, setup.cfg  ->  Package("demo", …), entry points, scripts
+
+All that is said about one package in its several files comes together here; `source/executables.py` finds the sources
+for it.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from rosward.source.cmake import CMakeProject, read_cmake
+from rosward.source.entry_points import Declared, read_pyproject, read_setup_cfg
+from rosward.source.manifest import Manifest, read_manifest
+from rosward.source.text import place_name, read_bytes
+from rosward.source.workspace import Package
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection
+
+    from rosward.findings import Finding
+
+    SetupReader = Callable[[str, str], Declared]
+    """Reads the `setup.py` at a path, called as the second argument says in findings."""
+
+
+class Described(NamedTuple):
+    """A package with what its build descriptions declare."""
+
+    package: Package
+    declared: Declared
+    cmake: CMakeProject
+    findings: tuple[Finding, ...]
+
+
+def describe(folder: str, names: Collection[str], root: Path, read_setup: SetupReader) -> Described | None:
+    """The package in `folder`, where the files `names` stand; `None` if they do not make one."""
+
+    def file(name: str) -> tuple[str, str]:
+        path = os.path.join(folder, name)  # noqa: PTH118
+        return path, place_name(path, root)
+
+    findings: list[Finding] = []
+    manifest: Manifest | None = None
+    if "package.xml" in names:
+        manifest, problem = read_manifest(*file("package.xml"), os.path.basename(folder))  # noqa: PTH119
+        findings += [problem] if problem is not None else []
+    elif "setup.py" not in names or not is_build_script(file("setup.py")[0]):
+        return None
+    declared = Declared()
+    if "setup.py" in names:
+        declared |= read_setup(*file("setup.py"))
+    if "setup.cfg" in names:
+        declared |= read_setup_cfg(*file("setup.cfg"))
+    if "pyproject.toml" in names:
+        declared |= read_pyproject(*file("pyproject.toml"))
+    if manifest is None:
+        manifest = Manifest(declared.name or os.path.basename(folder), "python")  # noqa: PTH119
+    builds_python = manifest.build_type in {"ament_python", "python"}
+    cmake = CMakeProject()
+    if "CMakeLists.txt" in names and not builds_python:
+        cmake = read_cmake(folder, manifest.name, root)
+    roots = [_root(folder, package, where) for package, where in declared.package_dir]
+    roots += cmake.python_roots
+    relative = place_name(folder, root)
+    inside = tuple(Path(r) for r in dict.fromkeys(roots) if r == folder or r.startswith(folder + os.sep))
+    package = Package(manifest.name, Path(folder), relative, manifest.build_type, manifest.depends, inside)
+    return Described(package, declared, cmake, (*findings, *declared.findings, *cmake.findings))
+
+
+def _root(folder: str, package: str, where: str) -> str:
+    """The folder from which modules are imported, by an entry of `package_dir`, as `"": "src"` or `"a": "src/a"`."""
+    path = os.path.normpath(os.path.join(folder, where))  # noqa: PTH118
+    if package and os.path.basename(path) == package.rpartition(".")[2]:  # noqa: PTH119
+        return os.path.dirname(path)  # noqa: PTH120
+    return path
+
+
+def is_build_script(path: str) -> bool:
+    """Whether a file named `setup.py` describes a build, rather than being a module of that name."""
+    data = read_bytes(path, path, 1_000_000)
+    return isinstance(data, bytes) and (b"setuptools" in data or b"distutils" in data or b"catkin_pkg" in data)

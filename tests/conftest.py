@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Options of the test suite."""
+
+import pytest
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--update-cases", action="store_true", help="rewrite the expectations of tests/cases by what comes out")

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A machine that is just enough for the natives of the standard library: a heap, plain operations, what it was told."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import (
+    FALSE,
+    NONE,
+    TRUE,
+    UNBOUND,
+    Class,
+    Const,
+    Function,
+    Native,
+    Partial,
+    Range,
+    Ref,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.models import (
+    std_arguments,
+    std_data,
+    std_enum,
+    std_functional,
+    std_named_tuples,
+    std_numbers,
+    std_objects,
+    std_paths,
+    std_process,
+    std_records,
+    std_text,
+)
+from rosward.models.native import Items, NativeCall, NativeFunction
+from rosward.source.location import Place
+
+TABLES = (
+    std_arguments.NATIVES,
+    std_data.NATIVES,
+    std_enum.NATIVES,
+    std_functional.NATIVES,
+    std_named_tuples.NATIVES,
+    std_numbers.NATIVES,
+    std_objects.NATIVES,
+    std_paths.NATIVES,
+    std_process.NATIVES,
+    std_records.NATIVES,
+    std_text.NATIVES,
+)
+_OPERATORS: dict[str, Callable[..., object]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "|": operator.or_,
+    "&": operator.and_,
+    "%": operator.mod,
+}
+_COMPARISONS: dict[str, Callable[..., object]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<": operator.lt,
+    ">": operator.gt,
+}
+
+
+class FakeMachine:
+    """Keeps objects in a dict; records findings, deaths and schedules."""
+
+    def __init__(self) -> None:
+        self.heap: dict[int, Obj] = {}
+        self.findings: list[tuple[str, str]] = []
+        self.deaths: list[tuple[str, str]] = []
+        self.scheduled: list[Value] = []
+        self.functions: dict[Value, Callable[..., Value]] = {}
+        self.place = Place("demo.py", 1)
+
+    # What natives use
+
+    def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        if isinstance(function, Partial):
+            merged = {**dict(function.keywords), **(keywords or {})}
+            return self.call(function.function, (*function.arguments, *args), merged)
+        if function in self.functions:
+            return self.functions[function](*args, **(keywords or {}))
+        if function == Native("builtins.iter"):
+            return args[0]
+        if function == Native("builtins.int") and isinstance(args[0], Const):
+            return Const(int(str(args[0].value)))
+        if function == Native("builtins.tuple"):
+            return self.unknown(Cause.OPERATION, "tuple", "tuple")
+        if isinstance(function, Native):
+            return self.native(function.name, *args, **(keywords or {}))
+        if isinstance(function, Class):
+            instance = self.allocate(Obj("instance", function))
+            self.call(self.heap[function.address].attrs["__init__"], (instance, *args), keywords)
+            return instance
+        return self.unknown(Cause.CALL, repr(function))
+
+    def load_attr(self, value: Value, name: str) -> Value:
+        assert isinstance(value, Ref)
+        obj = self.heap[value.address]
+        if name in obj.attrs:
+            return obj.attrs[name]
+        assert isinstance(obj.cls, Class), name
+        return self.heap[obj.cls.address].attrs[name]
+
+    def store_attr(self, target: Value, name: str, value: Value) -> None:
+        assert isinstance(target, (Ref, Class))
+        self.heap[target.address] = self.heap[target.address].with_attr(name, value)
+
+    def load_item(self, value: Value, index: Value) -> Value:
+        assert isinstance(index, Const)
+        if isinstance(value, Tuple):
+            return value.items[int(str(index.value))]
+        assert isinstance(value, Ref)
+        obj = self.heap[value.address]
+        return obj.entries[index] if obj.kind == "dict" else (obj.items or ())[int(str(index.value))]
+
+    def store_item(self, target: Value, index: Value, value: Value) -> None:
+        assert isinstance(target, Ref)
+        assert isinstance(index, Const)
+        obj = self.heap[target.address]
+        items = list(obj.items or ())
+        items[int(str(index.value))] = value
+        self.heap[target.address] = obj.replace(items=tuple(items))
+
+    def binary(self, operator: str, left: Value, right: Value) -> Value:
+        if isinstance(left, Const) and isinstance(right, Const):
+            return Const(_OPERATORS[operator](left.value, right.value))  # type: ignore[arg-type]
+        return self.unknown(Cause.OPERATION, operator)
+
+    def compare(self, operator: str, left: Value, right: Value) -> Value:
+        if isinstance(left, Tuple) and isinstance(right, Tuple) and operator == "==":
+            return TRUE if left == right else FALSE
+        if isinstance(left, Const) and isinstance(right, Const):
+            return Const(bool(_COMPARISONS[operator](left.value, right.value)))
+        return self.unknown(Cause.OPERATION, operator, "bool")
+
+    def iterate(self, value: Value) -> Items:
+        if isinstance(value, Tuple):
+            return Items(value.items)
+        if isinstance(value, Const) and isinstance(value.value, str):
+            return Items(tuple(map(Const, value.value)))
+        if isinstance(value, Range):
+            bounds = [int(str(v.value)) for v in (value.start, value.stop, value.step) if isinstance(v, Const)]
+            return Items(tuple(map(Const, range(*bounds))))
+        if isinstance(value, Ref):
+            obj = self.heap[value.address]
+            if obj.kind == "dict":
+                return Items(tuple(obj.entries), obj.rest_key)
+            return Items(obj.items or (), obj.rest)
+        return Items((), value if isinstance(value, Unknown) else self.unknown(Cause.OPERATION, "iteration"))
+
+    def truth(self, value: Value) -> bool | None:
+        if isinstance(value, Const) and not value.origins:
+            return bool(value.value)
+        return None if isinstance(value, (Unknown, Text, Const)) else True
+
+    def is_instance(self, value: Value, classes: Value) -> bool | None:
+        return None if value is classes else False
+
+    def obj(self, ref: Ref) -> Obj:
+        return self.heap[ref.address]
+
+    def update(self, ref: Ref, obj: Obj) -> None:
+        self.heap[ref.address] = obj
+
+    def allocate(self, obj: Obj, site: object = None) -> Ref:  # noqa: ARG002 - each one is apart here
+        address = len(self.heap) + 1
+        self.heap[address] = obj
+        return Ref(address)
+
+    def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
+        known = tuple(items)
+        if rest is None:
+            return self.allocate(Obj("list", NONE, items=known))
+        joined = join_all((*known, rest))
+        return self.allocate(Obj("list", NONE, items=None, rest=None if joined is UNBOUND else joined))
+
+    def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
+        return self.allocate(Obj("set", NONE, items=tuple(items), rest=rest))
+
+    def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
+        return self.allocate(Obj("dict", NONE, entries=dict(entries), rest=rest))
+
+    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        return Unknown((Reason(cause, subject, self.place),), hint)
+
+    def escape(self, values: Iterable[Value], library: str) -> None:
+        self.scheduled.extend(v for v in values if isinstance(v, Function) and library)
+
+    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+        assert event, args
+        self.scheduled.append(callback)
+
+    def spin(self) -> None:
+        self.scheduled.clear()
+
+    def report(self, code: str, message: str) -> None:
+        self.findings.append((code, message))
+
+    def die(self, error: str, message: str) -> Value:
+        self.deaths.append((error, message))
+        return UNBOUND
+
+    # What tests use
+
+    def native(self, name: str, /, *args: Value, **keywords: Value) -> Value:
+        """Call a native by its dotted name."""
+        table: dict[str, NativeFunction] = {}
+        for one in TABLES:
+            table.update(one)
+        return table[name](NativeCall(self, name, args, keywords))
+
+    def cls(self, name: str, attrs: Mapping[str, Value], *bases: Value, stub: bool = False) -> Class:
+        """A class of the program with these attributes."""
+        where = self.allocate(Obj("class", NONE, dict(attrs)))
+        mro: list[Value] = []
+        for base in bases:
+            mro.extend(base.mro if isinstance(base, Class) else (base,))
+        module = "enum" if stub else "demo"
+        return Class(where.address, name, name, module, tuple(bases), tuple(mro), self.place, stub)
+
+    def plain(self, value: Value) -> object:
+        """A readable form: constants as they are, containers by content, `?` for unknown."""
+        if isinstance(value, Const):
+            return value.value
+        if isinstance(value, Tuple):
+            return tuple(self.plain(v) for v in value.items)
+        if isinstance(value, Text):
+            return "".join(p if isinstance(p, str) else "*" for p in value.parts)
+        if isinstance(value, Ref):
+            obj = self.heap[value.address]
+            if obj.kind == "list":
+                return [
+                    *(self.plain(v) for v in obj.items or ()),
+                    *(() if obj.rest is None else ("...", self.plain(obj.rest))),
+                ]
+            if obj.kind == "dict":
+                return {self.plain(k): self.plain(v) for k, v in obj.entries.items()}
+            return {k: self.plain(v) for k, v in obj.attrs.items() if not k.startswith("_")}
+        if len(options(value)) > 1:
+            return {self.plain(o) for o in options(value)}
+        return "?" if isinstance(value, Unknown) else value
