@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs IR with real Python objects: what the lowering means, to compare with what Python does. Only for the tests' own programs.
+"""Runs IR with real Python objects, to compare what it means with what Python does; for the tests' own programs.
 
-Generators run to their end at the call and give a list; coroutines run at the call; so programs here don't depend on laziness.
+Generators run to their end at the call and give a list, coroutines run at the call: no program here needs laziness.
 """
 
 from __future__ import annotations
@@ -299,7 +299,8 @@ class Frame:
 
     def ImportStar(self, op: ops.ImportStar) -> None:  # noqa: N802
         module = __import__(op.module, fromlist=["*"])
-        self.globals.update({name: getattr(module, name) for name in module.__all__})
+        names = getattr(module, "__all__", None) or [name for name in dir(module) if not name.startswith("_")]
+        self.globals.update({name: getattr(module, name) for name in names})
 
     # The rest
 

@@ -8,9 +8,11 @@ import ast
 import pytest
 
 from rosward.frontends import python_patterns
+from rosward.frontends.python_body import Body, Unit
 from rosward.frontends.python_expressions import BINARY, UNARY
 from rosward.frontends.python_module import EXPRESSIONS, STATEMENTS, lower_module
 from rosward.frontends.python_narrowing import COMPARE
+from rosward.frontends.python_symbols import collect
 from rosward.ir.text import code_text
 
 DEPRECATED = {"Num", "Str", "Bytes", "NameConstant", "Ellipsis", "Index", "ExtSlice", "Suite", "AugLoad", "AugStore"}
@@ -43,9 +45,6 @@ def test_operators() -> None:
 
 def test_unknown_node_is_said() -> None:
     """A node type of a Python to come becomes `unsupported`, not nothing."""
-    from rosward.frontends.python_body import Body, Unit
-    from rosward.frontends.python_symbols import collect
-
     tree = ast.parse("x")
     symbols = collect(tree)
     body = Body(Unit("a.py", symbols, {}, {}), symbols.by_node[tree], "<module>")

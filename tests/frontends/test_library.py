@@ -41,7 +41,7 @@ def _sources() -> Iterator[str]:
         yield from (name for name in SAMPLE if (FOLDER / name).exists())
 
 
-@pytest.mark.parametrize("name", _sources())
+@pytest.mark.parametrize("name", list(_sources()))
 def test_well_formed(name: str) -> None:
     try:
         with tokenize.open(FOLDER / name) as file:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Lowering keeps the meaning: a program run from its IR leaves the same `result` as under Python.
 
-The programs stand in `programs.md`. The machine also asserts each `Assume`: a narrowing that doesn't hold on a path fails here.
+The programs stand in `programs.md`. The machine also asserts each `Assume`: a narrowing that doesn't hold on a path
+fails here.
 """
 
 from __future__ import annotations

@@ -132,7 +132,7 @@ def test_kinds_of_functions() -> None:
 
 
 def test_class_cell() -> None:
-    """`super` makes `__class__` a free cell of the method and a cell of the class; outside of a class it means nothing."""
+    """`super` makes `__class__` a free cell of the method and a cell of the class; elsewhere it means nothing."""
     module = lower("class A:\n    def f(self): super().f()\n    def g(self): pass\ndef h(): super()\n")
     cls, function = inner(module.code)
     assert cls.cells == ("__class__",)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the bodies of stubs as the plain Python that they are, with effects recorded: a stub must be right as Python first."""
+"""Runs the bodies of stubs as the plain Python that they are, with effects recorded: they must be right as Python."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Either:
         flat: list[object] = []
         for value in values:
             flat.extend(value.values if isinstance(value, Either) else (value,))
-        self.values = tuple(flat)
+        self.values: tuple[object, ...] = tuple(flat)
 
     def __call__(self, *args: object, **keywords: object) -> object:
         return either(*(v(*args, **keywords) for v in self.values if callable(v)))
@@ -90,7 +90,9 @@ class Stubs:
         exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
         return module
 
-    def _import(self, name: str, _globals: object = None, _locals: object = None, names: Any = (), _level: int = 0) -> Any:
+    def _import(
+        self, name: str, _globals: object = None, _locals: object = None, names: Any = (), _level: int = 0
+    ) -> Any:
         if name == "_rosward":
             return types.SimpleNamespace(
                 native=self._native,

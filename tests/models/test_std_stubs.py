@@ -251,7 +251,20 @@ def test_queue_and_configuration(stubs: Stubs) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["logging", "multiprocessing", "subprocess", "sched", "weakref", "types", "typing", "enum"]
+    "name",
+    [
+        "asyncio",
+        "click",
+        "numpy",
+        "logging",
+        "multiprocessing",
+        "subprocess",
+        "sched",
+        "weakref",
+        "types",
+        "typing",
+        "enum",
+    ],
 )
 def test_it_loads(name: str) -> None:
     assert vars(Stubs(_launches=lambda _: None).load(name))

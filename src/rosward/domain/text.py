@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
-from rosward.domain.values import Const, External, Hole, Text, Unknown, Value
+from rosward.domain.values import Choice, Const, External, Hole, Text, Unknown, Value
 from rosward.source.location import Place
 
 MAX_LENGTH: Final = 4096

@@ -123,9 +123,8 @@ def branch(
     """`if test: then else: orelse`."""
     outer = body.ops
     parts: Sequence[ast.expr] = (test,)
-    if orelse is None and isinstance(test, ast.BoolOp) and type(test.op) is ast.And:
-        if len(test.values) <= NESTED_AT_MOST:
-            parts = test.values  # nested: what the first part tells holds while the others are evaluated
+    if orelse is None and isinstance(test, ast.BoolOp) and _nests(test):
+        parts = test.values  # nested: what the first part tells holds while the others are evaluated
     for part in parts:
         register, true, false = condition(body, part)
         inner: Block = []
@@ -139,6 +138,10 @@ def branch(
         assume(body, part, true)
     then()
     body.ops = outer
+
+
+def _nests(test: ast.BoolOp) -> bool:
+    return type(test.op) is ast.And and len(test.values) <= NESTED_AT_MOST
 
 
 def guards(body: Body, node: ast.If) -> bool:

@@ -13,12 +13,13 @@ from typing import Final
 from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import NO_ORIGINS
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Native, Ref, Slice, Tuple, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable, equal
 from rosward.models.plain import NOT_PLAIN, Raised, int_of, native, origins, plain, unknown_from, with_origins
 
 MAX_ITEMS: Final = 1_000
+_LEN: Final = Native("builtins.len")
 ITERATOR: Final = "iterator"
 """The payload of a list that stands for an iterator: `next` takes its first element away."""
 
@@ -242,8 +243,6 @@ def new_tuple(machine: Machine, items: Items) -> Value:
     """A tuple; one of unknown length lives on the heap like a list."""
     if items.rest is None and len(items.known) <= MAX_ITEMS:
         return Tuple(items.known)
-    from rosward.domain.values import Native
-
     return machine.allocate(Obj("list", Native("builtins.tuple"), items=None, rest=join_all((*items.known, *items[1:2]))))
 
 

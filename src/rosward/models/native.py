@@ -66,8 +66,8 @@ class Machine(Protocol):
     def update(self, ref: Ref, obj: Obj) -> None:
         """Replace the heap record (a weak update where it stands for several objects)."""
 
-    def allocate(self, obj: Obj) -> Ref:
-        """A new object on the heap."""
+    def allocate(self, obj: Obj, site: object = None) -> Ref:
+        """A new object on the heap; `site` tells apart what one call makes in no fixed order."""
 
     def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new list."""

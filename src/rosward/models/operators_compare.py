@@ -31,7 +31,18 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models.native import Machine
-from rosward.models.plain import NOT_PLAIN, Raised, int_of, operation, origins, plain, run, spread, text_of, unknown_from
+from rosward.models.plain import (
+    NOT_PLAIN,
+    Raised,
+    int_of,
+    operation,
+    origins,
+    plain,
+    run,
+    spread,
+    text_of,
+    unknown_from,
+)
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000

@@ -143,7 +143,7 @@ def create(
         effect = EntityEffect(
             kind,
             address,
-            name if name is not None else NONE,
+            _plain_text(machine, name) if name is not None else NONE,
             type_ if type_ is not None else NONE,
             callback_name(callback),
             profile,
@@ -153,6 +153,16 @@ def create(
             machine.via,
         )
         machine.log.add_entity(machine, effect)
+
+
+def _plain_text(machine: Interpreter, value: Value) -> Value:
+    """A name as rclpy reads it: a member of a `str` enumeration is its text."""
+
+    def one(option: Value) -> Value:
+        payload = machine.obj(option).payload if isinstance(option, Ref) else None
+        return payload if isinstance(payload, (Const, Text)) else option
+
+    return lift(one, value)
 
 
 def _why(value: Value) -> str:

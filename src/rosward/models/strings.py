@@ -19,13 +19,13 @@ from rosward.models import text_parts
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
     NOT_PLAIN,
+    Raised,
     from_python,
     hole_from,
     int_of,
     native,
     origins,
     plain,
-    Raised,
     run,
     spread,
     text_of,

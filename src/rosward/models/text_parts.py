@@ -136,7 +136,7 @@ def remove_front(parts: Parts, prefix: str) -> list[Parts]:
                 results[(loose(part), *behind)] = None
             following.update(offset + n for n in range(len(left)) if may_be(part, left[:n]))
         offsets = following
-    if "" == prefix and not parts:
+    if prefix == "" and not parts:
         return [()]
     return list(results) if len(results) <= MAX_RESULTS else [(anything(parts),)]
 

@@ -30,8 +30,7 @@ _VALUE_LIMIT: Final = 1_000_000  # characters
 _GLOB_LIMIT: Final = 20_000  # files looked at
 _DEPTH_LIMIT: Final = 20
 
-_REFERENCE: Final = re.compile(r"\$\{([A-Za-z0-9_./+-]+)\}|\$ENV\{[^}]*\}|\$CACHE\{[^}]*\}")
-_ESCAPE: Final = re.compile(r"\\(.)", re.DOTALL)
+_PIECE: Final = re.compile(r"(\\.|\$\{|\$ENV\{|\$CACHE\{|\})", re.DOTALL)
 _INSTALL_WORDS: Final = frozenset(
     {
         "COMPONENT", "CONFIGURATIONS", "DESTINATION", "DIRECTORY_PERMISSIONS", "EXCLUDE", "EXCLUDE_FROM_ALL",
@@ -206,6 +205,7 @@ class _Reader:
 
     def _set(self, name: str, values: list[str]) -> None:
         value = ";".join(values)
+        self._steps += len(value) // 1000
         self._variables[name] = value if len(value) <= _VALUE_LIMIT else ""
 
     def _list(self, operation: str, name: str, values: list[str]) -> None:
@@ -229,24 +229,36 @@ class _Reader:
         """The arguments with variables put in; what is not quoted falls apart at its semicolons."""
         result: list[str] = []
         for argument in arguments:
-            if argument.literal:
-                result.append(argument.text)
-                continue
-            text = argument.text
-            for _ in range(5):  # ${${X}}
-                replaced = _REFERENCE.sub(self._value, text)
-                if replaced == text or len(replaced) > _VALUE_LIMIT:
-                    break
-                text = replaced
-            text = _ESCAPE.sub(r"\1", text) if "\\" in text else text
+            text = argument.text if argument.literal else self._substitute(argument.text)
             if argument.quoted:
                 result.append(text)
             else:
                 result += _split(text)
         return result
 
-    def _value(self, match: re.Match[str]) -> str:
-        name = match[1] or ""
+    def _substitute(self, text: str) -> str:
+        """The text with `${NAME}` replaced, the inner ones of `${A_${B}}` first, and escapes resolved."""
+        if "$" not in text and "\\" not in text:
+            return text
+        open_ones: list[tuple[str, list[str]]] = []
+        now: list[str] = []
+        for piece in _PIECE.split(text):
+            if piece.startswith("$") and piece.endswith("{"):
+                open_ones.append((piece, now))
+                now = []
+            elif piece == "}" and open_ones:
+                opening, before = open_ones.pop()
+                before.append(self._value("".join(now)) if opening == "${" else "")
+                now = before
+            elif piece.startswith("\\") and len(piece) == 2:
+                now.append({"n": "\n", "t": "\t", ";": ";"}.get(piece[1], piece[1]))
+            else:
+                now.append(piece)
+        size = sum(map(len, now))
+        self._steps += size // 1000
+        return "".join(now) if size <= _VALUE_LIMIT else ""
+
+    def _value(self, name: str) -> str:
         if name in self._variables:
             return self._variables[name]
         if name in {"CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"}:

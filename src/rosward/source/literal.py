@@ -13,6 +13,7 @@ from __future__ import annotations
 import ast
 import itertools
 import os.path
+import string
 from typing import Any, Final, final
 
 _SIZE_LIMIT: Final = 10_000
@@ -217,6 +218,12 @@ def _has_unknown(value: Any) -> bool:
     return value is UNKNOWN
 
 
+def _plain_field(field: tuple[str, str | None, str | None, str | None]) -> bool:
+    """Whether a replacement field puts in a value as it is: no attribute, no width, no conversion."""
+    _, name, spec, conversion = field
+    return not spec and not conversion and (name is None or not set(".[") & set(name))
+
+
 def _small(base: str, value: Any) -> bool:
     """Whether any method of `base` with `value` has a result of bearable size."""
     return (len(base) + 1) * (_length(value) + 1) <= 100 * _TEXT_LIMIT
@@ -309,7 +316,7 @@ def _method(base: Any, name: str, arguments: list[Any], keywords: dict[Any, Any]
     values = [*arguments, *keywords.values()]
     if not _small(base, values) or any(not isinstance(value, str | int | list | tuple) for value in values):
         return UNKNOWN
-    if name == "format" and (_wide(base) or any(c in base for c in ".[!")):
+    if name == "format" and not all(map(_plain_field, string.Formatter().parse(base))):
         return UNKNOWN
     return getattr(base, name)(*arguments, **keywords)
 

@@ -104,8 +104,10 @@ def decode(data: bytes, file: str) -> SourceText | Finding:
     if problem is None:
         try:
             return SourceText(file, _lines(data.decode(encoding)), encoding)
-        except (LookupError, ValueError) as error:
+        except UnicodeDecodeError as error:
             problem = _decoding_problem(encoding, error, data)
+        except (LookupError, ValueError):
+            problem = f"The declared encoding {encoding!r} is not one for source text.", 1
     text, used = _fallback(data)
     return SourceText(
         file, _lines(text), used, Finding("RW004", f"{problem[0]} It was read as {used}.", Place(file, problem[1]))
@@ -119,19 +121,25 @@ def _declared(data: bytes) -> tuple[str, tuple[str, int] | None]:
     except (SyntaxError, LookupError, ValueError) as error:
         reason = f"Python refuses this file: {error}."
         return "utf-8", (reason, 1 if "encoding problem" in reason or "unknown encoding" in reason else _bad_line(data))
-    if encoding in _SLOW_CODECS:
+    if encoding in _SLOW_CODECS or not _reads_ascii(encoding):
         return encoding, (f"The declared encoding {encoding!r} is not one for source text.", 1)
     return encoding, None
 
 
-def _decoding_problem(encoding: str, error: Exception, data: bytes) -> tuple[str, int]:
-    if isinstance(error, UnicodeDecodeError):
-        declared = "The file is not UTF-8 and declares no other encoding." if encoding == "utf-8" else ""
-        return (
-            declared or f"The file does not hold the encoding {encoding!r} that it declares.",
-            data.count(b"\n", 0, error.start) + 1,
-        )
-    return f"The declared encoding {encoding!r} is not one for source text.", 1
+def _reads_ascii(encoding: str) -> bool:
+    """Whether ASCII stands for itself, so that the declaration could be read at all."""
+    try:
+        return b"coding".decode(encoding) == "coding"
+    except (LookupError, ValueError):
+        return False
+
+
+def _decoding_problem(encoding: str, error: UnicodeDecodeError, data: bytes) -> tuple[str, int]:
+    if encoding == "utf-8":
+        message = "The file is not UTF-8 and declares no other encoding."
+    else:
+        message = f"The file does not hold the encoding {encoding!r} that it declares."
+    return message, data.count(b"\n", 0, error.start) + 1
 
 
 def _bad_line(data: bytes) -> int:

@@ -110,6 +110,7 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
         tree.descriptions[folder.path] = descriptions
     workspace = "src" in names or (folder.chosen and "__init__.py" not in names)
     workspace = workspace and "package.xml" not in names
+    own = os.path.basename(folder.path) if "package.xml" in names else ""  # noqa: PTH119  demo/demo, build/build, test/test
     inner: list[_Folder] = []
     links: list[_Folder] = []
     for entry in entries:
@@ -124,7 +125,7 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
                     tree.skipped.append((entry.path, SkipReason.HIDDEN))
                 continue
             real = os.path.realpath(entry.path) if is_link else f"{folder.real}{os.sep}{name}"
-            (links if is_link else inner).append(_Folder(entry.path, real, top=workspace, chosen=False))
+            (links if is_link else inner).append(_Folder(entry.path, real, top=workspace, chosen=name == own))
             if name.endswith(".py"):
                 tree.not_files.append((entry.path, "a folder"))
         elif name.endswith(".py"):

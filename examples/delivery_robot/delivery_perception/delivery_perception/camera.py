@@ -36,12 +36,12 @@ class Camera(LifecycleNode):
 
     def on_cleanup(self, state):
         """Close the camera."""
-        self.destroy_publisher(self._image)
-        self.destroy_publisher(self._info)
+        self.destroy_lifecycle_publisher(self._image)
+        self.destroy_lifecycle_publisher(self._info)
         return TransitionCallbackReturn.SUCCESS
 
     def _grab(self):
-        image = Image(height=48, width=64, encoding='mono8', step=64, data=bytes(48 * 64))
+        image = Image(height=48, width=64, encoding='mono8', step=64, data=bytes([128]) * (48 * 64))
         image.header.stamp = self.get_clock().now().to_msg()
         image.header.frame_id = self.get_parameter('frame').value
         self._image.publish(image)

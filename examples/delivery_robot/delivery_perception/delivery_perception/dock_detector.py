@@ -38,7 +38,7 @@ class DockDetector(HeartbeatNode):
         return response
 
     def _on_picture(self, image, info):
-        if not self._looking or not any(image.data):
+        if not self._looking or max(image.data) < 100:
             return
         self._looking = False
         pose = PoseStamped(header=image.header)

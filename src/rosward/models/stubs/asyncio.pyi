@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`asyncio`: a coroutine that is awaited runs in place, a task runs at any time from then on.
+
 A future that is awaited gives its `result()`.
 """
 from _rosward import native, schedule, spin, unknown

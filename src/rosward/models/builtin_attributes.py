@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""getattr, setattr, hasattr and delattr, with names that are known, partly known or not.
+
+    getattr(self, 'on_' + unknown)      any attribute of self that begins so, or something unknown
+    setattr(self, unknown, value)       a finding (RW203)
+"""
+
+from __future__ import annotations
+
+import builtins
+from typing import Final
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.text import matches
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    Class,
+    Const,
+    ModuleValue,
+    Native,
+    Range,
+    Ref,
+    Text,
+    Tuple,
+    Value,
+)
+from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.operators_compare import kind_of
+from rosward.models.plain import Raised, native, origins, spread, text_of, unknown_from, with_origins
+
+MAX_MATCHES: Final = 64
+
+
+def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
+    """Whether value.name exists; None where that is not known."""
+    if isinstance(value, Ref) and machine.obj(value).kind == "instance":
+        obj = machine.obj(value)
+        own = obj.attrs.get(name)
+        return True if own is not None and own is not UNBOUND else _in_class(machine, obj.cls, name)
+    if isinstance(value, Class):
+        return True if name in ("__name__", "__qualname__", "__module__", "__doc__") else _in_class(machine, value, name)
+    if isinstance(value, ModuleValue):
+        return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
+    if isinstance(value, (Const, Text, Tuple, Range, Ref)):
+        found = getattr(builtins, kind_of(machine, value), None)
+        return hasattr(None, name) if value == NONE else hasattr(found, name) if isinstance(found, type) else None
+    return None
+
+
+def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
+    """Whether instances of a class have an attribute by their class; None where a base may, or where `__getattr__` decides."""
+    if not isinstance(cls, Class):
+        return None
+    unknown = False
+    for base in cls.mro:
+        if isinstance(base, Class):
+            attrs = machine.obj(Ref(base.address)).attrs
+            if attrs.get(name, UNBOUND) is not UNBOUND:
+                return True
+            unknown = unknown or base.stub or "__getattr__" in attrs or "__getattribute__" in attrs
+        elif isinstance(base, Native):
+            found = getattr(builtins, base.name.removeprefix("builtins."), None)
+            if isinstance(found, type) and hasattr(found, name):
+                return True
+            unknown = unknown or not isinstance(found, type)
+        else:
+            unknown = True
+    return True if hasattr(object, name) else None if unknown else False
+
+
+def _names(machine: Machine, value: Value) -> list[str]:
+    """The names of all attributes that we know of an instance, class or module."""
+    if isinstance(value, (Class, ModuleValue)):
+        places = [b.address for b in value.mro if isinstance(b, Class)] if isinstance(value, Class) else [value.address]
+    elif isinstance(value, Ref) and machine.obj(value).kind == "instance":
+        cls = machine.obj(value).cls
+        places = [value.address, *(b.address for b in (cls.mro if isinstance(cls, Class) else ()) if isinstance(b, Class))]
+    else:
+        places = []
+    return list(dict.fromkeys(name for place in places for name in machine.obj(Ref(place)).attrs))
+
+
+def _get(call: NativeCall) -> Value:
+    return spread(lambda value, name: _get_one(call, value, name), *call.args[:2])
+
+
+def _get_one(call: NativeCall, value: Value, name: Value) -> Value:
+    machine, default = call.machine, call.args[2:3]
+    known = text_of(name)
+    if known is not None:
+        there = has_attribute(machine, value, known) if default else True
+        if there is False:
+            return with_origins(default[0], origins(name))
+        found = machine.load_attr(value, known)
+        return with_origins(found if there or not default else join(found, default[0]), origins(name))
+    if isinstance(name, Const):
+        raise Raised("TypeError", "attribute name must be string")
+    unknown = unknown_from(machine, "getattr", "", name, value)
+    if not isinstance(name, Text):
+        return join_all((unknown, *default))
+    fitting = [n for n in _names(machine, value) if matches(name, n)][:MAX_MATCHES]
+    return join_all((*(machine.load_attr(value, n) for n in fitting), unknown, *default))
+
+
+def _set(call: NativeCall) -> Value:
+    machine, (target, name, value) = call.machine, call.args[:3]
+    names = options(name)
+    for option in names:
+        known = text_of(option)
+        if known is None:
+            machine.report("RW203", "setattr with a name that is not known")
+        elif len(names) == 1:
+            machine.store_attr(target, known, value)
+        else:
+            there = has_attribute(machine, target, known)
+            machine.store_attr(target, known, value if there is False else join(machine.load_attr(target, known), value))
+    return NONE
+
+
+def _has(call: NativeCall) -> Value:
+    def one(value: Value, name: Value) -> Value:
+        known = text_of(name)
+        there = None if known is None else has_attribute(call.machine, value, known)
+        return unknown_from(call.machine, "hasattr", "bool", value, name) if there is None else Const(there, origins(name))
+
+    return spread(one, *call.args[:2])
+
+
+def _delete(call: NativeCall) -> Value:
+    target, name = call.args[0], text_of(call.args[1])
+    if isinstance(target, Ref) and name is not None:
+        obj = call.machine.obj(target)
+        if name in obj.attrs:
+            call.machine.update(target, obj.with_attr(name, UNBOUND))
+    return NONE
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "builtins.getattr": native(_get),
+    "builtins.setattr": native(_set),
+    "builtins.hasattr": native(_has),
+    "builtins.delattr": native(_delete),
+}

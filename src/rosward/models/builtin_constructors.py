@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The builtin types called: `str(5)`, `int('3')`, `list(names)`, `dict(a=1)`, `property(f)`, `slice(1)`, `type(x)`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from rosward.domain.heap import Obj
+from rosward.domain.values import (
+    EMPTY,
+    FALSE,
+    NONE,
+    BoundMethod,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Ref,
+    Slice,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.models import containers_dict
+from rosward.models.containers_list import new_tuple
+from rosward.models.containers_set import new_set
+from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.operators_compare import kind_of
+from rosward.models.plain import (
+    MAX_BITS,
+    NOT_PLAIN,
+    Raised,
+    evaluate,
+    from_python,
+    native,
+    origins,
+    plain,
+    run,
+    spread,
+    too_much,
+    truth_const,
+    unknown_from,
+)
+from rosward.models.strings_format import to_str
+
+_NUMBERS: Final[dict[str, Callable[..., object]]] = {"int": int, "float": float, "complex": complex}
+
+
+def _str(call: NativeCall) -> Value:
+    if not call.args:
+        return EMPTY
+    if len(call.args) > 1 or call.keywords:
+        return call.machine.call(Native("bytes.decode"), call.args, call.keywords)
+    return to_str(call.machine, call.args[0])
+
+
+def _number(call: NativeCall) -> Value:
+    """int, float and complex."""
+    name = call.name.rpartition(".")[2]
+    args = (*call.args, *call.keywords.values())
+
+    def one(*values: Value) -> Value:
+        if any(isinstance(v, Const) and isinstance(v.value, (str, bytes)) and len(v.value) > MAX_BITS for v in values):
+            return unknown_from(call.machine, name, name, *values)
+        known = evaluate(call.machine, name, _NUMBERS[name], values)
+        if known is not None:
+            return known
+        if isinstance(values[0], Tuple) or (isinstance(values[0], Ref) and kind_of(call.machine, values[0]) in ("list", "dict", "set")):
+            raise Raised("TypeError", f"{name}() argument must be a string or a real number")
+        return unknown_from(call.machine, name, name, *values)
+
+    return spread(one, *args) if args else from_python(call.machine, _NUMBERS[name]())
+
+
+def _bool(call: NativeCall) -> Value:
+    return spread(lambda v: truth_const(call.machine, v), call.args[0]) if call.args else FALSE
+
+
+def _bytes(call: NativeCall) -> Value:
+    """bytes and bytearray."""
+    operands = [plain(v) for v in (*call.args, *call.keywords.values())]
+    if NOT_PLAIN in operands or too_much(operands):
+        return unknown_from(call.machine, call.name, "bytes", *call.args)
+    return from_python(call.machine, run(bytes, *operands), origins(*call.args), "bytes")
+
+
+def _items(call: NativeCall) -> Items:
+    return call.machine.iterate(call.args[0]) if call.args else Items(())
+
+
+def _list(call: NativeCall) -> Value:
+    return call.machine.new_list(*_items(call))
+
+
+def _tuple(call: NativeCall) -> Value:
+    return new_tuple(call.machine, _items(call))
+
+
+def _set(call: NativeCall) -> Value:
+    return new_set(call.machine, _items(call), frozen=call.name.endswith("frozenset"))
+
+
+def _dict(call: NativeCall) -> Value:
+    made = call.machine.new_dict({})
+    for source in call.args[:1]:
+        containers_dict.merge(call.machine, made, source) if not hasattr(source, "options") else call.machine.call(
+            Native("dict.update"), (made, source)
+        )
+    for name, value in call.keywords.items():
+        containers_dict.store(call.machine, made, Const(name), value)
+    return made
+
+
+def _object(call: NativeCall) -> Value:
+    return call.machine.allocate(Obj("instance", Native("builtins.object")))
+
+
+def _slice(call: NativeCall) -> Value:
+    args = call.args
+    return Slice(NONE, args[0], NONE) if len(args) == 1 else Slice(args[0], args[1], args[2] if len(args) > 2 else NONE)
+
+
+def _property(call: NativeCall) -> Value:
+    getter, setter = call.arg(0, "fget", NONE) or NONE, call.arg(1, "fset")
+    return Descriptor("property", getter, None if setter == NONE else setter)
+
+
+def _wrapped(call: NativeCall) -> Value:
+    """staticmethod and classmethod."""
+    return Descriptor(call.name.rpartition(".")[2], call.args[0], None)
+
+
+def _type(call: NativeCall) -> Value:
+    """type(x); a class made by type(name, bases, namespace) is not known."""
+    if len(call.args) != 1:
+        call.machine.report("RW203", "a class is made by type()")
+        return unknown_from(call.machine, "type", "", *call.args)
+    return spread(lambda v: type_of(call.machine, v), call.args[0])
+
+
+def type_of(machine: Machine, value: Value) -> Value:
+    """The class of a value."""
+    if isinstance(value, Ref):
+        obj = machine.obj(value)
+        return Native("builtins.generator") if obj.kind == "generator" else obj.cls
+    if isinstance(value, (Class, Native, External)):
+        return Native("builtins.type") if isinstance(value, Class) else unknown_from(machine, "type", "", value)
+    if isinstance(value, (Function, BoundMethod, Partial, ModuleValue)):
+        return Native("builtins.module" if isinstance(value, ModuleValue) else "builtins.function")
+    kind = kind_of(machine, value)
+    return Native(f"builtins.{kind}") if kind else unknown_from(machine, "type", "", value)
+
+
+_METHODS: Final[dict[str, tuple[Callable[..., object], str]]] = {
+    "int.bit_length": (int.bit_length, "int"),
+    "int.bit_count": (int.bit_count, "int"),
+    "int.conjugate": (int.conjugate, "int"),
+    "float.is_integer": (float.is_integer, "bool"),
+    "float.hex": (float.hex, "str"),
+    "float.as_integer_ratio": (float.as_integer_ratio, "tuple"),
+    "bytes.fromhex": (bytes.fromhex, "bytes"),
+}
+
+
+def _numeric(call: NativeCall) -> Value:
+    """Methods of numbers."""
+    function, hint = _METHODS[call.name]
+
+    def one(*values: Value) -> Value:
+        known = evaluate(call.machine, call.name, function, values)
+        return unknown_from(call.machine, call.name, hint, *values) if known is None else known
+
+    return spread(one, *call.args)
+
+
+def is_callable(machine: Machine, value: Value) -> bool | None:
+    """callable(value)."""
+    if isinstance(value, (Function, Class, Native, BoundMethod, Partial)):
+        return True
+    if isinstance(value, (Const, Text, Tuple, ModuleValue)):
+        return False
+    if isinstance(value, Ref) and machine.obj(value).kind != "instance":
+        return False
+    return False if isinstance(value, Unknown) and value.hint else None
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "builtins.str": native(_str),
+    **{f"builtins.{name}": native(_number) for name in _NUMBERS},
+    "builtins.bool": native(_bool),
+    "builtins.bytes": native(_bytes),
+    "builtins.bytearray": native(_bytes),
+    "builtins.list": native(_list),
+    "builtins.tuple": native(_tuple),
+    "builtins.set": native(_set),
+    "builtins.frozenset": native(_set),
+    "builtins.dict": native(_dict),
+    "builtins.object": native(_object),
+    "builtins.slice": native(_slice),
+    "builtins.property": native(_property),
+    "builtins.staticmethod": native(_wrapped),
+    "builtins.classmethod": native(_wrapped),
+    "builtins.type": native(_type),
+    **{name: native(_numeric) for name in _METHODS},
+}

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Builtin functions that are neither types (`builtin_constructors`), nor over iterables (`builtin_sequences`), nor over attributes.
+
+    abs(-1), round(x, 2), isinstance(x, str), open('/etc/robot.yaml'), input(), eval('[1, 2]')
+"""
+
+from __future__ import annotations
+
+import ast
+import builtins
+from collections.abc import Callable
+from typing import Final
+
+from rosward.domain.text import pattern
+from rosward.domain.unknown import Cause
+from rosward.domain.values import EMPTY, NONE, Class, Const, Native, Tuple, Unknown, Value
+from rosward.models.builtin_constructors import is_callable
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.plain import (
+    MAX_BITS,
+    evaluate,
+    from_python,
+    int_of,
+    native,
+    origins,
+    spread,
+    text_of,
+    unknown_from,
+)
+from rosward.models.strings_format import format_value, represent
+
+MAX_SOURCE: Final = 4_096
+_PURE: Final[dict[str, tuple[Callable[..., object], str]]] = {
+    "abs": (abs, ""), "round": (round, ""), "chr": (chr, "str"), "ord": (ord, "int"), "bin": (bin, "str"), "hex": (hex, "str"),
+    "oct": (oct, "str"), "pow": (pow, ""), "divmod": (divmod, ""),
+}  # fmt: skip
+_OPAQUE: Final = {"vars": "dict", "globals": "dict", "locals": "dict", "dir": "list", "memoryview": "", "breakpoint": "", "help": ""}
+
+
+def _pure(call: NativeCall) -> Value:
+    """A function of constants."""
+    name = call.name.rpartition(".")[2]
+    function, hint = _PURE[name]
+
+    def one(*values: Value) -> Value:
+        if name == "pow" and _huge(values):
+            return call.machine.unknown(Cause.LIMIT, name, "int")
+        known = evaluate(call.machine, name, function, values)
+        if known is not None:
+            return known
+        kept = values[0].hint if isinstance(values[0], Unknown) and name == "abs" else hint
+        result = unknown_from(call.machine, name, "int" if name == "round" and len(values) == 1 else kept, *values)
+        return Tuple((Unknown(result.reasons), Unknown(result.reasons))) if name == "divmod" else result
+
+    return spread(one, *call.args, *call.keywords.values())
+
+
+def _huge(values: tuple[Value, ...]) -> bool:
+    base, exponent = int_of(values[0]), int_of(values[1])
+    return len(values) == 2 and base is not None and exponent is not None and base.bit_length() * abs(exponent) > MAX_BITS
+
+
+def _is_instance(call: NativeCall) -> Value:
+    decided = call.machine.is_instance(call.args[0], call.args[1])
+    return unknown_from(call.machine, "isinstance", "bool", call.args[0]) if decided is None else Const(decided)
+
+
+def _is_subclass(call: NativeCall) -> Value:
+    def one(cls: Value, wanted: Value) -> Value:
+        decided = is_subclass(cls, wanted)
+        return unknown_from(call.machine, "issubclass", "bool", cls, wanted) if decided is None else Const(decided)
+
+    return spread(one, *call.args[:2])
+
+
+def is_subclass(cls: Value, wanted: Value) -> bool | None:
+    """issubclass(cls, wanted); None where that is not known."""
+    if isinstance(wanted, Tuple):
+        answers = [is_subclass(cls, w) for w in wanted.items]
+        return True if True in answers else (None if None in answers else False)
+    if isinstance(cls, Native) and isinstance(wanted, Native):
+        ours, theirs = (getattr(builtins, c.name.removeprefix("builtins."), None) for c in (cls, wanted))
+        return issubclass(ours, theirs) if isinstance(ours, type) and isinstance(theirs, type) else None
+    if isinstance(cls, Class) and isinstance(wanted, (Class, Native)):
+        if wanted in cls.mro or wanted == Native("builtins.object"):
+            return True
+        answers = [is_subclass(b, wanted) if isinstance(b, Native) else isinstance(b, Class) for b in cls.mro]
+        return None if not all(isinstance(b, (Class, Native)) for b in cls.mro) or None in answers else _by_native(cls, wanted)
+    return True if cls == wanted else None
+
+
+def _by_native(cls: Class, wanted: Value) -> bool:
+    return any(isinstance(b, Native) and is_subclass(b, wanted) for b in cls.mro)
+
+
+def _callable(call: NativeCall) -> Value:
+    def one(value: Value) -> Value:
+        decided = is_callable(call.machine, value)
+        return unknown_from(call.machine, "callable", "bool", value) if decided is None else Const(decided)
+
+    return spread(one, call.args[0])
+
+
+def _print(_call: NativeCall) -> Value:
+    return NONE
+
+
+def _input(call: NativeCall) -> Value:
+    return call.machine.unknown(Cause.INPUT, "input", "str")
+
+
+def _open(call: NativeCall) -> Value:
+    """A file: whatever is read from it is unknown because of its content."""
+    name = call.arg(0, "file", EMPTY) or EMPTY
+    return call.machine.unknown(Cause.FILE, pattern(name))
+
+
+def _identity(call: NativeCall) -> Value:
+    """id and hash."""
+    return call.machine.unknown(Cause.RANDOM, call.name.rpartition(".")[2], "int")
+
+
+def _repr(call: NativeCall) -> Value:
+    return spread(lambda v: v if text_of(v) is not None else unknown_from(call.machine, "repr", "str", v), represent(call.machine, call.args[0]))
+
+
+def _ascii(call: NativeCall) -> Value:
+    return format_value(call.machine, call.args[0], "a")
+
+
+def _format(call: NativeCall) -> Value:
+    from rosward.models.strings_format import to_str
+
+    return to_str(call.machine, format_value(call.machine, call.args[0], "", call.args[1] if len(call.args) > 1 else None))
+
+
+def _opaque(call: NativeCall) -> Value:
+    name = call.name.rpartition(".")[2]
+    return call.machine.unknown(Cause.LIVE, name, _OPAQUE[name])
+
+
+def _run_code(call: NativeCall) -> Value:
+    """exec, compile and __import__."""
+    name = call.name.rpartition(".")[2]
+    call.machine.report("RW203", f"{name}() is not followed")
+    return NONE if name == "exec" else unknown_from(call.machine, name, "", *call.args)
+
+
+def _eval(call: NativeCall) -> Value:
+    """eval of a literal is that literal; anything else is not followed."""
+    source = text_of(call.args[0])
+    if source is not None and len(source) <= MAX_SOURCE:
+        try:
+            return from_python(call.machine, ast.literal_eval(source.strip()), origins(call.args[0]), "eval")
+        except (ValueError, SyntaxError, TypeError, RecursionError, MemoryError):
+            pass
+    return _run_code(call)
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    **{f"builtins.{name}": native(_pure) for name in _PURE},
+    **{f"builtins.{name}": native(_opaque) for name in _OPAQUE},
+    **{f"builtins.{name}": native(_run_code) for name in ("exec", "compile", "__import__")},
+    "builtins.isinstance": native(_is_instance),
+    "builtins.issubclass": native(_is_subclass),
+    "builtins.callable": native(_callable),
+    "builtins.print": native(_print),
+    "builtins.input": native(_input),
+    "builtins.open": native(_open),
+    "builtins.id": native(_identity),
+    "builtins.hash": native(_identity),
+    "builtins.repr": native(_repr),
+    "builtins.ascii": native(_ascii),
+    "builtins.format": native(_format),
+    "builtins.eval": native(_eval),
+}

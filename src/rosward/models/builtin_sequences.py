@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Builtin functions over iterables. An iterator is a list that `next` takes elements from; it is computed when it is made.
+
+    sorted(names), zip(a, b), enumerate(x, 1), sum(parts, ''), any(flags), next(iter(x), None)
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Const, Range, Ref, Tuple, Value
+from rosward.models.containers_list import ITERATOR, element, order, write
+from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.operators_compare import comparable
+from rosward.models.plain import NOT_PLAIN, Raised, int_of, native, origins, run, spread, unknown_from, with_origins
+
+
+def iterator(machine: Machine, items: Items) -> Value:
+    """A list that stands for an iterator."""
+    made = machine.new_list(*items)
+    machine.update(made, machine.obj(made).replace(payload=ITERATOR))
+    return made
+
+
+def _all_of(items: Items) -> tuple[Value, ...]:
+    return (*items.known, *(() if items.rest is None else (items.rest,)))
+
+
+def _range(call: NativeCall) -> Value:
+    args = call.args
+    start, stop, step = (Const(0), args[0], Const(1)) if len(args) == 1 else (*args, Const(1))[:3]
+    for end in (start, stop, step):
+        if isinstance(end, Const) and not isinstance(end.value, int):
+            raise Raised("TypeError", f"'{end.value.__class__.__name__}' object cannot be interpreted as an integer")
+    return spread(lambda a, b, c: Range(a, b, c), start, stop, step)
+
+
+def _enumerate(call: NativeCall) -> Value:
+    machine = call.machine
+    known, rest = machine.iterate(call.args[0])
+    begin = call.arg(1, "start", Const(0)) or Const(0)
+    first = int_of(begin)
+    number = unknown_from(machine, "enumerate", "int", begin if first is None else rest)
+    counted = [Tuple((number if first is None else Const(first + n, origins(begin)), v)) for n, v in enumerate(known)]
+    return iterator(machine, Items(tuple(counted), None if rest is None else Tuple((number, rest))))
+
+
+def _zip(call: NativeCall) -> Value:
+    columns = [call.machine.iterate(a) for a in call.args]
+    if not columns:
+        return iterator(call.machine, Items(()))
+    if all(c.rest is None for c in columns):
+        return iterator(call.machine, Items(tuple(Tuple(row) for row in zip(*(c.known for c in columns), strict=False))))
+    sure = min(len(c.known) for c in columns)
+    rows = tuple(Tuple(tuple(c.known[n] for c in columns)) for n in range(sure))
+    later = [_all_of(Items(c.known[sure:], c.rest)) for c in columns]
+    rest = Tuple(tuple(join_all(cells) for cells in later)) if all(later) else None
+    return iterator(call.machine, Items(rows, rest))
+
+
+def _map(call: NativeCall) -> Value:
+    machine, function = call.machine, call.args[0]
+    columns = [machine.iterate(a) for a in call.args[1:]]
+    if all(c.rest is None for c in columns):
+        results = [machine.call(function, row) for row in zip(*(c.known for c in columns), strict=False)]
+        return UNBOUND if UNBOUND in results else iterator(machine, Items(tuple(results)))
+    cells = [_all_of(c) for c in columns]
+    if not all(cells):
+        return iterator(machine, Items(()))
+    result = machine.call(function, [join_all(c) for c in cells])
+    return iterator(machine, Items(()) if result is UNBOUND else Items((), result))
+
+
+def _filter(call: NativeCall) -> Value:
+    machine, (function, iterable) = call.machine, call.args[:2]
+    known, rest = machine.iterate(iterable)
+    kept: list[Value] = []
+    exact = rest is None
+    for item in _all_of(Items(known, rest)):
+        answer = machine.truth(item if function == NONE else machine.call(function, (item,)))
+        if answer is not False:
+            kept.append(item)
+            exact = exact and answer is True
+    if exact:
+        return iterator(machine, Items(tuple(kept)))
+    return iterator(machine, Items((), join_all(kept)) if kept else Items(()))
+
+
+def _sorted(call: NativeCall) -> Value:
+    items = call.machine.iterate(call.args[0])
+    return call.machine.new_list(*order(call.machine, items, call.keywords.get("key"), call.keywords.get("reverse")))
+
+
+def _reversed(call: NativeCall) -> Value:
+    known, rest = call.machine.iterate(call.args[0])
+    return iterator(call.machine, Items(known[::-1]) if rest is None else Items((), join_all((*known, rest))))
+
+
+def _iter(call: NativeCall) -> Value:
+    if len(call.args) > 1:
+        return iterator(call.machine, Items((), unknown_from(call.machine, "iter", "", call.args[0])))
+    first = call.args[0]
+    if isinstance(first, Ref):
+        obj = call.machine.obj(first)
+        if obj.payload == ITERATOR or obj.kind == "generator":
+            return first
+    return iterator(call.machine, call.machine.iterate(first))
+
+
+def _next(call: NativeCall) -> Value:
+    return spread(lambda value: _next_of(call, value), call.args[0])
+
+
+def _next_of(call: NativeCall, value: Value) -> Value:
+    """The first element of an iterator that we follow; any element of another one, or the default."""
+    machine, default = call.machine, call.args[1:2]
+    obj = machine.obj(value) if isinstance(value, Ref) else None
+    if obj is not None and isinstance(value, Ref) and obj.payload == ITERATOR:
+        if obj.items:
+            write(machine, value, obj.items[1:])
+            return obj.items[0] if not obj.many else join_all(obj.items)
+        found = element(obj)
+    elif obj is not None and obj.kind == "instance":
+        return machine.call(machine.load_attr(value, "__next__"), ())
+    else:
+        found = join_all(_all_of(machine.iterate(value)))
+    if found is None or found is UNBOUND:
+        if not default:
+            raise Raised("StopIteration", "")
+        return default[0]
+    return join_all((found, *default))
+
+
+def _sum(call: NativeCall) -> Value:
+    machine, total = call.machine, call.arg(1, "start", Const(0)) or Const(0)
+    known, rest = machine.iterate(call.args[0])
+    for item in known:
+        total = machine.binary("+", total, item)
+    if rest is None:
+        return total
+    return unknown_from(machine, "sum", "int" if getattr(rest, "hint", "") == "int" else "", total, rest)
+
+
+def _extreme(call: NativeCall) -> Value:
+    """min and max."""
+    machine, name = call.machine, call.name.rpartition(".")[2]
+    items = machine.iterate(call.args[0]) if len(call.args) == 1 else Items(call.args)
+    default = call.keywords.get("default")
+    if not items.known and items.rest is None:
+        if default is None:
+            raise Raised("ValueError", f"{name}() arg is an empty sequence")
+        return default
+    if items.rest is not None:
+        return join_all((*_all_of(items), *(() if default is None else (default,))))
+    key = call.keywords.get("key")
+    keys = list(items.known) if key is None or key == NONE else [machine.call(key, (v,)) for v in items.known]
+    ranks = [comparable(machine, k) for k in keys]
+    if any(r is NOT_PLAIN for r in ranks):
+        return join_all(items.known)
+    chosen = run(_BEST[name], range(len(ranks)), ranks)
+    return with_origins(items.known[chosen], origins(*keys))
+
+
+def _least(numbers: range, ranks: list[object]) -> int:
+    return min(numbers, key=lambda n: ranks[n])  # type: ignore[arg-type,return-value]
+
+
+def _greatest(numbers: range, ranks: list[object]) -> int:
+    return max(numbers, key=lambda n: ranks[n])  # type: ignore[arg-type,return-value]
+
+
+_BEST: Final = {"min": _least, "max": _greatest}
+
+
+def _quantified(call: NativeCall) -> Value:
+    """any and all."""
+    machine, wanted = call.machine, call.name.endswith("any")
+    items = machine.iterate(call.args[0])
+    answers = {machine.truth(o) for v in items.known for o in options(v)} if items.known else set()
+    several = any(len(options(v)) > 1 for v in items.known)
+    sure = {machine.truth(v) for v in items.known} if several else answers
+    if wanted in sure:
+        return Const(wanted)
+    if items.rest is None and sure <= {not wanted}:
+        return Const(not wanted, origins(*items.known))
+    return unknown_from(machine, call.name, "bool", *_all_of(items))
+
+
+def _len(call: NativeCall) -> Value:
+    return spread(lambda value: _len_of(call, value), call.args[0])
+
+
+def _len_of(call: NativeCall, value: Value) -> Value:
+    machine = call.machine
+    if isinstance(value, Const):
+        if not isinstance(value.value, (str, bytes)):
+            raise Raised("TypeError", f"object of type '{value.value.__class__.__name__}' has no len()")
+        return Const(len(value.value), value.origins)
+    if isinstance(value, Tuple):
+        return Const(len(value.items))
+    if isinstance(value, Range) and None not in (ends := [int_of(e) for e in value]):
+        return Const(run(len, run(range, *ends)), origins(value))  # type: ignore[arg-type]
+    if isinstance(value, Ref):
+        obj = machine.obj(value)
+        if obj.kind in ("list", "set") and (obj.items is not None or obj.rest is None):
+            return Const(len(obj.items or ()))
+        if obj.kind == "dict" and obj.rest is None and not obj.maybe:
+            return Const(len(obj.entries))
+        if obj.kind == "instance":
+            return machine.call(machine.load_attr(value, "__len__"), ())
+        return machine.unknown(Cause.OPERATION, "len", "int")
+    return unknown_from(machine, "len", "int", value)
+
+
+def joined_elements(machine: Machine, value: Value) -> Value:
+    """One value that covers all elements; UNBOUND where there are none."""
+    known, rest = machine.iterate(value)
+    found = join_all(known)
+    return found if rest is None else join(found, rest)
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "builtins.range": native(_range),
+    "builtins.enumerate": native(_enumerate),
+    "builtins.zip": native(_zip),
+    "builtins.map": native(_map),
+    "builtins.filter": native(_filter),
+    "builtins.sorted": native(_sorted),
+    "builtins.reversed": native(_reversed),
+    "builtins.iter": native(_iter),
+    "builtins.next": native(_next),
+    "builtins.sum": native(_sum),
+    "builtins.min": native(_extreme),
+    "builtins.max": native(_extreme),
+    "builtins.any": native(_quantified),
+    "builtins.all": native(_quantified),
+    "builtins.len": native(_len),
+    "list.__next__": native(_next),
+    "list.__iter__": native(_iter),
+}

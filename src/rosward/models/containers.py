@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The builtin containers, for the engine: `key_of`, and where their methods stand (`containers_list`, `containers_dict`, `containers_set`)."""
+
+from __future__ import annotations
+
+from rosward.models.containers_dict import key_of, look_up, store
+from rosward.models.containers_list import element, new_tuple, order
+from rosward.models.containers_set import combine, new_set
+
+__all__ = ["combine", "element", "key_of", "look_up", "new_set", "new_tuple", "order", "store"]

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What operators, truth and iteration mean for values of builtin types; the engine has tried the special methods of instances before.
+
+    'a' + unknown               Text('a', hole)
+    ['a'] + names               a new list
+    2 ** 10 ** 9                unknown: beyond the limit
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable
+from typing import Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.text import MAX_LENGTH, concat, make, parts_of
+from rosward.domain.unknown import Cause, Origins
+from rosward.domain.values import (
+    NONE,
+    Class,
+    Const,
+    External,
+    Native,
+    Range,
+    Ref,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.models import containers_dict
+from rosward.models.containers_list import new_tuple
+from rosward.models.containers_set import FROZEN, combine, new_set
+from rosward.models.native import Items, Machine
+from rosward.models.operators_compare import compare, contains, equal, kind_of
+from rosward.models.operators_items import load_item, store_item
+from rosward.models.plain import (
+    MAX_BITS,
+    Raised,
+    from_python,
+    int_of,
+    operation,
+    origins,
+    run,
+    spread,
+    text_of,
+    truth_const,
+    unknown_from,
+    with_origins,
+)
+from rosward.models.strings_format import too_wide
+from rosward.models.strings_percent import percent, percent_one
+
+__all__ = ["binary", "compare", "contains", "equal", "iterate", "load_item", "percent", "store_item", "truth", "unary"]
+
+MAX_RANGE: Final = 1_000
+MAX_REPEAT: Final = 1_000
+_PYTHON: Final[dict[str, Callable[[object, object], object]]] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "//": operator.floordiv, "%": operator.mod,
+    "**": operator.pow, "<<": operator.lshift, ">>": operator.rshift, "&": operator.and_, "|": operator.or_, "^": operator.xor,
+    "@": operator.matmul,
+}  # fmt: skip
+_UNARY: Final[dict[str, Callable[[object], object]]] = {"-": operator.neg, "+": operator.pos, "~": operator.invert}
+_WHOLE: Final = ("int", "bool")
+_SEQUENCES: Final = ("str", "bytes", "list", "tuple")
+
+
+@operation
+def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
+    """left op right."""
+    return spread(lambda a, b: _binary(machine, op, a, b), left, right)
+
+
+def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
+    if op == "%" and (isinstance(left, Text) or text_of(left) is not None):
+        return percent_one(machine, left, right)
+    if isinstance(left, Const) and isinstance(right, Const):
+        return _constants(machine, op, left, right)
+    kinds = (kind_of(machine, left), kind_of(machine, right))
+    if op == "+" and "str" in kinds:
+        return _texts(machine, left, right, kinds)
+    if op == "*" and (kinds[0] in _SEQUENCES or kinds[1] in _SEQUENCES):
+        sequence, times = (left, right) if kinds[0] in _SEQUENCES else (right, left)
+        return _repeated(machine, sequence, times)
+    if op == "+" and kinds[0] == kinds[1] and kinds[0] in ("list", "tuple"):
+        return _sequences(machine, left, right, kinds[0])
+    if op in "|&-^" and isinstance(left, Ref) and isinstance(right, Ref) and {*kinds} <= {"set", "dict", "list"}:
+        return _collections(machine, op, left, right, kinds)
+    if all(k in (*_SEQUENCES, "dict", "set", "int", "float", "NoneType") for k in kinds) and _surely_wrong(left, right, kinds):
+        raise Raised("TypeError", f"unsupported operand type(s) for {op}: '{kinds[0]}' and '{kinds[1]}'")
+    return unknown_from(machine, op, _hint(op, kinds), left, right)
+
+
+def _surely_wrong(left: Value, right: Value, kinds: tuple[str, str]) -> bool:
+    """Whether the types are known for sure, and no operator takes both."""
+    return kinds[0] != kinds[1] and not isinstance(left, Unknown) and not isinstance(right, Unknown)
+
+
+def _hint(op: str, kinds: tuple[str, str]) -> str:
+    """The type of a result of which only the types of the operands are known."""
+    if op == "%" and kinds[0] == "str":
+        return "str"
+    if not all(k in (*_WHOLE, "float") for k in kinds):
+        return kinds[0] if kinds[0] == kinds[1] and op == "+" and kinds[0] in _SEQUENCES else ""
+    if op == "/" or "float" in kinds:
+        return "float"
+    return "" if op == "**" else "int"
+
+
+def _constants(machine: Machine, op: str, left: Const, right: Const) -> Value:
+    a, b = left.value, right.value
+    if _too_big(op, a, b):
+        return machine.unknown(Cause.LIMIT, op, a.__class__.__name__ if not isinstance(b, (str, bytes)) else b.__class__.__name__)
+    return from_python(machine, run(_PYTHON[op], a, b), origins(left, right), op)
+
+
+def _too_big(op: str, left: object, right: object) -> bool:
+    """Whether the result of an operation may be huge."""
+    if isinstance(left, bytes) and op == "%":
+        return b"*" in left or too_wide(left.decode("latin-1"))
+    if isinstance(left, (str, bytes)) or isinstance(right, (str, bytes)):
+        return op == "*" and _length(left, right) > MAX_LENGTH
+    if not isinstance(left, int) or not isinstance(right, int):
+        return False
+    if op == "**":
+        return left.bit_length() * abs(right) > MAX_BITS and left not in (0, 1, -1)
+    return op == "<<" and right > MAX_BITS
+
+
+def _length(left: object, right: object) -> int:
+    """The length of a text repeated."""
+    text, times = (left, right) if isinstance(left, (str, bytes)) else (right, left)
+    return len(text) * times if isinstance(text, (str, bytes)) and isinstance(times, int) else 0
+
+
+def _texts(machine: Machine, left: Value, right: Value, kinds: tuple[str, str]) -> Value:
+    """left + right where one of them is a text."""
+    other, kind = (right, kinds[1]) if kinds[0] == "str" else (left, kinds[0])
+    if kind == "str" or (kind == "" and isinstance(other, Unknown)):
+        return concat((left, right))
+    if isinstance(other, Unknown) or kind in ("", "instance"):
+        return unknown_from(machine, "+", "str" if kind else "", left, right)
+    raise Raised("TypeError", f'can only concatenate str (not "{kind}") to str')
+
+
+def _repeated(machine: Machine, sequence: Value, times: Value) -> Value:
+    number, kind = int_of(times), kind_of(machine, sequence)
+    if isinstance(times, Const) and number is None:
+        raise Raised("TypeError", f"can't multiply sequence by non-int of type '{times.value.__class__.__name__}'")
+    if isinstance(sequence, Text) and number is not None and number <= 64:
+        return make(parts_of(sequence) * number, origins(sequence, times))
+    if kind in ("str", "bytes") or isinstance(sequence, Unknown):
+        return unknown_from(machine, "*", kind, sequence, times)
+    known, rest = iterate(machine, sequence)
+    if number is not None and rest is None and len(known) * number <= MAX_REPEAT:
+        items = Items(known * number)
+    else:
+        items = Items((), join_all((*known, *(() if rest is None else (rest,)))) if known or rest is not None else None)
+    return new_tuple(machine, items) if kind == "tuple" else machine.new_list(*items)
+
+
+def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value:
+    if isinstance(left, Unknown) and isinstance(right, Unknown):
+        return unknown_from(machine, "+", kind, left, right)
+    first, second = iterate(machine, left), iterate(machine, right)
+    if first.rest is None:
+        items = Items((*first.known, *second.known), second.rest)
+    else:
+        items = Items(first.known, join_all((first.rest, *second.known, *(() if second.rest is None else (second.rest,)))))
+    return new_tuple(machine, items) if kind == "tuple" else machine.new_list(*items)
+
+
+def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[str, str]) -> Value:
+    """Sets (and the keys and items of dicts, which we hold as lists), and dict | dict."""
+    if op == "|" and kinds == ("dict", "dict"):
+        made = containers_dict.copy(machine, left)
+        containers_dict.merge(machine, made, right)
+        return made
+    if "dict" in kinds or kinds == ("list", "list"):
+        return unknown_from(machine, op, "", left, right)
+    items = combine(machine, op, iterate(machine, left), iterate(machine, right))
+    return new_set(machine, items, machine.obj(left).cls == FROZEN)
+
+
+@operation
+def unary(machine: Machine, op: str, value: Value) -> Value:
+    """op value."""
+    return spread(lambda v: _unary(machine, op, v), value)
+
+
+def _unary(machine: Machine, op: str, value: Value) -> Value:
+    if op == "not":
+        answer = truth_const(machine, value, "not")
+        return Const(not answer.value, answer.origins) if isinstance(answer, Const) else answer
+    if isinstance(value, Const):
+        return from_python(machine, run(_UNARY[op], value.value), value.origins, op)
+    if isinstance(value, (Text, Tuple)):
+        raise Raised("TypeError", f"bad operand type for unary {op}")
+    hint = kind_of(machine, value)
+    return unknown_from(machine, op, hint if hint in ("int", "float") else "", value)
+
+
+# Truth
+
+
+def truth(machine: Machine, value: Value) -> bool | None:
+    """The truth of a value; None where both are possible, and for what was computed from a mere default."""
+    answers = {_truth(machine, option) for option in options(value)}
+    return answers.pop() if len(answers) == 1 else None
+
+
+def _truth(machine: Machine, value: Value) -> bool | None:
+    if isinstance(value, Const):
+        return None if is_default(value.origins) else bool(value.value)
+    if isinstance(value, Text):
+        return None if is_default(value.origins) else True
+    if isinstance(value, Tuple):
+        return bool(value.items)
+    if isinstance(value, Range):
+        ends = [int_of(e) for e in value]
+        return None if None in ends or is_default(origins(value)) or not ends[2] else bool(range(*ends))  # type: ignore[arg-type]
+    if isinstance(value, Ref):
+        return _object_truth(machine, value)
+    return None if isinstance(value, (Unknown, External)) else True
+
+
+def is_default(source: Origins) -> bool:
+    """Whether a value stems from a default that someone may change."""
+    return any(not o.settled for o in source)
+
+
+def _object_truth(machine: Machine, ref: Ref) -> bool | None:
+    obj = machine.obj(ref)
+    if obj.kind in ("list", "set") and obj.items is not None:
+        return bool(obj.items)
+    if obj.kind in ("list", "set"):
+        return None if obj.rest is not None else False
+    if obj.kind == "dict":
+        if any(k not in obj.maybe for k in obj.entries):
+            return True
+        return None if obj.entries or obj.rest is not None else False
+    if obj.kind == "instance":
+        known = isinstance(obj.cls, Class) and all(isinstance(b, (Class, Native)) for b in obj.cls.mro)
+        return True if known else None
+    return True
+
+
+# Iteration
+
+
+def iterate(machine: Machine, value: Value) -> Items:
+    """What iterating over a value of builtin type yields; nothing where that raises."""
+    try:
+        several = [_iterate(machine, option) for option in options(value) if option != NONE]
+    except Raised as raised:
+        machine.die(raised.error, raised.message)
+        return Items(())
+    if not several:
+        machine.die("TypeError", "'NoneType' object is not iterable")
+        return Items(())
+    if len(several) == 1:
+        return several[0]
+    if len({len(i.known) for i in several}) == 1 and all(i.rest is None for i in several):
+        return Items(tuple(join_all(column) for column in zip(*(i.known for i in several), strict=True)))
+    loose = [v for i in several for v in (*i.known, *(() if i.rest is None else (i.rest,)))]
+    return Items((), join_all(loose)) if loose else Items(())
+
+
+def _iterate(machine: Machine, value: Value) -> Items:
+    if isinstance(value, Tuple):
+        return Items(value.items)
+    if isinstance(value, Ref):
+        return _iterate_object(machine, value)
+    if isinstance(value, Range):
+        return _iterate_range(machine, value)
+    if isinstance(value, Const):
+        if not isinstance(value.value, (str, bytes)):
+            raise Raised("TypeError", f"'{value.value.__class__.__name__}' object is not iterable")
+        if len(value.value) > MAX_RANGE:
+            return Items((), unknown_from(machine, "iteration", "str" if isinstance(value.value, str) else "int"))
+        return Items(tuple(Const(c, value.origins) for c in value.value))
+    if isinstance(value, Text):
+        return Items((), with_origins(unknown_from(machine, "iteration", "str", value), value.origins))
+    if isinstance(value, Unknown):
+        return Items((), Unknown(value.reasons, "str" if value.hint == "str" else ""))
+    return Items((), unknown_from(machine, "iteration", "", value))
+
+
+def _iterate_object(machine: Machine, ref: Ref) -> Items:
+    obj = machine.obj(ref)
+    if obj.kind in ("list", "set"):
+        return Items(obj.items) if obj.items is not None else Items((), obj.rest)
+    if obj.kind == "dict":
+        return containers_dict.keys(machine, obj)
+    return Items((), unknown_from(machine, "iteration", "", ref))
+
+
+def _iterate_range(machine: Machine, value: Range) -> Items:
+    ends = [int_of(e) for e in value]
+    if None in ends:
+        return Items((), unknown_from(machine, "range", "int", *value))
+    numbers = run(range, *ends)  # type: ignore[arg-type]
+    if len(numbers[: MAX_RANGE + 1]) > MAX_RANGE:
+        return Items((), machine.unknown(Cause.LIMIT, "range", "int"))
+    source = origins(value)
+    return Items(tuple(Const(n, source) for n in numbers))

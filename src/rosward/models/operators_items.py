@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Subscripts and slices of values of builtin types.
+
+    names[unknown]                      any of the names
+    Text('/robot_', hole)[1:]           Text('robot_', hole)
+"""
+
+from __future__ import annotations
+
+import operator
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.text import make, parts_of
+from rosward.domain.values import NONE, Choice, Const, External, Range, Ref, Slice, Text, Tuple, Unknown, Value
+from rosward.models import containers_dict, text_parts
+from rosward.models.containers_list import add_to_rest, element, write
+from rosward.models.native import Machine
+from rosward.models.plain import (
+    NOT_PLAIN,
+    Raised,
+    from_python,
+    int_of,
+    operation,
+    origins,
+    plain,
+    run,
+    spread,
+    unknown_from,
+    with_origins,
+)
+
+
+@operation
+def load_item(machine: Machine, value: Value, index: Value) -> Value:
+    """value[index]."""
+    if isinstance(index, Slice):
+        return spread(lambda v, a, b, c: _slice(machine, v, Slice(a, b, c)), value, *index)
+    return spread(lambda v, i: _slice(machine, v, i) if isinstance(i, Slice) else _load(machine, v, i), value, index)
+
+
+def _load(machine: Machine, value: Value, index: Value) -> Value:
+    if isinstance(value, Const):
+        if isinstance(index, Const):
+            return from_python(machine, run(operator.getitem, value.value, index.value), origins(value, index), "[]")
+        if not isinstance(value.value, (str, bytes)):
+            raise Raised("TypeError", f"'{value.value.__class__.__name__}' object is not subscriptable")
+        return unknown_from(machine, "[]", "str" if isinstance(value.value, str) else "int", index)
+    if isinstance(value, Text):
+        return with_origins(_character(machine, value, index), origins(value, index))
+    if isinstance(value, Tuple):
+        return _element(machine, value.items, index)
+    if isinstance(value, Range):
+        ends, number = [int_of(e) for e in value], int_of(index)
+        if number is None or None in ends:
+            return unknown_from(machine, "[]", "int", *value, index)
+        return Const(run(operator.getitem, run(range, *ends), number), origins(value, index))
+    if isinstance(value, Ref):
+        return _of_object(machine, value, index)
+    return Unknown(value.reasons) if isinstance(value, Unknown) else unknown_from(machine, "[]", "", value, index)
+
+
+def _of_object(machine: Machine, ref: Ref, index: Value) -> Value:
+    obj = machine.obj(ref)
+    if obj.kind == "dict":
+        return containers_dict.load(machine, ref, index)
+    if obj.kind == "list":
+        if obj.items is not None:
+            return _element(machine, obj.items, index)
+        if obj.rest is None:
+            raise Raised("IndexError", "list index out of range")
+        return obj.rest
+    if obj.kind == "set":
+        raise Raised("TypeError", "'set' object is not subscriptable")
+    return unknown_from(machine, "[]", "", ref, index)
+
+
+def _element(machine: Machine, items: tuple[Value, ...], index: Value) -> Value:
+    number = int_of(index)
+    if number is not None:
+        if not -len(items) <= number < len(items):
+            raise Raised("IndexError", "index out of range")
+        return with_origins(items[number], origins(index))
+    if isinstance(index, Const) or not items:
+        raise Raised("IndexError" if not items else "TypeError", "indices must be integers or slices")
+    del machine
+    return join_all(items)
+
+
+def _character(machine: Machine, value: Text, index: Value) -> Value:
+    number = int_of(index)
+    edge = value.parts[0 if number is not None and number >= 0 else -1]
+    if number is not None and isinstance(edge, str) and -len(edge) <= number < len(edge):
+        return Const(edge[number])
+    return unknown_from(machine, "[]", "str", value, index)
+
+
+# Slices
+
+
+def _slice(machine: Machine, value: Value, index: Slice) -> Value:
+    ends = [plain(e) for e in index]
+    known = NOT_PLAIN not in ends
+    source = origins(index)
+    if isinstance(value, Text) or (isinstance(value, Const) and isinstance(value.value, str) and not known):
+        return with_origins(_text_slice(machine, value, index), source | origins(value))
+    if isinstance(value, Const):
+        if not known:
+            return unknown_from(machine, "[:]", value.value.__class__.__name__, *index)
+        return from_python(machine, run(operator.getitem, value.value, slice(*ends)), source | origins(value), "[:]")
+    if isinstance(value, Tuple):
+        if known:
+            return with_origins(Tuple(run(operator.getitem, value.items, slice(*ends))), source)
+        return machine.new_list((), join_all(value.items)) if value.items else value
+    if isinstance(value, Ref) and machine.obj(value).kind == "list":
+        obj = machine.obj(value)
+        if known and obj.items is not None:
+            return machine.new_list(run(operator.getitem, obj.items, slice(*ends)))
+        return machine.new_list((), element(obj))
+    if isinstance(value, Range) and known and None not in (numbers := [int_of(e) for e in value]):
+        part = run(range, *numbers)[slice(*ends)]  # type: ignore[misc]
+        return Range(Const(part.start, source), Const(part.stop, source), Const(part.step, source))
+    return Unknown(value.reasons, value.hint) if isinstance(value, Unknown) else unknown_from(machine, "[:]", "", value)
+
+
+def _text_slice(machine: Machine, value: Value, index: Slice) -> Value:
+    """A slice of a text with holes, or with unknown ends."""
+    start, stop = int_of(index.lower), int_of(index.upper)
+    step_known = index.step in (NONE, Const(1))
+    unknown_ends = [v for v, n in ((index.lower, start), (index.upper, stop)) if n is None and v != NONE]
+    parts = parts_of(value)
+    if unknown_ends or not step_known or (start is not None and start < 0 and stop is not None):
+        return unknown_from(machine, "[:]", "str", value, *index)
+    if start is not None and start < 0:
+        return make(text_parts.mirror(text_parts.take_front(text_parts.mirror(parts), -start)))
+    found = [parts]
+    if stop is not None and stop < 0:
+        found = [text_parts.mirror(p) for p in text_parts.drop_front(text_parts.mirror(parts), -stop)]
+    if start:
+        found = [q for p in found for q in text_parts.drop_front(p, start)]
+    if stop is not None and stop >= 0:
+        found = [text_parts.take_front(p, max(0, stop - (start or 0))) for p in found]
+    if len(found) > text_parts.MAX_RESULTS:
+        return make((text_parts.anything(parts),))
+    return join_all(make(p) for p in dict.fromkeys(found))
+
+
+# Writing
+
+
+def store_item(machine: Machine, target: Value, index: Value, value: Value, weak: bool = False) -> None:
+    """target[index] = value; `weak` where it may not happen, as for one of several targets."""
+    several = weak or isinstance(target, Choice)
+    for option in options(target):
+        if isinstance(option, Ref):
+            kind = machine.obj(option).kind
+            if kind == "dict":
+                containers_dict.store(machine, option, index, value, several)
+            elif kind == "list":
+                for where in options(index):
+                    _store_element(machine, option, where, value, several or isinstance(index, Choice))
+        elif isinstance(option, (Unknown, External)):
+            machine.escape((value,), "an item of something unknown")
+
+
+def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool) -> None:
+    items = machine.obj(ref).items
+    if isinstance(index, Slice):
+        _store_slice(machine, ref, index, value, weak)
+        return
+    if items is None:
+        add_to_rest(machine, ref, (value,))
+        return
+    number = int_of(index)
+    if number is None:
+        write(machine, ref, (join(old, value) for old in items))
+    elif -len(items) <= number < len(items):
+        changed = list(items)
+        changed[number] = join(changed[number], value) if weak else value
+        write(machine, ref, changed)
+    elif not weak:
+        machine.die("IndexError", "list assignment index out of range")
+
+
+def _store_slice(machine: Machine, ref: Ref, index: Slice, value: Value, weak: bool) -> None:
+    items, ends = machine.obj(ref).items, [plain(e) for e in index]
+    known, rest = machine.iterate(value)
+    if weak or items is None or rest is not None or NOT_PLAIN in ends or ends[2] not in (None, 1):
+        add_to_rest(machine, ref, (*known, *(() if rest is None else (rest,))))
+        return
+    changed = list(items)
+    changed[slice(*ends)] = known
+    write(machine, ref, changed)
+
+

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+"""cv_bridge: conversions only.
+
+Read from ros-perception/vision_opencv, branch rolling (2024-02).
+"""
+
+from cv_bridge.core import CvBridge as CvBridge, CvBridgeError as CvBridgeError
+
+
+def cvtColorForDisplay(source, encoding_in="", encoding_out="", do_dynamic_scaling=False, min_image_value=0.0, max_image_value=0.0): ...
+def getCvType(encoding) -> int: ...

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tf2_ros.transform_broadcaster: publishes /tf.
+
+Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
+"""
+
+from rclpy.qos import QoSProfile as QoSProfile
+from tf2_msgs.msg import TFMessage
+
+
+class TransformBroadcaster:
+    def __init__(self, node, qos=None):
+        if qos is None:
+            qos = QoSProfile(depth=100)
+        self.pub_tf = node.create_publisher(TFMessage, "/tf", qos)
+
+    def sendTransform(self, transform) -> None: ...
