@@ -31,7 +31,7 @@ def scripts(tmp_path: Path, result: CMakeProject) -> list[str]:
         "INSTALL(PROGRAMS\n  # scripts/b.py\n  scripts/a.py #[[ b ]]\n  DESTINATION lib/demo/)",
         'install(PROGRAMS "scripts/a.py" DESTINATION "lib/${PROJECT_NAME}")',
         "install(PROGRAMS [[scripts/a.py]] DESTINATION [==[lib/demo]==])",
-        "install(PROGRAMS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/a.py DESTINATION ${CMAKE_INSTALL_LIBDIR}/${PROJECT_NAME})",
+        "install(PROGRAMS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/a.py DESTINATION ${CMAKE_INSTALL_LIBDIR}/demo)",
         "install(PROGRAMS scripts/a.py DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/demo COMPONENT x OPTIONAL)",
         "set(S scripts/a.py)\ninstall(PROGRAMS ${S} DESTINATION lib/demo)",
         "set(D lib/${PROJECT_NAME} CACHE STRING doc)\ninstall(PROGRAMS scripts/a.py DESTINATION ${D})",
@@ -42,7 +42,8 @@ def scripts(tmp_path: Path, result: CMakeProject) -> list[str]:
         "set(L a)\nforeach(s IN LISTS L)\ninstall(PROGRAMS scripts/${s}.py DESTINATION lib/demo)\nendforeach(s)",
         "foreach(s IN ITEMS a)\ninstall(PROGRAMS scripts/${s}.py DESTINATION lib/demo)\nendforeach()",
         "file(GLOB S scripts/a*.py)\ninstall(PROGRAMS ${S} DESTINATION lib/demo)",
-        "file(GLOB S RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS s*/a.*)\ninstall(PROGRAMS ${S} DESTINATION lib/demo)",
+        "file(GLOB S RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS s*/a.*)\n"
+        "install(PROGRAMS ${S} DESTINATION lib/demo)",
         "function(put)\ninstall(PROGRAMS ${ARGN} DESTINATION lib/demo)\nendfunction()\nput(scripts/a.py)",
         "macro(put what)\ninstall(PROGRAMS ${what} DESTINATION lib/demo)\nendmacro()\nput(scripts/a.py)",
         "if(SOMETHING)\ninstall(PROGRAMS scripts/a.py DESTINATION lib/demo)\nelse()\nendif()",

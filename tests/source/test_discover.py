@@ -125,6 +125,7 @@ def test_a_test_file_that_an_entry_point_names_is_read(tmp_path: Path) -> None:
     found = read(tmp_path, files)
     assert names(found) == ["demo/demo/__init__.py", "demo/demo/test_drive.py"]
     assert found.executables[0].file is found.files[1]
+    assert [s.relative for s in found.skipped if s.reason is SkipReason.TEST] == ["demo/demo/test_unit.py"]
 
 
 def test_a_named_file_is_read_whatever_it_is_called(tmp_path: Path) -> None:
@@ -221,7 +222,7 @@ def test_scripts_without_suffix_are_found_by_cmake(tmp_path: Path) -> None:
         tmp_path,
         {
             "package.xml": manifest("demo", "ament_cmake"),
-            "CMakeLists.txt": "project(demo)\ninstall(PROGRAMS nodes/talker nodes/run DESTINATION lib/${PROJECT_NAME})\n",
+            "CMakeLists.txt": "install(PROGRAMS nodes/talker nodes/run DESTINATION lib/${PROJECT_NAME})\n",
             "nodes/talker": "#!/usr/bin/env python3\nimport rclpy\n",
             "nodes/run": "#!/bin/bash\n",
             "nodes/README": "text",

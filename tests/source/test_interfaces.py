@@ -60,9 +60,9 @@ def test_the_workspace_goes_first(tmp_path: Path) -> None:
         },
     )
     index = InterfaceIndex(found)
-    assert index.names("mine", "msg") == {"Foo", "Bar"}
-    assert index.names("mine", "srv") == {"Do"}
-    assert index.names("mine", "action") == {"Go"}
-    assert index.names("std_msgs", "msg") == {"Own"}
+    assert index.names("mine", "msg") == frozenset({"Foo", "Bar"})
+    assert index.names("mine", "srv") == frozenset({"Do"})
+    assert index.names("mine", "action") == frozenset({"Go"})
+    assert index.names("std_msgs", "msg") == frozenset({"Own"})
     assert index.is_local("mine")
     assert not index.is_local("geometry_msgs")

@@ -16,6 +16,7 @@ from rosward.domain.values import UNBOUND, Choice, Const, External, Text, Tuple,
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
+MAX_NUMBERS: Final = 12
 MAX_REASONS: Final = 4
 _NOWHERE: Final = Place("", 0)
 
@@ -64,9 +65,18 @@ def join_all(values: Iterable[Value]) -> Value:
         return UNBOUND
     if len(found) == 1:
         return next(iter(found))
-    if len(found) > MAX_OPTIONS:
-        return generalise(tuple(found))
+    if len(found) > MAX_NUMBERS:
+        return _bounded(tuple(found))
     return Choice(tuple(found))
+
+
+def _bounded(values: tuple[Value, ...]) -> Value:
+    """Many alternatives: numbers, of which names are seldom made, are given up sooner than texts and objects."""
+    numbers = [v for v in values if v.__class__ is Const and v.value.__class__ in (int, float)]
+    if len(numbers) > MAX_NUMBERS:
+        rest = [v for v in values if not (v.__class__ is Const and v.value.__class__ in (int, float))]
+        return join_all([*rest, generalise(tuple(numbers))])
+    return generalise(values) if len(values) > MAX_OPTIONS else Choice(values)
 
 
 def _join_unknown(left: Unknown, right: Unknown) -> Unknown:
@@ -163,7 +173,7 @@ def lift2(function: Callable[[Value, Value], Value], left: Value, right: Value) 
     if left.__class__ is not Choice and right.__class__ is not Choice:
         return function(left, right)
     lefts, rights = options(left), options(right)
-    if len(lefts) * len(rights) > MAX_OPTIONS * 4:
+    if len(lefts) * len(rights) > MAX_OPTIONS:
         if len(lefts) > len(rights):
             return lift2(function, generalise(lefts), right)
         return lift2(function, left, generalise(rights))

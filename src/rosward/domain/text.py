@@ -111,16 +111,19 @@ def pattern(value: Value) -> str:
 def matches(value: Value, text: str) -> bool:
     """Whether a value covers a str: holes stand for any text of their shape."""
     if value.__class__ is Choice:
-        return any(matches(o, text) for o in value.options)  # type: ignore[attr-defined]
+        return any(matches(o, text) for o in value.options)
     if value.__class__ is Const:
-        return value.value.__class__ is str and value.value == text  # type: ignore[attr-defined]
+        return value.value.__class__ is str and value.value == text
     if value.__class__ is Unknown:
-        return value.hint in ("", "str")  # type: ignore[attr-defined]
+        return value.hint in ("", "str")
     if value.__class__ is not Text:
         return False
     reached = {0}
-    for part in value.parts:  # type: ignore[attr-defined]
-        reached = {at + len(part) for at in reached if text.startswith(part, at)} if isinstance(part, str) else _behind(part, text, reached)
+    for part in value.parts:
+        if isinstance(part, str):
+            reached = {at + len(part) for at in reached if text.startswith(part, at)}
+        else:
+            reached = _behind(part, text, reached)
     return len(text) in reached
 
 

@@ -67,7 +67,7 @@ class Text(Value):
     def __init__(self, parts: tuple[str | Hole, ...], origins: Origins = NO_ORIGINS) -> None:
         self.parts = parts
         self.origins = origins
-        self._hash = hash(parts)
+        self._hash = hash(tuple([p if p.__class__ is str else None for p in parts]))
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
@@ -85,11 +85,12 @@ class Text(Value):
 class Unknown(Value):
     """Any value, and why. `hint` is the Python type where that is known ('str', 'int', 'float', 'bool', 'list', 'dict', …), else ''."""
 
-    __slots__ = ("hint", "reasons")
+    __slots__ = ("_hash", "hint", "reasons")
 
     def __init__(self, reasons: tuple[Reason, ...], hint: str = "") -> None:
         self.reasons = reasons
         self.hint = hint
+        self._hash = hash((tuple([(r.subject, r.place) for r in reasons]), hint))
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
@@ -97,7 +98,7 @@ class Unknown(Value):
         )
 
     def __hash__(self) -> int:
-        return hash((self.reasons, self.hint))
+        return self._hash
 
     def __repr__(self) -> str:
         return f"Unknown({self.hint}: {'; '.join(map(str, self.reasons))})"
@@ -142,10 +143,24 @@ class _Record(Value):
         return tuple.__hash__(self) ^ hash(self.__class__)  # type: ignore[arg-type]
 
 
-class Tuple(_Record, NamedTuple("_Tuple", [("items", "tuple[Value, ...]")])):
+@final
+class Tuple(Value):
     """A tuple of known length."""
 
-    __slots__ = ()
+    __slots__ = ("_hash", "items")
+
+    def __init__(self, items: tuple[Value, ...]) -> None:
+        self.items = items
+        self._hash = hash(items)
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (other.__class__ is Tuple and self._hash == other._hash and self.items == other.items)
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __repr__(self) -> str:
+        return f"Tuple{self.items!r}"
 
 
 @final

@@ -335,7 +335,9 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
         if not obj.many:
             cls = obj.cls.name if obj.cls.__class__ is Class else ""
             machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
-            machine.die("AttributeError", f"can't set attribute {name}")
+            from rosward.engine.exceptions import throw
+
+            throw(machine, Native("builtins.AttributeError"), name)
             return False
         return True
     hook = lookup(machine, obj.cls, "__setattr__") if obj.kind == "instance" else None

@@ -12,22 +12,24 @@ class Budget(NamedTuple):
     `steps`: operations interpreted before the process is given up; `entry_steps`: the same for each callback, afterwards.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop that are followed one by one while its condition is known; `unroll_forever`: the same for `while True`.
+    `turns`: turns of loops, nested ones included, that are followed one by one within one outermost loop.
     `fixpoint`: turns after which a loop that is followed by joining must have come to rest; `widen_after`: turns before widening.
     `rounds`: rounds in which all callbacks run before widening forces an end. `items`: elements of one collection kept apart.
     `seconds`: of CPU time for one process.
     """
 
-    steps: int = 400_000
+    steps: int = 300_000
     entry_steps: int = 60_000
     depth: int = 60
     recursion: int = 4
     unroll: int = 300
     unroll_forever: int = 4
+    turns: int = 600
     fixpoint: int = 12
     widen_after: int = 2
     rounds: int = 8
     items: int = 1_000
-    seconds: float = 15.0
+    seconds: float = 12.0
 
 
 class LimitReachedError(Exception):

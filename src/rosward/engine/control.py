@@ -82,11 +82,15 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None
     known, rest = machine.iterate(frame.registers[op.iterable])
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
-    if len(known) > machine.budget.unroll:
+    if not machine.loops:
+        machine.turns = 0
+    if len(known) > machine.budget.unroll or machine.turns + len(known) > machine.budget.turns:
         rest = join_all([*known, *(() if rest is None else (rest,))])
         known = ()
     alive = True
+    machine.loops += 1
     for number, item in enumerate(known):
+        machine.turns += 1
         frame.context = machine.context(context, id(op), number)
         frame.registers[op.item] = item
         alive = _turn(machine, op.body, frame)
@@ -96,6 +100,7 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None
     if alive and rest is not None:
         frame.context = machine.context(context, id(op), "*")
         alive = _until_stable(machine, op, frame, None, rest)
+    machine.loops -= 1
     frame.context = context
     if alive:
         alive = machine.run(op.orelse, frame)
@@ -137,8 +142,11 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll
     alive, number = True, 0
+    if not machine.loops:
+        machine.turns = 0
+    machine.loops += 1
     while True:
-        note(machine, frame)
+        note(machine)
         frame.context = machine.context(context, id(op), number)
         seen = (machine.state.version, frame.registers.copy())
         alive = machine.run(op.condition, frame)
@@ -148,7 +156,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
         if decided is False:
             alive = machine.run(op.orelse, frame)
             break
-        if decided is None or number >= limit:
+        if decided is None or number >= limit or machine.turns >= machine.budget.turns:
             frame.context = machine.context(context, id(op), "*")
             alive = _until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
             break
@@ -160,7 +168,9 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
             machine.log.blocks(machine)
             break
         number += 1
+        machine.turns += 1
         machine.check_time()
+    machine.loops -= 1
     frame.context = context
     return _behind(machine, frame, alive, saved)
 
@@ -183,9 +193,12 @@ def _until_stable(
     head = machine.snapshot(frame)
     ended: Snapshot | None = None
     frame.uncertain += 1
+    # Inside a loop that is followed to a fixpoint itself, each turn would be joined many times over: there it widens at once.
+    patience = 0 if machine.fixpoints else machine.budget.widen_after
+    machine.fixpoints += 1
     for turn in range(machine.budget.fixpoint * 4):
         machine.resume(frame, Snapshot(head.registers.copy(), head.state.copy()))
-        note(machine, frame)
+        note(machine)
         ended = None
         alive = True
         if isinstance(op, ops.While):
@@ -201,7 +214,7 @@ def _until_stable(
         if not (alive and _turn(machine, op.body, frame)):
             break
         version, before = head.state.version, head.registers
-        merge = join if turn < machine.budget.widen_after else widening
+        merge = join if turn < patience else widening
         head = join_into(machine, head, Snapshot(frame.registers, machine.state), merge)
         if head.state.version == version and head.registers is before:
             break
@@ -209,6 +222,7 @@ def _until_stable(
     else:
         machine.report("RW201", "the loop did not come to rest; what later turns create may be missing")
     frame.uncertain -= 1
+    machine.fixpoints -= 1
     if ended is None:
         machine.log.blocks(machine)
         return False

@@ -42,12 +42,11 @@ class Catcher:
         self.snapshot = join_into(machine, self.snapshot, here)
 
 
-def note(machine: Interpreter, frame: Frame) -> None:
-    """An exception may be raised here: tell the innermost try of this frame, or the innermost of all."""
+def note(machine: Interpreter) -> None:
+    """An exception may be raised here: tell the innermost try."""
     if machine.catchers and machine.catchers[-1].version != machine.state.version:
         machine.catchers[-1].version = machine.state.version
         machine.catchers[-1].enter(machine)
-    del frame
 
 
 def throw(machine: Interpreter, exception: Value, message: str = "") -> None:

@@ -65,6 +65,9 @@ class Interpreter:
         self.step_limit = budget.steps
         self.deadline = time.process_time() + budget.seconds
         self.raised = 0
+        self.fixpoints = 0  # how many loops are being followed to a fixpoint
+        self.loops = 0  # how many loops are running
+        self.turns = 0  # turns followed one by one since the outermost of them began
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, calls.Summary] = {}
         self.memo: dict[object, Value] = {}
@@ -258,7 +261,14 @@ class Interpreter:
         self.log.findings[Finding(code, message, self.place)] = None
 
     def die(self, error: str, message: str) -> Value:
-        """This path raises here."""
+        """This path raises here: it ends where that is what the program wants (SystemExit).
+
+        Any other failure of a builtin is taken as a value that is not known: what fails for the values that we see (a default list that
+        is too short) may go well for others.
+        """
+        if error not in ("SystemExit", "StopIteration"):
+            exceptions.note(self)
+            return self.unknown(Cause.ERROR, f"{error}: {message}")
         exceptions.throw(self, Native(f"builtins.{error}"), message)
         return UNBOUND
 

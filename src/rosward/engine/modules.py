@@ -168,8 +168,8 @@ def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | 
     return value
 
 
-def _from_stars(machine: Interpreter, record: Obj, name: str) -> Value | None:
-    """A name that came by `from package import *` from an external module."""
+def _from_stars(machine: Interpreter, record: Obj, name: str, *, sure: bool = False) -> Value | None:
+    """A name that came by `from package import *` from an external module; where `sure`, only from one that is known to have it."""
     stars = record.attrs.get(_STARS)
     if not isinstance(stars, Tuple) or not stars.items or name.startswith("_"):
         return None
@@ -178,6 +178,8 @@ def _from_stars(machine: Interpreter, record: Obj, name: str) -> Value | None:
     open_ = [m for m in modules if machine.library.interface_has(m, name) is None]
     if knowing:
         return External(f"{knowing[0]}.{name}")
+    if sure:
+        return None
     if len(open_) == 1:
         return External(f"{open_[0]}.{name}")
     if open_:
@@ -187,12 +189,13 @@ def _from_stars(machine: Interpreter, record: Obj, name: str) -> Value | None:
 
 def load_global(machine: Interpreter, module: ModuleValue, name: str, *, quiet: bool = False) -> Value:
     """A name that is not (or not yet) a variable of the module: from a star import, or a builtin."""
-    star = _from_stars(machine, machine.at(module.address), name)
-    if star is not None and not (hasattr(builtins, name) and star.__class__ is not External):
+    builtin = hasattr(builtins, name)
+    star = _from_stars(machine, machine.at(module.address), name, sure=builtin)
+    if star is not None:
         return star
     if name == "__builtins__":
         return machine.unknown(Cause.LIVE, name)
-    if hasattr(builtins, name) or machine.library.native(f"builtins.{name}"):
+    if builtin or machine.library.native(f"builtins.{name}"):
         return Native(f"builtins.{name}")
     if quiet:
         return machine.unknown(Cause.ERROR, name)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, widen
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Ref, Unknown, Value
+from rosward.domain.values import UNBOUND, BoundMethod, Function, Partial, Ref, Unknown, Value
 from rosward.engine.binding import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.frame import Frame
@@ -28,14 +28,18 @@ _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 class Entry:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
-    __slots__ = ("args", "callback", "event", "place", "state")
+    __slots__ = ("args", "callback", "context", "event", "exhausted", "place", "state")
 
-    def __init__(self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State) -> None:
+    def __init__(
+        self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State, context: int
+    ) -> None:
         self.callback = callback
         self.args = args
         self.event = event
         self.place = place
         self.state = state
+        self.context = context
+        self.exhausted = False  # it hit a limit: it is not run again
 
 
 @final
@@ -56,7 +60,16 @@ class Schedule:
         for option in options(callback):
             key = (option, args)
             if key not in self.entries and option.__class__ is not Unknown:
-                self.entries[key] = Entry(option, args, event, machine.place, machine.state.copy())
+                self.entries[key] = Entry(option, args, event, machine.place, machine.state.copy(), self._context(machine, option, event))
+
+    def _context(self, machine: Interpreter, callback: Value, event: str) -> int:
+        """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
+        if not self.running:
+            return machine.context("callback", len(self.entries))
+        while callback.__class__ in (BoundMethod, Partial):
+            callback = callback.function
+        code = id(callback.code) if callback.__class__ is Function else 0
+        return machine.context("later callback", code, event, machine.place)
 
     def spin(self, machine: Interpreter) -> None:
         """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be."""
@@ -82,10 +95,10 @@ class Schedule:
         for round_ in range(machine.budget.rounds * 3):
             start = (len(self.entries), machine.state.version)
             merge = join if round_ < machine.budget.widen_after else widening
-            for number, entry in enumerate(list(self.entries.values())):
+            for entry in [e for e in self.entries.values() if not e.exhausted]:
                 base = machine.state
                 machine.state = base.copy()
-                self._call(machine, number, entry)
+                self._call(machine, entry)
                 machine.state = join_states(base, machine.state, machine.fresh_version, merge)
             if start == (len(self.entries), machine.state.version):
                 return
@@ -93,15 +106,16 @@ class Schedule:
         machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
 
     @staticmethod
-    def _call(machine: Interpreter, number: int, entry: Entry) -> None:
+    def _call(machine: Interpreter, entry: Entry) -> None:
         for address, obj in entry.state.heap.items():
             if address not in machine.state.heap:
                 machine.state.heap[address] = obj
         code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
-        frame = Frame(code, [], (), machine.library.nowhere, machine.context("callback", number), False)
+        frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)
         frame.line, frame.column = entry.place.line, entry.place.column
         frame.uncertain = 1
         machine.frames.append(frame)
+        machine.loops = machine.fixpoints = 0
         machine.step_limit = max(machine.step_limit, machine.steps + machine.budget.entry_steps)
         try:
             if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
@@ -112,6 +126,7 @@ class Schedule:
                 if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
                     machine.iterate(result)
         except LimitReachedError as limit:
+            entry.exhausted = True
             machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")
             machine.check_time()
         finally:

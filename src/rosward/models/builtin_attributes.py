@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """getattr, setattr, hasattr and delattr, with names that are known, partly known or not.
 
-    getattr(self, 'on_' + unknown)      any attribute of self that begins so, or something unknown
-    setattr(self, unknown, value)       a finding (RW203)
+getattr(self, 'on_' + unknown)      any attribute of self that begins so, or something unknown
+setattr(self, unknown, value)       a finding (RW203)
 """
 
 from __future__ import annotations
@@ -39,7 +39,9 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         own = obj.attrs.get(name)
         return True if own is not None and own is not UNBOUND else _in_class(machine, obj.cls, name)
     if isinstance(value, Class):
-        return True if name in ("__name__", "__qualname__", "__module__", "__doc__") else _in_class(machine, value, name)
+        return (
+            True if name in ("__name__", "__qualname__", "__module__", "__doc__") else _in_class(machine, value, name)
+        )
     if isinstance(value, ModuleValue):
         return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
@@ -49,7 +51,7 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
 
 
 def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
-    """Whether instances of a class have an attribute by their class; None where a base may, or where `__getattr__` decides."""
+    """Whether instances have an attribute by their class; None where a base or `__getattr__` may."""
     if not isinstance(cls, Class):
         return None
     unknown = False
@@ -75,7 +77,10 @@ def _names(machine: Machine, value: Value) -> list[str]:
         places = [b.address for b in value.mro if isinstance(b, Class)] if isinstance(value, Class) else [value.address]
     elif isinstance(value, Ref) and machine.obj(value).kind == "instance":
         cls = machine.obj(value).cls
-        places = [value.address, *(b.address for b in (cls.mro if isinstance(cls, Class) else ()) if isinstance(b, Class))]
+        places = [
+            value.address,
+            *(b.address for b in (cls.mro if isinstance(cls, Class) else ()) if isinstance(b, Class)),
+        ]
     else:
         places = []
     return list(dict.fromkeys(name for place in places for name in machine.obj(Ref(place)).attrs))
@@ -114,7 +119,9 @@ def _set(call: NativeCall) -> Value:
             machine.store_attr(target, known, value)
         else:
             there = has_attribute(machine, target, known)
-            machine.store_attr(target, known, value if there is False else join(machine.load_attr(target, known), value))
+            machine.store_attr(
+                target, known, value if there is False else join(machine.load_attr(target, known), value)
+            )
     return NONE
 
 
@@ -122,7 +129,9 @@ def _has(call: NativeCall) -> Value:
     def one(value: Value, name: Value) -> Value:
         known = text_of(name)
         there = None if known is None else has_attribute(call.machine, value, known)
-        return unknown_from(call.machine, "hasattr", "bool", value, name) if there is None else Const(there, origins(name))
+        return (
+            unknown_from(call.machine, "hasattr", "bool", value, name) if there is None else Const(there, origins(name))
+        )
 
     return spread(one, *call.args[:2])
 

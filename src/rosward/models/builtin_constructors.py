@@ -6,12 +6,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
+from rosward.domain.choice import options
 from rosward.domain.heap import Obj
 from rosward.domain.values import (
     EMPTY,
     FALSE,
     NONE,
     BoundMethod,
+    Choice,
     Class,
     Const,
     Descriptor,
@@ -38,6 +40,7 @@ from rosward.models.plain import (
     Raised,
     evaluate,
     from_python,
+    listed,
     native,
     origins,
     plain,
@@ -71,7 +74,9 @@ def _number(call: NativeCall) -> Value:
         known = evaluate(call.machine, name, _NUMBERS[name], values)
         if known is not None:
             return known
-        if isinstance(values[0], Tuple) or (isinstance(values[0], Ref) and kind_of(call.machine, values[0]) in ("list", "dict", "set")):
+        if isinstance(values[0], Tuple) or (
+            isinstance(values[0], Ref) and kind_of(call.machine, values[0]) in ("list", "dict", "set")
+        ):
             raise Raised("TypeError", f"{name}() argument must be a string or a real number")
         return unknown_from(call.machine, name, name, *values)
 
@@ -95,7 +100,7 @@ def _items(call: NativeCall) -> Items:
 
 
 def _list(call: NativeCall) -> Value:
-    return call.machine.new_list(*_items(call))
+    return listed(call.machine, call.name, *_items(call))
 
 
 def _tuple(call: NativeCall) -> Value:
@@ -107,11 +112,10 @@ def _set(call: NativeCall) -> Value:
 
 
 def _dict(call: NativeCall) -> Value:
-    made = call.machine.new_dict({})
+    made = call.machine.allocate(Obj("dict", Native("builtins.dict")), call.name)
     for source in call.args[:1]:
-        containers_dict.merge(call.machine, made, source) if not hasattr(source, "options") else call.machine.call(
-            Native("dict.update"), (made, source)
-        )
+        for option in options(source):
+            containers_dict.merge(call.machine, made, option, weak=isinstance(source, Choice))
     for name, value in call.keywords.items():
         containers_dict.store(call.machine, made, Const(name), value)
     return made

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builtin functions that are neither types (`builtin_constructors`), nor over iterables (`builtin_sequences`), nor over attributes.
+"""Builtin functions of single values; those of iterables, of attributes and the types stand in modules of their own.
 
-    abs(-1), round(x, 2), isinstance(x, str), open('/etc/robot.yaml'), input(), eval('[1, 2]')
+abs(-1), round(x, 2), isinstance(x, str), open('/etc/robot.yaml'), input(), eval('[1, 2]')
 """
 
 from __future__ import annotations
@@ -27,14 +27,15 @@ from rosward.models.plain import (
     text_of,
     unknown_from,
 )
-from rosward.models.strings_format import format_value, represent
+from rosward.models.strings_format import format_value, represent, to_str
 
 MAX_SOURCE: Final = 4_096
 _PURE: Final[dict[str, tuple[Callable[..., object], str]]] = {
-    "abs": (abs, ""), "round": (round, ""), "chr": (chr, "str"), "ord": (ord, "int"), "bin": (bin, "str"), "hex": (hex, "str"),
-    "oct": (oct, "str"), "pow": (pow, ""), "divmod": (divmod, ""),
+    "abs": (abs, ""), "round": (round, ""), "chr": (chr, "str"), "ord": (ord, "int"),
+    "bin": (bin, "str"), "hex": (hex, "str"), "oct": (oct, "str"), "pow": (pow, ""), "divmod": (divmod, ""),
 }  # fmt: skip
-_OPAQUE: Final = {"vars": "dict", "globals": "dict", "locals": "dict", "dir": "list", "memoryview": "", "breakpoint": "", "help": ""}
+_ABSOLUTE: Final = {"int": "int", "bool": "int", "float": "float"}
+_OPAQUE: Final = {"vars": "dict", "globals": "dict", "locals": "dict", "dir": "list", "memoryview": "", "help": ""}
 
 
 def _pure(call: NativeCall) -> Value:
@@ -48,7 +49,7 @@ def _pure(call: NativeCall) -> Value:
         known = evaluate(call.machine, name, function, values)
         if known is not None:
             return known
-        kept = values[0].hint if isinstance(values[0], Unknown) and name == "abs" else hint
+        kept = _ABSOLUTE.get(values[0].hint, "") if isinstance(values[0], Unknown) and name == "abs" else hint
         result = unknown_from(call.machine, name, "int" if name == "round" and len(values) == 1 else kept, *values)
         return Tuple((Unknown(result.reasons), Unknown(result.reasons))) if name == "divmod" else result
 
@@ -57,7 +58,9 @@ def _pure(call: NativeCall) -> Value:
 
 def _huge(values: tuple[Value, ...]) -> bool:
     base, exponent = int_of(values[0]), int_of(values[1])
-    return len(values) == 2 and base is not None and exponent is not None and base.bit_length() * abs(exponent) > MAX_BITS
+    return (
+        len(values) == 2 and base is not None and exponent is not None and base.bit_length() * abs(exponent) > MAX_BITS
+    )
 
 
 def _is_instance(call: NativeCall) -> Value:
@@ -85,7 +88,11 @@ def is_subclass(cls: Value, wanted: Value) -> bool | None:
         if wanted in cls.mro or wanted == Native("builtins.object"):
             return True
         answers = [is_subclass(b, wanted) if isinstance(b, Native) else isinstance(b, Class) for b in cls.mro]
-        return None if not all(isinstance(b, (Class, Native)) for b in cls.mro) or None in answers else _by_native(cls, wanted)
+        return (
+            None
+            if not all(isinstance(b, (Class, Native)) for b in cls.mro) or None in answers
+            else _by_native(cls, wanted)
+        )
     return True if cls == wanted else None
 
 
@@ -121,7 +128,10 @@ def _identity(call: NativeCall) -> Value:
 
 
 def _repr(call: NativeCall) -> Value:
-    return spread(lambda v: v if text_of(v) is not None else unknown_from(call.machine, "repr", "str", v), represent(call.machine, call.args[0]))
+    return spread(
+        lambda v: v if text_of(v) is not None else unknown_from(call.machine, "repr", "str", v),
+        represent(call.machine, call.args[0]),
+    )
 
 
 def _ascii(call: NativeCall) -> Value:
@@ -129,9 +139,9 @@ def _ascii(call: NativeCall) -> Value:
 
 
 def _format(call: NativeCall) -> Value:
-    from rosward.models.strings_format import to_str
-
-    return to_str(call.machine, format_value(call.machine, call.args[0], "", call.args[1] if len(call.args) > 1 else None))
+    return to_str(
+        call.machine, format_value(call.machine, call.args[0], "", call.args[1] if len(call.args) > 1 else None)
+    )
 
 
 def _opaque(call: NativeCall) -> Value:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Builtin functions over iterables. An iterator is a list that `next` takes elements from; it is computed when it is made.
+"""Builtin functions over iterables. An iterator is a list that `next` takes from, computed when it is made.
 
-    sorted(names), zip(a, b), enumerate(x, 1), sum(parts, ''), any(flags), next(iter(x), None)
+sorted(names), zip(a, b), enumerate(x, 1), sum(parts, ''), any(flags), next(iter(x), None)
 """
 
 from __future__ import annotations
@@ -14,12 +14,24 @@ from rosward.domain.values import NONE, UNBOUND, Const, Range, Ref, Tuple, Value
 from rosward.models.containers_list import ITERATOR, element, order, write
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable
-from rosward.models.plain import NOT_PLAIN, Raised, int_of, native, origins, run, spread, unknown_from, with_origins
+from rosward.models.plain import (
+    NOT_PLAIN,
+    Raised,
+    int_of,
+    listed,
+    native,
+    origins,
+    range_of,
+    run,
+    spread,
+    unknown_from,
+    with_origins,
+)
 
 
 def iterator(machine: Machine, items: Items) -> Value:
     """A list that stands for an iterator."""
-    made = machine.new_list(*items)
+    made = listed(machine, "iterator", *items)
     machine.update(made, machine.obj(made).replace(payload=ITERATOR))
     return made
 
@@ -34,7 +46,7 @@ def _range(call: NativeCall) -> Value:
     for end in (start, stop, step):
         if isinstance(end, Const) and not isinstance(end.value, int):
             raise Raised("TypeError", f"'{end.value.__class__.__name__}' object cannot be interpreted as an integer")
-    return spread(lambda a, b, c: Range(a, b, c), start, stop, step)
+    return spread(Range, start, stop, step)
 
 
 def _enumerate(call: NativeCall) -> Value:
@@ -52,7 +64,9 @@ def _zip(call: NativeCall) -> Value:
     if not columns:
         return iterator(call.machine, Items(()))
     if all(c.rest is None for c in columns):
-        return iterator(call.machine, Items(tuple(Tuple(row) for row in zip(*(c.known for c in columns), strict=False))))
+        return iterator(
+            call.machine, Items(tuple(Tuple(row) for row in zip(*(c.known for c in columns), strict=False)))
+        )
     sure = min(len(c.known) for c in columns)
     rows = tuple(Tuple(tuple(c.known[n] for c in columns)) for n in range(sure))
     later = [_all_of(Items(c.known[sure:], c.rest)) for c in columns]
@@ -90,7 +104,8 @@ def _filter(call: NativeCall) -> Value:
 
 def _sorted(call: NativeCall) -> Value:
     items = call.machine.iterate(call.args[0])
-    return call.machine.new_list(*order(call.machine, items, call.keywords.get("key"), call.keywords.get("reverse")))
+    ordered = order(call.machine, items, call.keywords.get("key"), call.keywords.get("reverse"))
+    return listed(call.machine, "sorted", *ordered)
 
 
 def _reversed(call: NativeCall) -> Value:
@@ -200,8 +215,8 @@ def _len_of(call: NativeCall, value: Value) -> Value:
         return Const(len(value.value), value.origins)
     if isinstance(value, Tuple):
         return Const(len(value.items))
-    if isinstance(value, Range) and None not in (ends := [int_of(e) for e in value]):
-        return Const(run(len, run(range, *ends)), origins(value))  # type: ignore[arg-type]
+    if isinstance(value, Range) and (numbers := range_of(value)) is not None:
+        return Const(run(len, numbers), origins(value))
     if isinstance(value, Ref):
         obj = machine.obj(value)
         if obj.kind in ("list", "set") and (obj.items is not None or obj.rest is None):

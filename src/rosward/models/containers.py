@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The builtin containers, for the engine: `key_of`, and where their methods stand (`containers_list`, `containers_dict`, `containers_set`)."""
+"""The builtin containers, for other modules; their methods stand in `containers_list`, `_dict` and `_set`."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Dicts: entries under known keys (some of them maybe absent), and the join of what stands under unknown ones.
 
-    d['a'] = 1          entries {'a': 1}
-    d[unknown] = 2      entries {'a': 1 or 2}, rest 2
-    d.get(unknown)      1, 2 or None
+d['a'] = 1          entries {'a': 1}
+d[unknown] = 2      entries {'a': 1 or 2}, rest 2
+d.get(unknown)      1, 2 or None
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rosward.domain.values import (
 )
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import equal
-from rosward.models.plain import Raised, native, origins, unknown_from, with_origins
+from rosward.models.plain import Raised, listed, native, origins, unknown_from, with_origins
 
 MAX_ENTRIES: Final = 2_000
 _IDENTITIES: Final = (Class, External, Function, ModuleValue, Native, Ref)
@@ -60,12 +60,15 @@ def find(obj: Obj, key: Value) -> Value | None:
     if key in obj.entries:
         return key
     if isinstance(key, Const) and isinstance(key.value, (bool, int, float)):
-        return next((k for k in obj.entries if isinstance(k, Const) and not isinstance(k.value, str) and k.value == key.value), None)
+        return next(
+            (k for k in obj.entries if isinstance(k, Const) and not isinstance(k.value, str) and k.value == key.value),
+            None,
+        )
     return None
 
 
 class Found(NamedTuple):
-    """What a look-up gives: the join of what may stand there (UNBOUND: nothing), and whether the key is missing (None: maybe)."""
+    """The join of what may stand under a key (UNBOUND: nothing), and whether the key is missing (None: maybe)."""
 
     value: Value
     missing: bool | None
@@ -215,7 +218,7 @@ def _listing(call: NativeCall) -> Value:
     obj = call.machine.obj(ref)
     name = call.name.rpartition(".")[2]
     items = keys(call.machine, obj) if name == "keys" else values(obj) if name == "values" else pairs(call.machine, obj)
-    return call.machine.new_list(*items)
+    return listed(call.machine, call.name, *items)
 
 
 def _set_default(call: NativeCall) -> Value:
@@ -247,8 +250,8 @@ def merge(machine: Machine, ref: Ref, source: Value, weak: bool = False) -> None
         for key, value in other.entries.items():
             store(machine, ref, key, value, weak or key in other.maybe)
         if other.rest is not None:
-            key = _rest_key(machine, other)
-            store(machine, ref, Unknown(()) if key is None else key, other.rest, weak=True)
+            anywhere = other.rest_key or unknown_from(machine, "key", "", other.rest)
+            store(machine, ref, anywhere, other.rest, weak=True)
         return
     known, rest = machine.iterate(source)
     for pair in known:
@@ -302,7 +305,7 @@ def _pop_item(call: NativeCall) -> Value:
 def _from_keys(call: NativeCall) -> Value:
     value = call.args[1] if len(call.args) > 1 else NONE
     known, rest = call.machine.iterate(call.args[0])
-    made = call.machine.new_dict({})
+    made = call.machine.allocate(Obj("dict", Native("builtins.dict")), call.name)
     for key in known:
         store(call.machine, made, key, value)
     if rest is not None:
@@ -320,7 +323,7 @@ def _clear(call: NativeCall) -> Value:
 
 def copy(machine: Machine, ref: Ref) -> Ref:
     """A new dict with the same entries."""
-    return machine.allocate(machine.obj(ref).replace(cls=Native("builtins.dict"), attrs={}, many=False))
+    return machine.allocate(machine.obj(ref).replace(cls=Native("builtins.dict"), attrs={}, many=False), "copy")
 
 
 def _copy(call: NativeCall) -> Value:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The methods of `list` and `tuple`, on records that hold every element or, where their number is not known, the join of them.
+"""The methods of `list` and `tuple`, on records of all elements or, where their number is not known, of their join.
 
-    names = ['a']; names.append(unknown)        items ('a', unknown)
-    names.pop(unknown)                          any of the elements; each place then holds its element or the next one
+names = ['a']; names.append(unknown)        items ('a', unknown)
+names.pop(unknown)                          any of the elements; each place then holds its element or the next one
 """
 
 from __future__ import annotations
@@ -16,9 +16,19 @@ from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Ref, Slice, Tuple, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable, equal
-from rosward.models.plain import NOT_PLAIN, Raised, int_of, native, origins, plain, unknown_from, with_origins
+from rosward.models.plain import (
+    MAX_ITEMS,
+    NOT_PLAIN,
+    Raised,
+    int_of,
+    listed,
+    native,
+    origins,
+    slice_of,
+    unknown_from,
+    with_origins,
+)
 
-MAX_ITEMS: Final = 1_000
 _LEN: Final = Native("builtins.len")
 ITERATOR: Final = "iterator"
 """The payload of a list that stands for an iterator: `next` takes its first element away."""
@@ -121,13 +131,13 @@ def _pop(call: NativeCall) -> Value:
 
 
 def _delete_slice(machine: Machine, ref: Ref, where: Slice) -> Value:
-    ends = [plain(e) for e in where]
+    ends = slice_of(where)
     items = machine.obj(ref).items
-    if items is None or NOT_PLAIN in ends:
+    if items is None or ends is None:
         add_to_rest(machine, ref, ())
     else:
         left = list(items)
-        del left[slice(*ends)]
+        del left[ends]
         write(machine, ref, left)
     return NONE
 
@@ -219,7 +229,7 @@ def _reverse(call: NativeCall) -> Value:
 
 def _copy(call: NativeCall) -> Value:
     known, rest = call.machine.iterate(call.args[0])
-    return call.machine.new_list(known, rest)
+    return listed(call.machine, call.name, known, rest)
 
 
 def _length(call: NativeCall) -> Value:
@@ -243,7 +253,7 @@ def new_tuple(machine: Machine, items: Items) -> Value:
     """A tuple; one of unknown length lives on the heap like a list."""
     if items.rest is None and len(items.known) <= MAX_ITEMS:
         return Tuple(items.known)
-    return machine.allocate(Obj("list", Native("builtins.tuple"), items=None, rest=join_all((*items.known, *items[1:2]))))
+    return listed(machine, "tuple", *items, cls="tuple")
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The methods of `set` and `frozenset`. Elements are exact where each of them is one known value; they keep the order of insertion.
+"""The methods of `set` and `frozenset`. Elements are exact where each is one known value, in order of insertion.
 
-    {'a', 'b'} & {'b'}          {'b'}
-    {'a', unknown}              any number of 'a' or unknown: the two may be one
+{'a', 'b'} & {'b'}          {'b'}
+{'a', unknown}              any number of 'a' or unknown: the two may be one
 """
 
 from __future__ import annotations
@@ -10,12 +10,11 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj
 from rosward.domain.values import NONE, Const, Native, Ref, Value
 from rosward.models.containers_dict import key_of
 from rosward.models.containers_list import add_to_rest, element, write
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
-from rosward.models.plain import Raised, native, unknown_from
+from rosward.models.plain import Raised, listed, native, unknown_from
 
 FROZEN: Final = Native("builtins.frozenset")
 _OPERATORS: Final = {"union": "|", "intersection": "&", "difference": "-", "symmetric_difference": "^"}
@@ -40,10 +39,7 @@ def distinct(items: Items) -> Items:
 
 def new_set(machine: Machine, items: Items, frozen: bool = False) -> Ref:
     """A set of items."""
-    if not frozen:
-        return machine.new_set(*distinct(items))
-    known, rest = _elements(distinct(items))
-    return machine.allocate(Obj("set", FROZEN, items=known, rest=rest))
+    return listed(machine, "set", *distinct(items), kind="set", cls="frozenset" if frozen else "set")
 
 
 def combine(machine: Machine, op: str, left: Items, right: Items) -> Items:
@@ -87,7 +83,9 @@ def _changed(call: NativeCall) -> Value:
     if ref is not None:
         for other in call.args[1:]:
             obj = machine.obj(ref)
-            write(machine, ref, *_elements(combine(machine, op, Items(obj.items or (), obj.rest), machine.iterate(other))))
+            write(
+                machine, ref, *_elements(combine(machine, op, Items(obj.items or (), obj.rest), machine.iterate(other)))
+            )
     return NONE
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What operators, truth and iteration mean for values of builtin types; the engine has tried the special methods of instances before.
+"""Operators, truth and iteration of values of builtin types (special methods of instances are the engine's).
 
-    'a' + unknown               Text('a', hole)
-    ['a'] + names               a new list
-    2 ** 10 ** 9                unknown: beyond the limit
+'a' + unknown               Text('a', hole)
+['a'] + names               a new list
+2 ** 10 ** 9                unknown: beyond the limit
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.text import MAX_LENGTH, concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import (
-    NONE,
     Class,
     Const,
     External,
@@ -39,8 +38,10 @@ from rosward.models.plain import (
     Raised,
     from_python,
     int_of,
+    listed,
     operation,
     origins,
+    range_of,
     run,
     spread,
     text_of,
@@ -54,13 +55,16 @@ from rosward.models.strings_percent import percent, percent_one
 __all__ = ["binary", "compare", "contains", "equal", "iterate", "load_item", "percent", "store_item", "truth", "unary"]
 
 MAX_RANGE: Final = 1_000
+MAX_APART: Final = 8
 MAX_REPEAT: Final = 1_000
-_PYTHON: Final[dict[str, Callable[[object, object], object]]] = {
-    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "//": operator.floordiv, "%": operator.mod,
-    "**": operator.pow, "<<": operator.lshift, ">>": operator.rshift, "&": operator.and_, "|": operator.or_, "^": operator.xor,
+_PYTHON: Final[dict[str, Callable[..., object]]] = {
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
+    "//": operator.floordiv, "%": operator.mod,
+    "**": operator.pow, "<<": operator.lshift, ">>": operator.rshift,
+    "&": operator.and_, "|": operator.or_, "^": operator.xor,
     "@": operator.matmul,
 }  # fmt: skip
-_UNARY: Final[dict[str, Callable[[object], object]]] = {"-": operator.neg, "+": operator.pos, "~": operator.invert}
+_UNARY: Final[dict[str, Callable[..., object]]] = {"-": operator.neg, "+": operator.pos, "~": operator.invert}
 _WHOLE: Final = ("int", "bool")
 _SEQUENCES: Final = ("str", "bytes", "list", "tuple")
 
@@ -77,6 +81,8 @@ def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
     if isinstance(left, Const) and isinstance(right, Const):
         return _constants(machine, op, left, right)
     kinds = (kind_of(machine, left), kind_of(machine, right))
+    if op == "%" and kinds[0] in ("str", "bytes"):
+        return unknown_from(machine, op, kinds[0], left, right)
     if op == "+" and "str" in kinds:
         return _texts(machine, left, right, kinds)
     if op == "*" and (kinds[0] in _SEQUENCES or kinds[1] in _SEQUENCES):
@@ -86,7 +92,9 @@ def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
         return _sequences(machine, left, right, kinds[0])
     if op in "|&-^" and isinstance(left, Ref) and isinstance(right, Ref) and {*kinds} <= {"set", "dict", "list"}:
         return _collections(machine, op, left, right, kinds)
-    if all(k in (*_SEQUENCES, "dict", "set", "int", "float", "NoneType") for k in kinds) and _surely_wrong(left, right, kinds):
+    if all(k in (*_SEQUENCES, "dict", "set", "int", "float", "NoneType") for k in kinds) and _surely_wrong(
+        left, right, kinds
+    ):
         raise Raised("TypeError", f"unsupported operand type(s) for {op}: '{kinds[0]}' and '{kinds[1]}'")
     return unknown_from(machine, op, _hint(op, kinds), left, right)
 
@@ -98,8 +106,6 @@ def _surely_wrong(left: Value, right: Value, kinds: tuple[str, str]) -> bool:
 
 def _hint(op: str, kinds: tuple[str, str]) -> str:
     """The type of a result of which only the types of the operands are known."""
-    if op == "%" and kinds[0] == "str":
-        return "str"
     if not all(k in (*_WHOLE, "float") for k in kinds):
         return kinds[0] if kinds[0] == kinds[1] and op == "+" and kinds[0] in _SEQUENCES else ""
     if op == "/" or "float" in kinds:
@@ -110,7 +116,9 @@ def _hint(op: str, kinds: tuple[str, str]) -> str:
 def _constants(machine: Machine, op: str, left: Const, right: Const) -> Value:
     a, b = left.value, right.value
     if _too_big(op, a, b):
-        return machine.unknown(Cause.LIMIT, op, a.__class__.__name__ if not isinstance(b, (str, bytes)) else b.__class__.__name__)
+        return machine.unknown(
+            Cause.LIMIT, op, a.__class__.__name__ if not isinstance(b, (str, bytes)) else b.__class__.__name__
+        )
     return from_python(machine, run(_PYTHON[op], a, b), origins(left, right), op)
 
 
@@ -156,7 +164,7 @@ def _repeated(machine: Machine, sequence: Value, times: Value) -> Value:
         items = Items(known * number)
     else:
         items = Items((), join_all((*known, *(() if rest is None else (rest,)))) if known or rest is not None else None)
-    return new_tuple(machine, items) if kind == "tuple" else machine.new_list(*items)
+    return _new_sequence(machine, kind, items)
 
 
 def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value:
@@ -166,8 +174,17 @@ def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value:
     if first.rest is None:
         items = Items((*first.known, *second.known), second.rest)
     else:
-        items = Items(first.known, join_all((first.rest, *second.known, *(() if second.rest is None else (second.rest,)))))
-    return new_tuple(machine, items) if kind == "tuple" else machine.new_list(*items)
+        items = Items(
+            first.known, join_all((first.rest, *second.known, *(() if second.rest is None else (second.rest,))))
+        )
+    return _new_sequence(machine, kind, items)
+
+
+def _new_sequence(machine: Machine, kind: str, items: Items) -> Value:
+    """A new list or tuple. `a + b + c` makes several lists at one place: their lengths (up to some) tell them apart."""
+    if kind == "tuple":
+        return new_tuple(machine, items)
+    return listed(machine, ("operator", min(len(items.known), MAX_APART)), *items)
 
 
 def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[str, str]) -> Value:
@@ -217,8 +234,8 @@ def _truth(machine: Machine, value: Value) -> bool | None:
     if isinstance(value, Tuple):
         return bool(value.items)
     if isinstance(value, Range):
-        ends = [int_of(e) for e in value]
-        return None if None in ends or is_default(origins(value)) or not ends[2] else bool(range(*ends))  # type: ignore[arg-type]
+        numbers = range_of(value) if value.step != Const(0) else None
+        return None if numbers is None or is_default(origins(value)) else bool(numbers)
     if isinstance(value, Ref):
         return _object_truth(machine, value)
     return None if isinstance(value, (Unknown, External)) else True
@@ -250,13 +267,16 @@ def _object_truth(machine: Machine, ref: Ref) -> bool | None:
 
 def iterate(machine: Machine, value: Value) -> Items:
     """What iterating over a value of builtin type yields; nothing where that raises."""
-    try:
-        several = [_iterate(machine, option) for option in options(value) if option != NONE]
-    except Raised as raised:
-        machine.die(raised.error, raised.message)
-        return Items(())
+    several: list[Items] = []
+    failure: Raised | None = None
+    for option in options(value):
+        try:
+            several.append(_iterate(machine, option))
+        except Raised as raised:  # noqa: PERF203 - one alternative that fails must not end the others
+            failure = failure or raised
     if not several:
-        machine.die("TypeError", "'NoneType' object is not iterable")
+        if failure is not None:
+            machine.die(failure.error, failure.message)
         return Items(())
     if len(several) == 1:
         return several[0]
@@ -296,10 +316,9 @@ def _iterate_object(machine: Machine, ref: Ref) -> Items:
 
 
 def _iterate_range(machine: Machine, value: Range) -> Items:
-    ends = [int_of(e) for e in value]
-    if None in ends:
+    numbers = range_of(value)
+    if numbers is None:
         return Items((), unknown_from(machine, "range", "int", *value))
-    numbers = run(range, *ends)  # type: ignore[arg-type]
     if len(numbers[: MAX_RANGE + 1]) > MAX_RANGE:
         return Items((), machine.unknown(Cause.LIMIT, "range", "int"))
     source = origins(value)

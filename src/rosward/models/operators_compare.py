@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Comparisons of values of builtin types: equality, order, membership. Each is decided only where every possible value agrees.
+"""Comparisons of values of builtin types: equality, order, membership; decided only where every possible value agrees.
 
-    Text('/robot_', hole) == '/base'        False
-    'a' in ['a', unknown]                   True
-    mode == 'sim'                           True or False with the origins of `mode`, where that is but a default
+Text('/robot_', hole) == '/base'        False
+'a' in ['a', unknown]                   True
+mode == 'sim'                           True or False with the origins of `mode`, where that is but a default
 """
 
 from __future__ import annotations
@@ -38,6 +38,7 @@ from rosward.models.plain import (
     operation,
     origins,
     plain,
+    range_of,
     run,
     spread,
     text_of,
@@ -46,7 +47,7 @@ from rosward.models.plain import (
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000
-_ORDER: Final[dict[str, Callable[[object, object], object]]] = {
+_ORDER: Final[dict[str, Callable[..., object]]] = {
     "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
 }  # fmt: skip
 _NUMBERS: Final = ("bool", "int", "float", "complex")
@@ -134,7 +135,9 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
         return _sequences(machine, left.items, right.items, depth)
     if isinstance(left, Ref) or isinstance(right, Ref):
         return _objects(machine, left, right, depth)
-    if isinstance(left, (External, Partial, BoundMethod, Range)) or isinstance(right, (External, Partial, BoundMethod, Range)):
+    if isinstance(left, (External, Partial, BoundMethod, Range)) or isinstance(
+        right, (External, Partial, BoundMethod, Range)
+    ):
         return True if left == right and not isinstance(left, (Partial, Range)) else _never(left, right)
     return left == right
 
@@ -193,13 +196,19 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     if kinds[0] == "dict" and a.rest is None and b.rest is None and not a.maybe and not b.maybe:
         if set(a.entries) == set(b.entries):
             return _sequences(machine, tuple(a.entries.values()), tuple(b.entries[k] for k in a.entries), depth)
-        return None if any(not isinstance(k, Const) for k in (*a.entries, *b.entries)) else _same_constants(a.entries, b.entries)
+        return (
+            None
+            if any(not isinstance(k, Const) for k in (*a.entries, *b.entries))
+            else _same_constants(a.entries, b.entries)
+        )
     if kinds[0] == "set" and a.items is not None and b.items is not None:
         return _same_constants(a.items, b.items) if all(isinstance(k, Const) for k in (*a.items, *b.items)) else None
     return None
 
 
-def _same_constants(left: tuple[Value, ...] | dict[Value, Value], right: tuple[Value, ...] | dict[Value, Value]) -> bool | None:
+def _same_constants(
+    left: tuple[Value, ...] | dict[Value, Value], right: tuple[Value, ...] | dict[Value, Value]
+) -> bool | None:
     """Whether keys that are constants are the same; where keys of dicts are, the values decide."""
     a, b = ({k.value for k in keys if isinstance(k, Const)} for keys in (left, right))
     return False if a != b else (None if isinstance(left, dict) else True)
@@ -210,7 +219,11 @@ def _instances(machine: Machine, left: Value, right: Value) -> bool | None:
         return None if isinstance(left, Ref) and machine.obj(left).many else True
     classes = [machine.obj(v).cls for v in (left, right) if isinstance(v, Ref) and machine.obj(v).kind == "instance"]
     plain_objects = all(isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) for c in classes)
-    return False if classes and plain_objects and not isinstance(left, External) and not isinstance(right, External) else None
+    return (
+        False
+        if classes and plain_objects and not isinstance(left, External) and not isinstance(right, External)
+        else None
+    )
 
 
 # Membership
@@ -223,10 +236,10 @@ def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | No
     if isinstance(container, Tuple):
         return _among(machine, container.items, None, item), frozenset()
     if isinstance(container, Range):
-        ends, number = [int_of(e) for e in container], int_of(item)
-        if number is None or None in ends:
+        numbers, number = range_of(container), int_of(item)
+        if number is None or numbers is None:
             return (False if text_of(item) is not None or item == NONE else None), frozenset()
-        return number in run(range, *ends), frozenset()
+        return number in numbers, frozenset()
     if not isinstance(container, Ref):
         return None, frozenset()
     obj = machine.obj(container)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Subscripts and slices of values of builtin types.
 
-    names[unknown]                      any of the names
-    Text('/robot_', hole)[1:]           Text('robot_', hole)
+names[unknown]                      any of the names
+Text('/robot_', hole)[1:]           Text('robot_', hole)
 """
 
 from __future__ import annotations
@@ -16,15 +16,17 @@ from rosward.models import containers_dict, text_parts
 from rosward.models.containers_list import add_to_rest, element, write
 from rosward.models.native import Machine
 from rosward.models.plain import (
-    NOT_PLAIN,
     Raised,
     from_python,
     int_of,
+    listed,
     operation,
     origins,
-    plain,
+    range_of,
     run,
+    slice_of,
     spread,
+    text_of,
     unknown_from,
     with_origins,
 )
@@ -50,10 +52,10 @@ def _load(machine: Machine, value: Value, index: Value) -> Value:
     if isinstance(value, Tuple):
         return _element(machine, value.items, index)
     if isinstance(value, Range):
-        ends, number = [int_of(e) for e in value], int_of(index)
-        if number is None or None in ends:
+        numbers, number = range_of(value), int_of(index)
+        if number is None or numbers is None:
             return unknown_from(machine, "[]", "int", *value, index)
-        return Const(run(operator.getitem, run(range, *ends), number), origins(value, index))
+        return from_python(machine, run(operator.getitem, numbers, number), origins(value, index), "[]")
     if isinstance(value, Ref):
         return _of_object(machine, value, index)
     return Unknown(value.reasons) if isinstance(value, Unknown) else unknown_from(machine, "[]", "", value, index)
@@ -98,28 +100,35 @@ def _character(machine: Machine, value: Text, index: Value) -> Value:
 
 
 def _slice(machine: Machine, value: Value, index: Slice) -> Value:
-    ends = [plain(e) for e in index]
-    known = NOT_PLAIN not in ends
-    source = origins(index)
-    if isinstance(value, Text) or (isinstance(value, Const) and isinstance(value.value, str) and not known):
+    ends, source = slice_of(index), origins(index)
+    if isinstance(value, Text) or (text_of(value) is not None and ends is None):
         return with_origins(_text_slice(machine, value, index), source | origins(value))
     if isinstance(value, Const):
-        if not known:
+        if ends is None:
             return unknown_from(machine, "[:]", value.value.__class__.__name__, *index)
-        return from_python(machine, run(operator.getitem, value.value, slice(*ends)), source | origins(value), "[:]")
+        return from_python(machine, run(operator.getitem, value.value, ends), source | origins(value), "[:]")
     if isinstance(value, Tuple):
-        if known:
-            return with_origins(Tuple(run(operator.getitem, value.items, slice(*ends))), source)
-        return machine.new_list((), join_all(value.items)) if value.items else value
+        if ends is not None:
+            return with_origins(Tuple(value.items[ends]), source)
+        return listed(machine, "slice", (), join_all(value.items), cls="tuple") if value.items else value
     if isinstance(value, Ref) and machine.obj(value).kind == "list":
         obj = machine.obj(value)
-        if known and obj.items is not None:
-            return machine.new_list(run(operator.getitem, obj.items, slice(*ends)))
-        return machine.new_list((), element(obj))
-    if isinstance(value, Range) and known and None not in (numbers := [int_of(e) for e in value]):
-        part = run(range, *numbers)[slice(*ends)]  # type: ignore[misc]
-        return Range(Const(part.start, source), Const(part.stop, source), Const(part.step, source))
+        return (
+            listed(machine, "slice", (), element(obj))
+            if ends is None or obj.items is None
+            else listed(machine, "slice", obj.items[ends])
+        )
+    if isinstance(value, Range) and ends is not None:
+        return _range_slice(machine, value, ends)
     return Unknown(value.reasons, value.hint) if isinstance(value, Unknown) else unknown_from(machine, "[:]", "", value)
+
+
+def _range_slice(machine: Machine, value: Range, ends: slice) -> Value:
+    numbers = range_of(value)
+    if numbers is None:
+        return unknown_from(machine, "[:]", "range", *value)
+    part, source = numbers[ends], origins(value)
+    return Range(Const(part.start, source), Const(part.stop, source), Const(part.step, source))
 
 
 def _text_slice(machine: Machine, value: Value, index: Slice) -> Value:
@@ -182,13 +191,11 @@ def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak:
 
 
 def _store_slice(machine: Machine, ref: Ref, index: Slice, value: Value, weak: bool) -> None:
-    items, ends = machine.obj(ref).items, [plain(e) for e in index]
+    items, ends = machine.obj(ref).items, slice_of(index)
     known, rest = machine.iterate(value)
-    if weak or items is None or rest is not None or NOT_PLAIN in ends or ends[2] not in (None, 1):
+    if weak or items is None or rest is not None or ends is None or ends.step not in (None, 1):
         add_to_rest(machine, ref, (*known, *(() if rest is None else (rest,))))
         return
     changed = list(items)
-    changed[slice(*ends)] = known
+    changed[ends] = known
     write(machine, ref, changed)
-
-

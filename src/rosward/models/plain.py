@@ -4,22 +4,24 @@
     evaluate(machine, "upper", str.upper, (Const('a'),))        Const('A')
     spread(f, Choice(a, b), c)                                  join of f(a, c) and f(b, c); one that raises is left out
 
-What the analysed program raises travels as `Raised` inside the models of builtins; `native` and `operation` turn it into the end of the path.
+What the analysed program raises travels as `Raised` through these models; `native` and `operation` end the path there.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Concatenate, Final, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join_all, options, reasons_of
+from rosward.domain.heap import Obj
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
-from rosward.domain.values import UNBOUND, Choice, Const, Hole, Range, Slice, Text, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 
 MAX_BITS: Final = 4096
+MAX_ITEMS: Final = 1_000
 MAX_WORK: Final = 1 << 20
 """The product of the lengths of the operands of one string operation."""
 MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
@@ -53,7 +55,7 @@ def native(function: Callable[[NativeCall], Value]) -> NativeFunction:
 def operation(function: Callable[Concatenate[Machine, _P], Value]) -> Callable[Concatenate[Machine, _P], Value]:
     """The same for a function of a machine."""
 
-    def guarded(machine: Machine, *args: _P.args, **keywords: _P.kwargs) -> Value:
+    def guarded(machine: Machine, /, *args: _P.args, **keywords: _P.kwargs) -> Value:
         try:
             return function(machine, *args, **keywords)
         except Raised as raised:
@@ -71,7 +73,7 @@ def run(function: Callable[..., _R], *args: object) -> _R:
 
 
 def spread(function: Callable[..., Value], *values: Value) -> Value:
-    """The join of function over each combination of alternatives. Those that raise are left out; where all do, the first is raised."""
+    """The join over all combinations of alternatives; those that raise are left out, unless all do."""
     if not any(v.__class__ is Choice for v in values):
         return function(*values)
     results: list[Value] = []
@@ -79,7 +81,7 @@ def spread(function: Callable[..., Value], *values: Value) -> Value:
     for combination in itertools.product(*_bounded([options(v) for v in values])):
         try:
             results.append(function(*combination))
-        except Raised as raised:
+        except Raised as raised:  # noqa: PERF203 - one alternative that fails must not end the others
             failure = failure or raised
     if not results and failure is not None:
         raise failure
@@ -100,10 +102,10 @@ def _bounded(alternatives: list[tuple[Value, ...]]) -> list[tuple[Value, ...]]:
 
 def plain(value: Value) -> object:
     """The Python object that a value surely is (a constant or a tuple of such), else NOT_PLAIN."""
-    if value.__class__ is Const:
-        return value.value  # type: ignore[attr-defined]
-    if value.__class__ is Tuple:
-        items = tuple(plain(v) for v in value.items)  # type: ignore[attr-defined]
+    if isinstance(value, Const):
+        return value.value
+    if isinstance(value, Tuple):
+        items = tuple(plain(v) for v in value.items)
         return NOT_PLAIN if NOT_PLAIN in items else items
     return NOT_PLAIN
 
@@ -116,6 +118,19 @@ def text_of(value: Value | None) -> str | None:
 def int_of(value: Value | None) -> int | None:
     """The int that a value surely is, else None."""
     return int(value.value) if isinstance(value, Const) and isinstance(value.value, int) else None
+
+
+def range_of(value: Range) -> range | None:
+    """The Python range that a range surely is; what is no range raises."""
+    start, stop, step = (int_of(e) for e in value)
+    return None if start is None or stop is None or step is None else run(range, start, stop, step)
+
+
+def slice_of(value: Slice) -> slice | None:
+    """The Python slice that a slice surely is."""
+    ends = [plain(e) for e in value]
+    known = [e for e in ends if e is None or isinstance(e, int)]
+    return slice(*known) if len(known) == 3 else None
 
 
 def origins(*values: Value | None) -> Origins:
@@ -171,7 +186,9 @@ def from_python(machine: Machine, value: object, source: Origins = NO_ORIGINS, w
         if len(value) <= MAX_LENGTH:
             return Const(value, source)
         return make((value[: MAX_LENGTH // 2], Hole(machine.unknown(Cause.LIMIT, what).reasons)), source)
-    if (isinstance(value, int) and value.bit_length() > MAX_BITS) or (isinstance(value, bytes) and len(value) > MAX_LENGTH):
+    if (isinstance(value, int) and value.bit_length() > MAX_BITS) or (
+        isinstance(value, bytes) and len(value) > MAX_LENGTH
+    ):
         return machine.unknown(Cause.LIMIT, what, value.__class__.__name__)
     if value is None or isinstance(value, (bool, int, float, complex, bytes)):
         return Const(value, source)
@@ -184,9 +201,31 @@ def _collection(
     machine: Machine, value: tuple[object, ...] | list[object] | dict[object, object], source: Origins, what: str
 ) -> Value:
     if isinstance(value, dict):
-        return machine.new_dict({from_python(machine, k, what=what): from_python(machine, v, source, what) for k, v in value.items()})
-    items = [from_python(machine, v, source, what) for v in value]
-    return Tuple(tuple(items)) if isinstance(value, tuple) else machine.new_list(items)
+        entries = {from_python(machine, k, what=what): from_python(machine, v, source, what) for k, v in value.items()}
+        return machine.allocate(Obj("dict", Native("builtins.dict"), entries=entries), tuple(entries.items()))
+    items = tuple(from_python(machine, v, source, what) for v in value)
+    return Tuple(items) if isinstance(value, tuple) else exact_list(machine, items)
+
+
+def listed(
+    machine: Machine,
+    site: object,
+    known: Iterable[Value],
+    rest: Value | None = None,
+    *,
+    kind: str = "list",
+    cls: str = "",
+) -> Ref:
+    """A new list or set; `site` keeps it apart from those that other operations make at the same place."""
+    items: tuple[Value, ...] | None = tuple(known)
+    if rest is not None or len(items or ()) > MAX_ITEMS:
+        rest, items = join_all((*(items or ()), *(() if rest is None else (rest,)))), None
+    return machine.allocate(Obj(kind, Native(f"builtins.{cls or kind}"), items=items, rest=rest), site)
+
+
+def exact_list(machine: Machine, items: tuple[Value, ...]) -> Value:
+    """A list of these elements, apart from others that the same call makes for other alternatives."""
+    return listed(machine, items, items)
 
 
 def evaluate(machine: Machine, what: str, function: Callable[..., object], values: Sequence[Value]) -> Value | None:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The methods of `str` and `bytes`: Python's own on constants; on texts with holes, what stays known.
 
-    'a/b'.split('/')                        ['a', 'b']
-    Text('/Robot_', hole).lower()           Text('/robot_', hole)
-    Text('/', hole, '/x').removeprefix('/') Text(hole, '/x')
+'a/b'.split('/')                        ['a', 'b']
+Text('/Robot_', hole).lower()           Text('/robot_', hole)
+Text('/', hole, '/x').removeprefix('/') Text(hole, '/x')
 """
 
 from __future__ import annotations
@@ -20,9 +20,11 @@ from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
     NOT_PLAIN,
     Raised,
+    exact_list,
     from_python,
     hole_from,
     int_of,
+    listed,
     native,
     origins,
     plain,
@@ -40,17 +42,21 @@ __all__ = ["NATIVES", "format_value"]
 
 Arguments = tuple[Value, ...]
 _RESULTS: Final = {
-    "bool": "startswith endswith isalnum isalpha isascii isdecimal isdigit isidentifier islower isnumeric isprintable isspace istitle isupper",
+    "bool": "startswith endswith isalnum isalpha isascii isdecimal isdigit isidentifier islower isnumeric isprintable "
+    "isspace istitle isupper",
     "int": "find index rfind rindex count",
     "list": "split rsplit splitlines",
     "tuple": "partition rpartition",
     "bytes": "encode",
-    "str": "upper lower title capitalize swapcase casefold strip lstrip rstrip removeprefix removesuffix replace zfill ljust rjust center expandtabs",
+    "str": "upper lower title capitalize swapcase casefold strip lstrip rstrip removeprefix removesuffix replace zfill "
+    "ljust rjust center expandtabs",
 }
 _HINTS: Final = {name: hint for hint, names in _RESULTS.items() for name in names.split()}
 _BYTES: Final = {
-    "startswith": "bool", "endswith": "bool", "isdigit": "bool", "find": "int", "index": "int", "count": "int", "rfind": "int",
-    "split": "list", "rsplit": "list", "splitlines": "list", "partition": "tuple", "rpartition": "tuple", "decode": "str", "hex": "str",
+    "startswith": "bool", "endswith": "bool", "isdigit": "bool",
+    "find": "int", "index": "int", "count": "int", "rfind": "int",
+    "split": "list", "rsplit": "list", "splitlines": "list", "partition": "tuple", "rpartition": "tuple",
+    "decode": "str", "hex": "str",
     "upper": "bytes", "lower": "bytes", "strip": "bytes", "lstrip": "bytes", "rstrip": "bytes", "replace": "bytes",
     "removeprefix": "bytes", "removesuffix": "bytes",
 }  # fmt: skip
@@ -65,7 +71,16 @@ _NAMES: Final = {
 }
 _DEFAULTS: Final[dict[str, Value]] = {"sep": NONE, "encoding": Const("utf-8")}
 _WIDTHS: Final = ("zfill", "ljust", "rjust", "center", "expandtabs", "replace")
-_EVERY_CHARACTER: Final = ("isalnum", "isalpha", "isascii", "isdecimal", "isdigit", "isnumeric", "isprintable", "isspace")
+_EVERY_CHARACTER: Final = (
+    "isalnum",
+    "isalpha",
+    "isascii",
+    "isdecimal",
+    "isdigit",
+    "isnumeric",
+    "isprintable",
+    "isspace",
+)
 
 
 def _positional(call: NativeCall, name: str) -> Arguments:
@@ -111,7 +126,7 @@ def _is_text(value: Value) -> bool:
 def _not_known(machine: Machine, what: str, hint: str, kind: str, values: Arguments) -> Value:
     """An unknown result of the right type."""
     if hint == "list":
-        return machine.new_list((), unknown_from(machine, what, kind, *values))
+        return listed(machine, what, (), unknown_from(machine, what, kind, *values))
     if hint == "tuple":
         return Tuple((unknown_from(machine, what, kind, *values),) * 3)
     return unknown_from(machine, what, hint, *values)
@@ -165,7 +180,7 @@ def _split(machine: Machine, name: str, parts: Parts, args: Arguments) -> Value 
     if limit < 0:
         everything = text_parts.split_all(parts, separator)
         if everything is not None:
-            return machine.new_list(make(p) for p in everything)
+            return exact_list(machine, tuple(make(p) for p in everything))
     cut = text_parts.cut_front if name == "split" else text_parts.cut_back
     pieces: list[Value] = []
     while len(pieces) != limit:
@@ -177,8 +192,8 @@ def _split(machine: Machine, name: str, parts: Parts, args: Arguments) -> Value 
     exact = len(pieces) == limit or text_parts.split_all(parts, separator) == [parts]
     if exact:
         pieces.append(make(parts))
-        return machine.new_list(pieces if name == "split" else reversed(pieces))
-    return machine.new_list((), join_all([*pieces, make((text_parts.anything(parts),))]))
+        return exact_list(machine, tuple(pieces if name == "split" else pieces[::-1]))
+    return listed(machine, f"str.{name}", (), join_all([*pieces, make((text_parts.anything(parts),))]))
 
 
 def _partition(_machine: Machine, name: str, parts: Parts, args: Arguments) -> Value | None:
@@ -228,7 +243,15 @@ def _pad(machine: Machine, name: str, parts: Parts, args: Arguments) -> Value | 
         for number, part in enumerate(parts):
             if isinstance(part, str):
                 sign = 1 if part[:1] in ("+", "-") else 0
-                return make((*parts[:number], *((part[:1],) if number == 0 and sign else ()), fill, part[sign:], *parts[number + 1 :]))
+                return make(
+                    (
+                        *parts[:number],
+                        *((part[:1],) if number == 0 and sign else ()),
+                        fill,
+                        part[sign:],
+                        *parts[number + 1 :],
+                    )
+                )
     return make((fill, *parts))
 
 
@@ -251,7 +274,9 @@ def _join(call: NativeCall) -> Value:
         pieces: list[Value] = []
         for item in known:
             if isinstance(item, Const) and not isinstance(item.value, str):
-                raise Raised("TypeError", f"sequence item: expected str instance, {item.value.__class__.__name__} found")
+                raise Raised(
+                    "TypeError", f"sequence item: expected str instance, {item.value.__class__.__name__} found"
+                )
             pieces.extend((separator, item) if pieces else (item,))
         if rest is not None:
             hole = hole_from(machine, "str.join", rest)

@@ -66,7 +66,9 @@ def piece(machine: Machine, value: Value) -> Value:
 
 def _piece(machine: Machine, value: Value) -> Value:
     if isinstance(value, Const):
-        return value if isinstance(value.value, str) else from_python(machine, run(str, value.value), value.origins, "str")
+        return (
+            value if isinstance(value.value, str) else from_python(machine, run(str, value.value), value.origins, "str")
+        )
     if isinstance(value, Text):
         return value
     if isinstance(value, Unknown):
@@ -81,9 +83,15 @@ def _by_method(machine: Machine, value: Ref, names: tuple[str, ...], *args: Valu
     for name in names:
         if defines(machine, value, name):
             text = machine.call(machine.load_attr(value, name), args)
-            return text if text is UNBOUND or text_of(text) is not None else spread(lambda t: make(parts_of(t), origins(t)), text)
+            return (
+                text
+                if text is UNBOUND or text_of(text) is not None
+                else spread(lambda t: make(parts_of(t), origins(t)), text)
+            )
     cls = machine.obj(value).cls
-    return machine.unknown(Cause.OPERATION, f"text of {cls.name}" if isinstance(cls, Class) else "text of an object", "str")
+    return machine.unknown(
+        Cause.OPERATION, f"text of {cls.name}" if isinstance(cls, Class) else "text of an object", "str"
+    )
 
 
 def defines(machine: Machine, value: Ref, name: str) -> bool:
@@ -108,7 +116,9 @@ def _represent(machine: Machine, value: Value, depth: int) -> Value:
         return joined(machine, [Const("range("), *_separated([piece(machine, e) for e in ends]), Const(")")])
     if depth and isinstance(value, Tuple):
         end = ",)" if len(value.items) == 1 else ")"
-        return joined(machine, [Const("("), *_separated([represent(machine, v, depth - 1) for v in value.items]), Const(end)])
+        return joined(
+            machine, [Const("("), *_separated([represent(machine, v, depth - 1) for v in value.items]), Const(end)]
+        )
     if depth and isinstance(value, Ref):
         return _object(machine, value, depth - 1)
     return unknown_from(machine, "repr", "str", value)
@@ -134,7 +144,7 @@ def _separated(pieces: list[Value]) -> list[Value]:
     return [p for piece in pieces for p in (Const(", "), piece)][1:]
 
 
-# format()
+# Formats
 
 
 def formatted(machine: Machine, value: Value, conversion: str, spec: Value) -> Value:
@@ -216,7 +226,8 @@ class _Fields:
         if depth == 0:
             raise Raised("ValueError", "Max string recursion exceeded")
         pieces: list[Value] = []
-        for literal, field, spec, conversion in run(list, string.Formatter().parse(template)):
+        fields: list[tuple[str, str | None, str | None, str | None]] = run(list, string.Formatter().parse(template))
+        for literal, field, spec, conversion in fields:
             pieces.append(Const(literal))
             if field is not None:
                 value = self._value(field)
@@ -280,7 +291,9 @@ def _format(call: NativeCall) -> Value:
 def _format_map(call: NativeCall) -> Value:
     """template.format_map(mapping)."""
     mapping = call.args[1]
-    return spread(lambda t: _fill(call.machine, t, (), lambda n: call.machine.load_item(mapping, Const(n))), call.args[0])
+    return spread(
+        lambda t: _fill(call.machine, t, (), lambda n: call.machine.load_item(mapping, Const(n))), call.args[0]
+    )
 
 
 FORMAT_NATIVES: Final[dict[str, NativeFunction]] = {

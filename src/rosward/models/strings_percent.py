@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The `%` operator of texts.
 
-    'robot_%02d/%s' % (i, 'cmd')        Text('robot_', digits, '/cmd') for an unknown i
+'robot_%02d/%s' % (i, 'cmd')        Text('robot_', digits, '/cmd') for an unknown i
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ def _pieces(machine: Machine, text: str, args: Value) -> list[Value]:
         field = _field(match, values, args)
         if value is None:
             value = _next(values, args)
-        pieces.append(spread(lambda v, f=field: _convert(machine, v, f), value))  # type: ignore[misc]
+        pieces.append(spread(lambda v, f=field: _convert(machine, v, f), value))
     pieces.append(Const(text[at:]))
     if isinstance(args, Tuple) and values:
         raise Raised("TypeError", "not all arguments converted during string formatting")
@@ -132,7 +132,12 @@ def _convert(machine: Machine, value: Value, field: _Field) -> Value:
         return spread(lambda t: _aligned(t, field), text)
     if field.type in _WHOLE and isinstance(value, Text):
         raise Raised("TypeError", f"%{field.type} format: a real number is required, not str")
-    digits = field.type in _WHOLE and not field.precision and (not field.width or field.flags == "0") and " " not in field.flags
+    digits = (
+        field.type in _WHOLE
+        and not field.precision
+        and (not field.width or field.flags == "0")
+        and " " not in field.flags
+    )
     whole = digits and "+" not in field.flags and isinstance(value, (Unknown, Ref))
     return Unknown(unknown_from(machine, "%", "int", value).reasons, "int" if whole else "str")
 

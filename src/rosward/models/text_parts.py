@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What string operations do to texts with holes. Pure functions of parts; each result covers whatever the holes stand for.
+"""What string operations do to texts with holes. Each result covers whatever the holes stand for.
 
-    upper(('/a', hole))                      ('/A', hole)
-    strip_left(('/', hole, '/x'), '/')       [(hole, '/x'), ('x',)]        the hole may be nothing but slashes
-    remove_front((hole, '/x'), '/')          [(hole, '/x'), ('x',)]        what may be left behind a prefix that is there
+upper(('/a', hole))                      ('/A', hole)
+strip_left(('/', hole, '/x'), '/')       [(hole, '/x'), ('x',)]        the hole may be nothing but slashes
+remove_front((hole, '/x'), '/')          [(hole, '/x'), ('x',)]        what may stand behind the prefix
 """
 
 from __future__ import annotations
@@ -120,6 +120,7 @@ def strip_right(parts: Parts, chars: str | None) -> list[Parts]:
 def remove_front(parts: Parts, prefix: str) -> list[Parts]:
     """What may stand behind `prefix` where the text begins with it; empty where it surely does not."""
     results: dict[Parts, None] = {}
+    found: Parts
     offsets = {0}
     for number, part in enumerate(parts):
         behind = parts[number + 1 :]
@@ -128,12 +129,14 @@ def remove_front(parts: Parts, prefix: str) -> list[Parts]:
             left = prefix[offset:]
             if isinstance(part, str):
                 if part.startswith(left):
-                    results[(part[len(left) :], *behind)] = None
+                    found = (part[len(left) :], *behind)
+                    results[found] = None
                 elif left.startswith(part):
                     following.add(offset + len(part))
                 continue
             if may_hold(part, left):
-                results[(loose(part), *behind)] = None
+                found = (loose(part), *behind)
+                results[found] = None
             following.update(offset + n for n in range(len(left)) if may_be(part, left[:n]))
         offsets = following
     if prefix == "" and not parts:
@@ -151,6 +154,7 @@ def starts_with(parts: Parts, prefix: str) -> bool | None:
 def drop_front(parts: Parts, count: int) -> list[Parts]:
     """What may be left without the first `count` characters."""
     results: dict[Parts, None] = {}
+    found: Parts
     missing = {count}
     for number, part in enumerate(parts):
         behind = parts[number + 1 :]
@@ -159,10 +163,12 @@ def drop_front(parts: Parts, count: int) -> list[Parts]:
             if left == 0:
                 results[parts[number:]] = None
             elif isinstance(part, Hole):
-                results[(loose(part), *behind)] = None
+                found = (loose(part), *behind)
+                results[found] = None
                 following.update(range(1, left if part.shape else left + 1))
             elif len(part) >= left:
-                results[(part[left:], *behind)] = None
+                found = (part[left:], *behind)
+                results[found] = None
             else:
                 following.add(left - len(part))
         missing = following
@@ -230,7 +236,7 @@ def replace(parts: Parts, old: str, new: Parts, count: int) -> Parts:
 
 
 def before_place(parts: Parts, old: str) -> Parts:
-    """What stays for sure where the places of `old` are not known: the known beginning up to its first possible place."""
+    """What stays where the places of `old` are not known: the known beginning up to the first possible one."""
     first = parts[0]
     if isinstance(first, Hole):
         return (anything(parts),)

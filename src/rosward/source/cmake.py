@@ -11,12 +11,12 @@ should not miss a script. Files outside the package are neither read nor listed.
 
 from __future__ import annotations
 
-import fnmatch
 import os
 import re
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.source.cmake_files import PackageFiles
 from rosward.source.cmake_text import Argument, Command, parse_cmake
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 _FILE_LIMIT: Final = 1_000_000
 _STEP_LIMIT: Final = 50_000
 _VALUE_LIMIT: Final = 1_000_000  # characters
-_GLOB_LIMIT: Final = 20_000  # files looked at
 _DEPTH_LIMIT: Final = 20
 
 _PIECE: Final = re.compile(r"(\\.|\$\{|\$ENV\{|\$CACHE\{|\})", re.DOTALL)
@@ -60,6 +59,7 @@ def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
     """What the CMakeLists.txt in `folder` installs for the package of that name; places are relative to `root`."""
     reader = _Reader(folder, package, root)
     reader.read(folder, 0)
+    reader.finish()
     return CMakeProject(
         tuple(dict.fromkeys(reader.scripts)), tuple(dict.fromkeys(reader.python_roots)), tuple(reader.findings)
     )
@@ -76,7 +76,7 @@ class _Reader:
         self._folder = folder
         self._file = ""
         self._steps = 0
-        self._looked_at = 0
+        self._files = PackageFiles(folder)
         self._variables: dict[str, str] = {
             "PROJECT_NAME": package,
             "CMAKE_PROJECT_NAME": package,
@@ -110,7 +110,7 @@ class _Reader:
             command = commands[position]
             position += 1
             self._steps += 1
-            if self._steps > _STEP_LIMIT or depth > _DEPTH_LIMIT:
+            if self._steps > _STEP_LIMIT or depth > _DEPTH_LIMIT or self._files.exhausted:
                 self._doubt("This project is too large to read its build description whole.", command)
                 self._steps = _STEP_LIMIT + 1
                 return
@@ -268,9 +268,7 @@ class _Reader:
         return {"CMAKE_INSTALL_LIBDIR": "lib", "CMAKE_INSTALL_BINDIR": "bin"}.get(name, "")
 
     def _inside(self, path: str) -> str | None:
-        """The absolute form of `path`, if it is within the package."""
-        full = os.path.normpath(os.path.join(self._folder, path))  # noqa: PTH118
-        return full if "\0" not in full and (full == self._top or full.startswith(self._top + os.sep)) else None
+        return self._files.inside(path, self._folder)
 
     def _glob(self, name: str, arguments: list[str], *, recurse: bool) -> None:
         relative: str | None = None
@@ -287,30 +285,8 @@ class _Reader:
         for pattern in patterns:
             full = self._inside(pattern)
             if full is not None:
-                found += self._matches(full, recurse=recurse)
+                found += self._files.glob(full, recurse=recurse)
         self._set(name, [os.path.relpath(path, relative) if relative else path for path in sorted(set(found))])
-
-    def _matches(self, pattern: str, *, recurse: bool) -> list[str]:
-        """The files that a pattern of `file(GLOB)` names."""
-        head, _, last = pattern.rpartition(os.sep)
-        wildcard = re.search(r"[*?\[]", head)
-        start = head[: head.rfind(os.sep, 0, wildcard.start())] if wildcard else head
-        accepts = re.compile(fnmatch.translate(last)).match
-        accepts_folder = re.compile(fnmatch.translate(head)).match
-        found = []
-        for folder, inner, names in os.walk(start):
-            inner.sort()
-            self._looked_at += len(inner) + len(names)
-            if self._looked_at > _GLOB_LIMIT:
-                break
-            depth = folder.count(os.sep) - head.count(os.sep)
-            fits = accepts_folder(folder) is not None and (recurse or depth == 0)
-            fits = fits or (recurse and folder.startswith(head + os.sep))
-            if fits:
-                found += [f"{folder}{os.sep}{name}" for name in names if accepts(name)]
-            if not recurse and folder.count(os.sep) >= head.count(os.sep):
-                inner.clear()
-        return found
 
     def _install(self, arguments: list[str], command: Command) -> None:
         what, *rest = arguments
@@ -345,21 +321,14 @@ class _Reader:
         self, paths: list[str], options: dict[str, list[str]], place: Place, *, all_of_them: bool
     ) -> None:
         """Each file that is, or becomes, executable; whether it is a Python script is for the caller to see."""
-        matching = options.get("PATTERN", []) if "FILES_MATCHING" in options else []
-        unwanted = options.get("PATTERN", []) if "EXCLUDE" in options and not matching else []
+        patterns = options.get("PATTERN", [])
+        matching = patterns if "FILES_MATCHING" in options else []
+        unwanted = patterns if "EXCLUDE" in options and not matching else []
         for path in paths:
             start = self._inside(path)
-            for folder, inner, names in os.walk(start) if start is not None else ():
-                inner.sort()
-                self._looked_at += len(inner) + len(names)
-                if self._looked_at > _GLOB_LIMIT:
-                    return
-                for name in sorted(names):
-                    full = f"{folder}{os.sep}{name}"
-                    fits = not matching or any(fnmatch.fnmatchcase(name, pattern) for pattern in matching)
-                    fits = fits and not any(fnmatch.fnmatchcase(name, pattern) for pattern in unwanted)
-                    if fits and (all_of_them or os.access(full, os.X_OK)):
-                        self.scripts.append(Script(name, full, place))
+            if start is not None:
+                found = self._files.below(start, matching=matching, unwanted=unwanted, executable=not all_of_them)
+                self.scripts += [Script(name, full, place) for name, full in found]
 
     def _python_package(self, arguments: list[str]) -> None:
         """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER])`: imported from the folder that holds it."""
@@ -367,6 +336,12 @@ class _Reader:
         full = self._inside(folder[0]) if folder else None
         if full is not None and full != self._top:
             self.python_roots.append(os.path.dirname(full))  # noqa: PTH120
+
+    def finish(self) -> None:
+        """Say so if not all files were looked at."""
+        if self._files.exhausted:
+            message = "The folders that the build description names hold too many files: not all were looked at."
+            self.findings.append(Finding("RW008", message, Place(place_name(self._top, self._root))))
 
     def _doubt(self, message: str, command: Command) -> None:
         finding = Finding("RW008", message, Place(self._file, command.line))

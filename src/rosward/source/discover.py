@@ -76,7 +76,9 @@ def discover(
         executables=tuple(started),
         interface_files=tuple(sorted((record(path, module=False) for path in set(tree.interfaces)), key=_by_name)),
         skipped=tuple(
-            Skipped(place_name(path, root), reason) for path, reason in sorted(set(tree.skipped), key=lambda s: s[0])
+            Skipped(place_name(path, root), reason)
+            for path, reason in sorted(set(tree.skipped), key=lambda s: s[0])
+            if path not in known
         ),
         findings=tuple(sorted(dict.fromkeys([*findings, *doubts]), key=lambda f: (f.place, f.code, f.message))),
     )
@@ -108,7 +110,9 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
     for path in sorted(tree.linked):
         tree.python.setdefault(os.path.realpath(path), path)
     for path, what in tree.not_files:
-        findings.append(Finding("RW002", f"This is not a file with text: {what}.", Place(place_name(path, root))))
+        findings.append(
+            Finding("RW002", f"This is not a file that can be read: {what}.", Place(place_name(path, root)))
+        )
     return chosen
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import json
 import os
-from importlib import resources
+from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
 if TYPE_CHECKING:
@@ -43,8 +43,7 @@ class InterfaceIndex:
         if own is not None:
             return frozenset(own.get(kind, _NOTHING))
         if self._common is None:
-            text = resources.files("rosward.source").joinpath("data/interfaces.json").read_text("utf-8")
-            self._common = json.loads(text)
+            self._common = json.loads((Path(__file__).parent / "data" / "interfaces.json").read_bytes())
         common = self._common.get(package)
         return None if common is None else frozenset(common.get(kind, "").split())
 

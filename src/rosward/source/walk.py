@@ -39,13 +39,12 @@ _FOLDER_LIMIT: Final = 200_000
 class Tree:
     """What a walk found: absolute paths; `python` by their real path, so that each file is there once."""
 
-    __slots__ = ("descriptions", "interfaces", "launch", "linked", "not_files", "python", "skipped", "tests")
+    __slots__ = ("descriptions", "interfaces", "launch", "linked", "not_files", "python", "skipped")
 
     def __init__(self) -> None:
         self.python: dict[str, str] = {}
         self.linked: list[str] = []
         """Python files that are symbolic links; they count where nothing else leads to the file."""
-        self.tests: list[str] = []
         self.launch: list[str] = []
         self.interfaces: list[str] = []
         self.descriptions: dict[str, set[str]] = {}
@@ -81,8 +80,11 @@ def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None
         position += 1
         while plain:
             folder = plain.pop()
-            if folder.real in seen or len(seen) > _FOLDER_LIMIT:
+            if folder.real in seen:
                 continue
+            if len(seen) >= _FOLDER_LIMIT:
+                tree.not_files.append((folder.path, f"a folder too many, after {_FOLDER_LIMIT:,} others"))
+                return
             seen.add(folder.real)
             inner, links = _enter(folder, tree, include_tests=include_tests)
             plain += reversed(inner)
@@ -152,7 +154,6 @@ def _python(entry: os.DirEntry[str], folder: _Folder, tree: Tree, *, is_link: bo
     if not regular:
         tree.not_files.append((entry.path, "a link that leads nowhere" if is_link else "not a regular file"))
     elif is_test_file(entry.name) and not include_tests:
-        tree.tests.append(entry.path)
         tree.skipped.append((entry.path, SkipReason.TEST))
     elif is_link:
         tree.linked.append(entry.path)

@@ -7,12 +7,13 @@ from delivery_common.nodes import HeartbeatNode
 from delivery_common.qos import COMMAND, STATE
 from delivery_common.run import run
 from delivery_interfaces.action import Deliver
-from delivery_navigation.doors import DoorOpener
 from geometry_msgs.msg import PoseStamped, Twist
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from std_msgs.msg import Bool
+
+from delivery_navigation.doors import DoorOpener
 
 
 class DeliveryPlanner(HeartbeatNode):

@@ -42,6 +42,7 @@ class ImageTransport:
             self,
             node_name,
             namespace="",
+            use_global_arguments=False,
             allow_undeclared_parameters=True,
             automatically_declare_parameters_from_overrides=True,
         )

@@ -35,7 +35,7 @@ class Client:
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):
         if introspection_state != ServiceIntrospectionState.OFF:
             create(
-                "publisher",
+                "service_client",  # of which the event publisher is recorded
                 self._node,
                 self.srv_name,
                 self.srv_type,

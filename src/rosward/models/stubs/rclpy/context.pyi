@@ -4,11 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, native
-
-
-@native
-def _use_arguments(args) -> None: ...
+from _rosward import calls, init
 
 
 class Context:
@@ -20,7 +16,7 @@ class Context:
     def destroy(self) -> None: ...
 
     def init(self, args=None, *, initialize_logging=True, domain_id=None):
-        _use_arguments(args)
+        init(args)
 
     def track_node(self, node) -> None: ...
     def untrack_node(self, node) -> None: ...

@@ -36,7 +36,7 @@ class QoSPolicyEnum(IntEnum):
 
     @classmethod
     def get_from_short_key(cls, name):
-        return cls[name.upper()].value
+        return getattr(cls, name.upper()).value
 
     @property
     def short_key(self):
@@ -191,7 +191,7 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def get_from_short_key(cls, name):
-        return cls[name.upper()].value
+        return getattr(cls, name.upper()).value
 
 
 class QoSCompatibility(IntEnum):

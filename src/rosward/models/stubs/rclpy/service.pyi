@@ -23,7 +23,7 @@ class Service:
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):
         if introspection_state != ServiceIntrospectionState.OFF:
             create(
-                "publisher",
+                "service_server",  # of which the event publisher is recorded
                 self._node,
                 self.srv_name,
                 self.srv_type,

@@ -152,7 +152,7 @@ class ActionServer(Waitable):
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):
         if introspection_state != ServiceIntrospectionState.OFF:
             create(
-                "publisher",
+                "action_server",  # of which the event publisher is recorded
                 self._node,
                 self._action_name,
                 self._action_type,

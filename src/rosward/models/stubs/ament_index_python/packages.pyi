@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ament_index_python.packages.
+
+Read from ament_index_python 1.11.0 (kilted).
+"""
+
+from pathlib import Path
+
+from _rosward import unknown
+
+
+class PackageNotFoundError(KeyError): ...
+
+
+def get_packages_with_prefixes() -> dict: ...
+
+
+def get_package_prefix(package_name):
+    return unknown("file", f"install folder of {package_name}", "str")
+
+
+def get_package_share_directory(package_name, print_warning=True):
+    return unknown("file", f"share folder of {package_name}", "str")
+
+
+def get_package_share_path(package_name, print_warning=True):
+    return Path(get_package_share_directory(package_name))

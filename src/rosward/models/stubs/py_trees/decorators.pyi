@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""py_trees.decorators.
+
+Read from py_trees 2.6.0.
+"""
+
+from py_trees import common
+from py_trees.behaviour import Behaviour
+
+
+class Decorator(Behaviour):
+    def __init__(self, name, child):
+        Behaviour.__init__(self, name)
+        self.children = [child]
+        self.decorated = child
+
+
+class Repeat(Decorator):
+    def __init__(self, name, child, num_success):
+        Decorator.__init__(self, name, child)
+
+
+class Retry(Decorator):
+    def __init__(self, name, child, num_failures):
+        Decorator.__init__(self, name, child)
+
+
+class StatusToBlackboard(Decorator):
+    def __init__(self, name, child, variable_name):
+        Decorator.__init__(self, name, child)
+
+
+class EternalGuard(Decorator):
+    def __init__(self, name, child, condition, blackboard_keys=None):
+        Decorator.__init__(self, name, child)
+        self.condition = condition
+
+    def update(self):
+        self.condition()
+        return self.decorated.status
+
+
+class Timeout(Decorator):
+    def __init__(self, name, child, duration=5.0):
+        Decorator.__init__(self, name, child)
+
+
+class Count(Decorator):
+    def __init__(self, name, child):
+        Decorator.__init__(self, name, child)
+
+
+class OneShot(Decorator):
+    def __init__(self, name, child, policy):
+        Decorator.__init__(self, name, child)
+
+
+class Inverter(Decorator):
+    def __init__(self, name, child):
+        Decorator.__init__(self, name, child)
+
+
+class RunningIsFailure(Decorator): ...
+
+
+class RunningIsSuccess(Decorator): ...
+
+
+class FailureIsSuccess(Decorator): ...
+
+
+class FailureIsRunning(Decorator): ...
+
+
+class SuccessIsFailure(Decorator): ...
+
+
+class SuccessIsRunning(Decorator): ...
+
+
+class Condition(Decorator):
+    def __init__(self, name, child, status):
+        Decorator.__init__(self, name, child)
+
+
+class PassThrough(Decorator):
+    def __init__(self, name, child):
+        Decorator.__init__(self, name, child)
+
+
+class ForEach(Decorator):
+    def __init__(self, name, child, source_key, target_key):
+        Decorator.__init__(self, name, child)

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0
+"""py_trees.display: shows things; its functions have no effect on the graph.
+
+Read from py_trees 2.6.0.
+"""
+

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""py_trees_ros.action_clients: an action client on the node of the tree.
+
+Read from splintered-reality/py_trees_ros, branch devel (2023-04, 2.3).
+"""
+
+from py_trees.behaviour import Behaviour
+from rclpy.action import ActionClient
+
+
+class FromBlackboard(Behaviour):
+    def __init__(
+        self, name, action_type, action_name, key, generate_feedback_message=None, wait_for_server_timeout_sec=-3.0
+    ):
+        Behaviour.__init__(self, name)
+        self.action_type = action_type
+        self.action_name = action_name
+        self.generate_feedback_message = generate_feedback_message
+        self.node = None
+
+    def setup(self, **kwargs):
+        self.node = kwargs["node"]
+        self.action_client = ActionClient(node=self.node, action_type=self.action_type, action_name=self.action_name)
+
+    def feedback_callback(self, msg):
+        if self.generate_feedback_message is not None:
+            self.feedback_message = self.generate_feedback_message(msg)
+
+    def send_goal_request(self, goal):
+        future = self.action_client.send_goal_async(goal, feedback_callback=self.feedback_callback)
+        future.add_done_callback(self.goal_response_callback)
+
+    def goal_response_callback(self, future) -> None: ...
+    def send_cancel_request(self) -> None: ...
+    def cancel_response_callback(self, future) -> None: ...
+    def get_result_callback(self, future) -> None: ...
+
+
+class FromConstant(FromBlackboard):
+    def __init__(
+        self,
+        name,
+        action_type,
+        action_name,
+        action_goal,
+        generate_feedback_message=None,
+        wait_for_server_timeout_sec=-3.0,
+    ):
+        FromBlackboard.__init__(
+            self, name, action_type, action_name, "goal", generate_feedback_message, wait_for_server_timeout_sec
+        )

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0
+"""py_trees_ros.battery.
+
+Read from splintered-reality/py_trees_ros, branch devel (2023-04, 2.3).
+"""
+
+from py_trees.common import ClearingPolicy
+from sensor_msgs.msg import BatteryState
+
+from py_trees_ros import subscribers
+
+
+class ToBlackboard(subscribers.ToBlackboard):
+    def __init__(self, name, topic_name, qos_profile, threshold=30.0):
+        subscribers.ToBlackboard.__init__(
+            self, name, topic_name, BatteryState, qos_profile, clearing_policy=ClearingPolicy.NEVER
+        )
+        self.threshold = threshold

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: Apache-2.0
+"""rosidl_runtime_py.set_message.
+
+Read from ros2/rosidl_runtime_py, branch rolling (2024-04).
+"""
+
+def set_message_fields(msg, values, expand_header_auto=False, expand_time_now=False) -> list: ...

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: Apache-2.0
+"""webots_ros2_core.joint_state_publisher.
+
+Read from cyberbotics/webots_ros2, tag 1.2.3.
+"""
+
+from sensor_msgs.msg import JointState
+
+
+class JointStatePublisher:
+    def __init__(self, robot, joint_prefix, node, frame_id="joint_states"):
+        self._publisher = node.create_publisher(JointState, "joint_states", 1)
+
+    def publish(self) -> None: ...

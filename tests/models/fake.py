@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A machine that is just enough for the natives of builtins, and which Python objects a value stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.text import make, matches
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
+from rosward.domain.values import (
+    UNBOUND,
+    BoundMethod,
+    Const,
+    Hole,
+    Native,
+    Range,
+    Ref,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.models import (
+    builtin_attributes,
+    builtin_constructors,
+    builtin_functions,
+    builtin_sequences,
+    containers_dict,
+    containers_list,
+    containers_set,
+    operators,
+    strings,
+)
+from rosward.models.builtin_constructors import type_of
+from rosward.models.builtin_functions import is_subclass
+from rosward.models.native import Items, NativeCall, NativeFunction
+from rosward.source.location import Place
+
+NATIVES: dict[str, NativeFunction] = {
+    **builtin_attributes.NATIVES,
+    **builtin_constructors.NATIVES,
+    **builtin_functions.NATIVES,
+    **builtin_sequences.NATIVES,
+    **containers_dict.NATIVES,
+    **containers_list.NATIVES,
+    **containers_set.NATIVES,
+    **strings.NATIVES,
+}
+REASON = Reason(Cause.PARAMETER, "p", Place("demo.py", 1))
+
+
+class FakeMachine:
+    """Keeps objects in a dict; records findings and deaths; calls natives and the Python functions it was given."""
+
+    def __init__(self) -> None:
+        self.heap: dict[int, Obj] = {}
+        self.findings: list[str] = []
+        self.deaths: list[str] = []
+        self.escaped: list[Value] = []
+        self.functions: dict[Value, Callable[..., Value]] = {}
+        self.place = Place("demo.py", 1)
+
+    def function(self, name: str, python: Callable[..., Value]) -> Value:
+        value = Native(name)
+        self.functions[value] = python
+        return value
+
+    def native(self, name: str, *args: Value, **keywords: Value) -> Value:
+        return NATIVES[name](NativeCall(self, name, args, keywords))
+
+    def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
+        if isinstance(function, BoundMethod):
+            return self.call(function.function, (function.receiver, *args), keywords)
+        if function in self.functions:
+            return self.functions[function](*args, **(keywords or {}))
+        assert isinstance(function, Native)
+        return self.native(function.name, *args, **(keywords or {}))
+
+    def load_attr(self, value: Value, name: str) -> Value:
+        if not isinstance(value, Ref):
+            return self.unknown(Cause.OPERATION, name)
+        obj = self.heap[value.address]
+        found = obj.attrs.get(name)
+        if found is None:
+            for base in getattr(obj.cls, "mro", ()):
+                inherited = self.heap[base.address].attrs.get(name)
+                if inherited is not None:
+                    return BoundMethod(value, inherited)
+        return self.die("AttributeError", name) if found is None else found
+
+    def store_attr(self, target: Value, name: str, value: Value) -> None:
+        assert isinstance(target, Ref)
+        self.heap[target.address] = self.heap[target.address].with_attr(name, value)
+
+    def load_item(self, value: Value, index: Value) -> Value:
+        return operators.load_item(self, value, index)
+
+    def store_item(self, target: Value, index: Value, value: Value) -> None:
+        operators.store_item(self, target, index, value)
+
+    def binary(self, operator: str, left: Value, right: Value) -> Value:
+        return operators.binary(self, operator, left, right)
+
+    def compare(self, operator: str, left: Value, right: Value) -> Value:
+        return operators.compare(self, operator, left, right)
+
+    def iterate(self, value: Value) -> Items:
+        return operators.iterate(self, value)
+
+    def truth(self, value: Value) -> bool | None:
+        return operators.truth(self, value)
+
+    def is_instance(self, value: Value, classes: Value) -> bool | None:
+        answers = {is_subclass(type_of(self, v), classes) for v in options(value)}
+        return answers.pop() if len(answers) == 1 else None
+
+    def obj(self, ref: Ref) -> Obj:
+        return self.heap[ref.address]
+
+    def update(self, ref: Ref, obj: Obj) -> None:
+        self.heap[ref.address] = obj
+
+    def allocate(self, obj: Obj, site: object = None) -> Ref:  # noqa: ARG002 - each one is apart here
+        address = len(self.heap) + 1
+        self.heap[address] = obj
+        return Ref(address)
+
+    def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
+        return self._sequence("list", tuple(items), rest)
+
+    def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
+        return self._sequence("set", tuple(dict.fromkeys(items)), rest)
+
+    def _sequence(self, kind: str, items: tuple[Value, ...], rest: Value | None) -> Ref:
+        cls = Native(f"builtins.{kind}")
+        if rest is None:
+            return self.allocate(Obj(kind, cls, items=items))
+        return self.allocate(Obj(kind, cls, items=None, rest=join_all((*items, rest))))
+
+    def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
+        return self.allocate(Obj("dict", Native("builtins.dict"), entries=dict(entries), rest=rest))
+
+    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        return Unknown((Reason(cause, subject, self.place),), hint)
+
+    def escape(self, values: Iterable[Value], library: str) -> None:  # noqa: ARG002
+        self.escaped.extend(values)
+
+    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+        raise AssertionError((callback, args, event))
+
+    def spin(self) -> None:
+        raise AssertionError
+
+    def report(self, code: str, message: str) -> None:  # noqa: ARG002
+        self.findings.append(code)
+
+    def die(self, error: str, message: str) -> Value:  # noqa: ARG002
+        self.deaths.append(error)
+        return UNBOUND
+
+
+def abstract(machine: FakeMachine, value: object, origins: Origins = NO_ORIGINS) -> Value:
+    """The exact abstract value of a Python object."""
+    if isinstance(value, list):
+        return machine.new_list([abstract(machine, v) for v in value])
+    if isinstance(value, tuple):
+        return Tuple(tuple(abstract(machine, v) for v in value))
+    if isinstance(value, (set, frozenset)):
+        return machine.new_set([abstract(machine, v) for v in sorted(value, key=repr)])
+    if isinstance(value, dict):
+        return machine.new_dict({abstract(machine, k): abstract(machine, v) for k, v in value.items()})
+    if isinstance(value, range):
+        return Range(Const(value.start), Const(value.stop), Const(value.step))
+    assert value is None or isinstance(value, (bool, int, float, complex, str, bytes))
+    return Const(value, origins)
+
+
+def text(*parts: str | Hole) -> Value:
+    """A text; `*` stands for a hole."""
+    return make(Hole((REASON,)) if p == "*" else p for p in parts)
+
+
+def covers(machine: FakeMachine, value: Value, concrete: object) -> bool:
+    """Whether an abstract value stands, among others, for a Python object."""
+    return any(_covers(machine, option, concrete) for option in options(value))
+
+
+def _covers(machine: FakeMachine, value: Value, concrete: object) -> bool:
+    if isinstance(value, Unknown):
+        return value.hint in ("", concrete.__class__.__name__)
+    if isinstance(value, Text):
+        return isinstance(concrete, str) and matches(value, concrete)
+    if isinstance(value, Const):
+        same = value.value.__class__ is concrete.__class__ and value.value == concrete
+        return same or repr(value.value) == repr(concrete) == "nan"
+    if isinstance(value, Tuple):
+        return isinstance(concrete, tuple) and _each(machine, value.items, concrete)
+    if isinstance(value, Range):
+        ends = [e.value for e in value if isinstance(e, Const)]
+        return isinstance(concrete, range) and concrete == range(*(e for e in ends if isinstance(e, int)))
+    assert isinstance(value, Ref), value
+    return _covers_object(machine, machine.obj(value), concrete)
+
+
+def _covers_object(machine: FakeMachine, obj: Obj, concrete: object) -> bool:
+    if isinstance(concrete, dict):
+        return obj.kind == "dict" and _covers_dict(machine, obj, concrete)
+    if isinstance(concrete, (set, frozenset)):
+        if obj.kind != "set":
+            return False
+        if obj.items is None:
+            return all(obj.rest is not None and covers(machine, obj.rest, c) for c in concrete)
+        return len(obj.items) == len(concrete) and all(any(covers(machine, v, c) for v in obj.items) for c in concrete)
+    if obj.kind != "list" or not isinstance(concrete, (list, tuple)):
+        return False
+    if obj.items is None:
+        return all(obj.rest is not None and covers(machine, obj.rest, c) for c in concrete)
+    return _each(machine, obj.items, concrete)
+
+
+def _covers_dict(machine: FakeMachine, obj: Obj, concrete: dict[object, object]) -> bool:
+    seen = []
+    for key, value in concrete.items():
+        known = next((k for k in obj.entries if isinstance(k, Const) and k.value == key), None)
+        if known is not None:
+            seen.append(known)
+            if not covers(machine, obj.entries[known], value):
+                return False
+        elif (
+            obj.rest is None
+            or not covers(machine, obj.rest, value)
+            or (obj.rest_key is not None and not covers(machine, obj.rest_key, key))
+        ):
+            return False
+    return all(k in obj.maybe or k in seen for k in obj.entries)
+
+
+def _each(machine: FakeMachine, values: Sequence[Value], concrete: Sequence[object]) -> bool:
+    return len(values) == len(concrete) and all(covers(machine, v, c) for v, c in zip(values, concrete, strict=True))

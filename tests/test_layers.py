@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The architecture, enforced: imports point one way, modules stay small, nothing that changes lives in a module.
+
+findings.py ── source ── ir ── frontends ── domain ── ros ── models ── engine ── network ── outputs ── the top
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final, NamedTuple
+
+import pytest
+
+ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
+LONGEST: Final = 500
+
+_TEXT = frozenset({"source", "findings"})
+_DOMAIN = frozenset({"domain"}) | _TEXT
+_ENGINE = frozenset({"engine", "models", "ros", "frontends", "ir"}) | _DOMAIN
+_NETWORK = frozenset({"network"}) | _ENGINE
+
+ALLOWED: Final[dict[str, frozenset[str]]] = {
+    "source": _TEXT,
+    "findings": _TEXT,
+    "ir": frozenset({"ir"}) | _TEXT,
+    "frontends": frozenset({"frontends", "ir"}) | _TEXT,
+    "domain": _DOMAIN,
+    "ros": frozenset({"ros"}) | _TEXT,
+    "models": frozenset({"models", "ros"}) | _DOMAIN,
+    "engine": _ENGINE,
+    "network": _NETWORK - {"engine", "frontends", "ir"},
+    "outputs": frozenset({"outputs", "network", "ros", "_version"}) | _TEXT,
+    "sources": frozenset({"engine", "frontends", "ir"}) | _TEXT,
+    "processes": _ENGINE,
+    "unreached": frozenset({"processes"}) | _ENGINE,
+    "plan": frozenset({"processes", "sources"}) | _ENGINE,
+    "pipeline": frozenset({"plan", "processes", "sources", "unreached"}) | _NETWORK,
+    "cli": frozenset({"pipeline", "outputs", "_version"}),
+    "__init__": frozenset({"pipeline", "_version"}) | _NETWORK,
+    "__main__": frozenset({"cli"}),
+    "_version": frozenset(),
+}
+"""What each folder (or module at the top) may import. What only type checkers read is free."""
+
+_PROCEDURES: Final = frozenset({"list", "dict", "set", "defaultdict", "OrderedDict", "deque", "Counter", "bytearray"})
+_DISPLAYS: Final = (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.DictComp, ast.SetComp)
+_CONSTANT: Final = re.compile(r"_?[A-Z][A-Z0-9_]*|__\w+__")
+
+
+class Use(NamedTuple):
+    """One import of a module of rosward: where, of what, and whether it stands in a function."""
+
+    file: str
+    line: int
+    target: str
+    inside: bool
+
+
+def modules() -> list[Path]:
+    return sorted(p for p in ROOT.rglob("*.py") if "__pycache__" not in p.parts)
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+def dotted_name(file: str) -> str:
+    return "rosward." + file.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+
+
+def layer_of(file: str) -> str:
+    return file.partition("/")[0].removesuffix(".py")
+
+
+def _only_for_types(node: ast.AST) -> bool:
+    return isinstance(node, ast.If) and ast.unparse(node.test) in {"TYPE_CHECKING", "typing.TYPE_CHECKING"}
+
+
+def _is_module(dotted: str) -> bool:
+    path = ROOT.parent.joinpath(*dotted.split("."))
+    return path.is_dir() or path.with_suffix(".py").is_file()
+
+
+def _targets(node: ast.AST) -> Iterator[str]:
+    """The modules that a statement imports; `from rosward.engine import calls` imports rosward.engine.calls."""
+    if isinstance(node, ast.Import):
+        yield from (alias.name for alias in node.names)
+    elif isinstance(node, ast.ImportFrom):
+        assert node.level == 0, "relative import"
+        inner = [f"{node.module}.{alias.name}" for alias in node.names]
+        yield from dict.fromkeys(i if _is_module(i) else str(node.module) for i in inner)
+
+
+def _walk(body: list[ast.stmt], file: str, *, inside: bool) -> Iterator[Use]:
+    for node in body:
+        deeper = inside or isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
+        for target in _targets(node):
+            if target.partition(".")[0] == "rosward":
+                yield Use(file, node.lineno, target, inside)
+        for field in ("body", "orelse", "finalbody", "handlers", "cases"):
+            inner = getattr(node, field, None)
+            if isinstance(inner, list) and not (field == "body" and _only_for_types(node)):
+                yield from _walk(inner, file, inside=deeper)
+
+
+def uses() -> list[Use]:
+    found: list[Use] = []
+    for path in modules():
+        found += _walk(ast.parse(path.read_text(encoding="utf-8")).body, name_of(path), inside=False)
+    return found
+
+
+def _layer_of_target(target: str) -> str:
+    return target.split(".")[1] if "." in target else "__init__"
+
+
+def _told(found: list[str]) -> str:
+    return "\n" + "\n".join(found)
+
+
+def test_every_part_has_its_place() -> None:
+    """A new folder or module at the top is entered in `ALLOWED` (and in docs/architecture.md)."""
+    assert {layer_of(name_of(p)) for p in modules()} <= set(ALLOWED)
+
+
+def test_imports_point_one_way() -> None:
+    wrong = [
+        f"{use.file}:{use.line} imports {use.target}"
+        for use in uses()
+        if _layer_of_target(use.target) not in ALLOWED[layer_of(use.file)]
+    ]
+    assert not wrong, _told(wrong)
+
+
+def test_no_import_hides_in_a_function_to_break_a_cycle() -> None:
+    """Only the command line imports late, so that `--help` and `--version` answer at once."""
+    hidden = [f"{u.file}:{u.line} imports {u.target}" for u in uses() if u.inside and layer_of(u.file) != "cli"]
+    assert not hidden, _told(hidden)
+
+
+def test_modules_do_not_import_each_other() -> None:
+    """No cycle among modules, whatever their layer."""
+    graph: dict[str, set[str]] = {}
+    for use in uses():
+        graph.setdefault(dotted_name(use.file), set()).add(use.target)
+    cycles = [" -> ".join(cycle) for cycle in (_cycle(graph, module) for module in sorted(graph)) if cycle]
+    assert not cycles, _told(cycles)
+
+
+def _cycle(graph: dict[str, set[str]], start: str) -> list[str]:
+    """The shortest way from a module back to itself; empty where there is none."""
+    before: dict[str, str] = {}
+    queue = [start]
+    for module in queue:
+        for target in sorted(graph.get(module, ())):
+            if target == start:
+                way = [module]
+                while way[-1] != start:
+                    way.append(before[way[-1]])
+                return [*reversed(way), start]
+            if target not in before:
+                before[target] = module
+                queue.append(target)
+    return []
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_a_module_is_short_and_says_what_it_is(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    assert lines[0] == "# SPDX-License-Identifier: Apache-2.0"
+    assert len(lines) <= LONGEST
+    docstring = ast.get_docstring(ast.parse(text))
+    assert docstring, "a module opens with the question that it settles"
+    assert lines[1].startswith('"""'), "the docstring stands first"
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_nothing_that_changes_lives_in_a_module(path: Path) -> None:
+    """Lists, dicts and sets at module level are constants: named so, or `Final`; no function says `global`."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    wrong = [f"line {n.lineno}: global {', '.join(n.names)}" for n in ast.walk(tree) if isinstance(n, ast.Global)]
+    for node in tree.body:
+        if isinstance(node, ast.AnnAssign) and "Final" not in ast.unparse(node.annotation):
+            wrong += _mutable([node.target], node.value)
+        elif isinstance(node, ast.Assign):
+            wrong += _mutable(node.targets, node.value)
+    wrong += [f"line {n.lineno}: {ast.unparse(n)[:60]}" for n in _caches(tree)]
+    assert not wrong, _told(wrong)
+
+
+def _mutable(targets: list[ast.expr], value: ast.expr | None) -> list[str]:
+    made = isinstance(value, _DISPLAYS) or (
+        isinstance(value, ast.Call) and ast.unparse(value.func).rpartition(".")[2] in _PROCEDURES
+    )
+    names = [ast.unparse(t) for t in targets]
+    return [f"line {targets[0].lineno}: {n}" for n in names if made and not _CONSTANT.fullmatch(n)]
+
+
+def _caches(tree: ast.Module) -> Iterator[ast.expr]:
+    """Decorators that keep what a function once returned: state of the module by another name."""
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            for decorator in node.decorator_list:
+                if ast.unparse(decorator).partition("(")[0].rpartition(".")[2] in {"cache", "lru_cache"}:
+                    yield decorator
+
+
+_STUB_FOLDER: Final = ROOT / "models" / "stubs"
+
+
+def test_stubs_open_like_modules() -> None:
+    wrong: list[str] = []
+    for path in sorted(_STUB_FOLDER.rglob("*.pyi")):
+        text = path.read_text(encoding="utf-8")
+        if not text.startswith("# SPDX-License-Identifier: Apache-2.0\n") or not ast.get_docstring(ast.parse(text)):
+            wrong.append(path.relative_to(ROOT).as_posix())
+    assert not wrong, _told(wrong)
