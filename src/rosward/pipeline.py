@@ -10,7 +10,7 @@ from __future__ import annotations
 import gc
 import sys
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -108,7 +108,8 @@ def _extract(
     sources.read_all(lambda done: progress("reading", done, len(workspace.files)))
     library = Library(sources, natives(), models)
     plan = make_plan(workspace, sources, library)
-    runs = list(_run_all(library, plan, budget, progress))
+    everything = _run_all(library, sources, plan, budget, progress)
+    runs = [r for r in everything if r.log.nodes or r.log.entities or not r.entry.probe]
     findings: dict[Finding, None] = dict.fromkeys((*workspace.findings, *sources.findings, *plan.findings))
     nodes: list[Node] = []
     for each in runs:
@@ -116,7 +117,7 @@ def _extract(
         found, doubts = collect(each.log, Process(entry.package, entry.executable, entry.label, each.done), distro)
         nodes += found
         findings.update(dict.fromkeys((*each.log.findings, *doubts)))
-    findings.update(dict.fromkeys(unreached(runs)))
+    findings.update(dict.fromkeys(unreached(everything, (m for f in sorted(plan.related) if (m := sources.module(f)) is not None))))
     if not nodes:
         findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
     network = connect(
@@ -131,17 +132,21 @@ def _extract(
     return Result(network, workspace.root)
 
 
-def _run_all(library: Library, plan: Plan, budget: Budget, progress: Progress) -> Iterable[Run]:
-    """Every process of the plan, then the node classes that none of them instantiates."""
+def _run_all(library: Library, sources: SourceTree, plan: Plan, budget: Budget, progress: Progress) -> list[Run]:
+    """Every process of the plan, then the files that none of them imports, then the node classes that none of them instantiates."""
     runs: list[Run] = []
     total = len(plan.entries)
     for number, entry in enumerate(plan.entries):
         progress("analysing", number, total)
         runs.append(run(library, entry, budget))
     progress("analysing", total, total)
+    for file in sorted(plan.related):
+        module = sources.module(file)
+        if module is not None and not any(id(module.code) in r.entered for r in runs):
+            runs.append(run(library, plan.for_file(file), budget))
     for file, names in node_classes(runs, library.node_class(None)).items():
         runs.append(run(library, plan.for_classes(file, tuple(names)), budget))
-    return [r for r in runs if r.log.nodes or r.log.entities or not r.entry.probe]
+    return runs
 
 
 def _with_deep_stack(work: Callable[[], Result]) -> Result:

@@ -25,7 +25,12 @@ class Plan(NamedTuple):
 
     entries: tuple[Entry, ...]
     files: dict[str, SourceFile]
+    related: frozenset[str] = frozenset()  # the files that can have to do with ROS
     findings: tuple[Finding, ...] = ()
+
+    def for_file(self, file: str) -> Entry:
+        """The process that runs a file that nothing else does."""
+        return _entry(self.files.get(file), file, probe=True)
 
     def for_classes(self, file: str, names: tuple[str, ...]) -> Entry:
         """The process that instantiates node classes of a file that nothing else does."""
@@ -69,7 +74,7 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
                 entries.append(_entry(files[file], file))
         elif file not in covered and file not in imported:
             entries.append(_entry(files[file], file, probe=True))
-    return Plan(tuple(_distinct(entries)), files)
+    return Plan(tuple(_distinct(entries)), files, frozenset(related))
 
 
 def _distinct(entries: list[Entry]) -> list[Entry]:

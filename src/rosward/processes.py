@@ -42,6 +42,7 @@ class Run(NamedTuple):
     done: frozenset[tuple[object, ...]]
     entered: frozenset[int]
     instantiated: frozenset[Place]
+    reached: frozenset[int]
 
 
 def run(library: Library, entry: Entry, budget: Budget) -> Run:
@@ -60,7 +61,7 @@ def run(library: Library, entry: Entry, budget: Budget) -> Run:
         machine.spin()
     except LimitReachedError as limit:
         log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
-    return Run(entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated))
+    return Run(entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated), frozenset(machine.reached))
 
 
 def _main(machine: Interpreter, entry: Entry) -> None:

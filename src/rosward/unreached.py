@@ -4,6 +4,7 @@
     class N(Node):
         def later(self):                              # nothing calls it
             self.create_publisher(String, 'late', 10)
+    if MODE == 'laser': …                             # MODE is known to be 'camera'
 """
 
 from __future__ import annotations
@@ -11,42 +12,82 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final
 
+from rosward.engine.attributes import CREATING
 from rosward.findings import Finding
 from rosward.ir import ops
-from rosward.ir.program import Code
+from rosward.ir.program import Code, Module
 from rosward.processes import Run
 from rosward.source.location import Place
 
-_CREATE: Final = frozenset(
-    ("create_publisher", "create_subscription", "create_service", "create_client", "create_lifecycle_publisher")
-)
+_LIBRARY: Final = {
+    "ActionServer": "rclpy",
+    "ActionClient": "rclpy",
+    "wait_for_message": "rclpy",
+    "TransformListener": "tf2_ros",
+    "TransformBroadcaster": "tf2_ros",
+    "StaticTransformBroadcaster": "tf2_ros",
+    "BufferClient": "tf2_ros",
+    "BufferServer": "tf2_ros",
+    "Subscriber": "message_filters",
+    "Updater": "diagnostic_updater",
+    "BasicNavigator": "nav2_simple_commander",
+}
+"""What creates entities when it is called, and the library that it is known by."""
 
 
-def unreached(runs: Iterable[Run]) -> list[Finding]:
-    """One note for each call in a function that was made in some process and entered in none."""
-    functions: dict[int, Code] = {}
+def unreached(runs: Iterable[Run], modules: Iterable[Module]) -> list[Finding]:
+    """One note for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
     entered: set[int] = set()
+    reached: set[int] = set()
     for run in runs:
-        functions.update(run.log.functions)
         entered |= run.entered
+        reached |= run.reached
     found: dict[Finding, None] = {}
-    for key, code in functions.items():
-        if key not in entered:
-            for name, op in _creations(code.ops):
-                place = Place(code.file, op.line, op.column)
-                found[Finding("RW205", f"{code.qualname} is called by nothing: its {name} is left out", place)] = None
+    for module in modules:
+        libraries = {name.partition(".")[0] for name in module.imports}
+        names = {name for name, library in _LIBRARY.items() if library in libraries}
+        for code in _functions(module.code):
+            dead = id(code) not in entered
+            for name, op in _creations(code.ops, names):
+                if dead:
+                    what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
+                elif name in CREATING and id(op) not in reached:
+                    what = f"no execution comes to this {name}, as far as the values are known: it is left out"
+                else:
+                    continue
+                found[Finding("RW205", what, Place(code.file, op.line, op.column))] = None
     return list(found)
 
 
-def _creations(block: ops.Block) -> Iterator[tuple[str, ops.Op]]:
-    """The calls of a method that creates an entity, in nested blocks and functions too."""
+def _functions(code: Code) -> Iterator[Code]:
+    """The code itself and all functions in it."""
+    yield code
+    for op in _all_ops(code.ops):
+        if isinstance(op, ops.MakeFunction):
+            yield from _functions(op.code)
+
+
+def _creations(block: ops.Block, names: set[str]) -> Iterator[tuple[str, ops.Op]]:
+    """The reads of what creates an entity, in nested blocks too but not in functions."""
+    called: set[int] = set()
+    for op in reversed(list(_all_ops(block))):
+        if isinstance(op, ops.Call):
+            called.add(op.func)
+        elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
+            if op.name in CREATING if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names:
+                yield op.name, op
+            elif isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names:
+                yield op.name, op
+
+
+def _all_ops(block: ops.Block) -> Iterator[ops.Op]:
+    """Every operation of a block, of the blocks in it, and of the bodies of its classes."""
     for op in block:
-        if isinstance(op, ops.LoadAttr) and op.name in _CREATE:
-            yield op.name, op
-        elif isinstance(op, ops.MakeFunction):
-            yield from _creations(op.code.ops)
+        yield op
+        if isinstance(op, ops.MakeClass):
+            yield from _all_ops(op.code.ops)
         for inner in _blocks(op):
-            yield from _creations(inner)
+            yield from _all_ops(inner)
 
 
 def _blocks(op: ops.Op) -> tuple[ops.Block, ...]:

@@ -202,7 +202,11 @@ def _entries_cover(above: Obj, below: Obj) -> bool:
     absent = [key for key in above.entries if key not in below.entries or key in below.maybe]
     if any(key not in above.maybe for key in absent):
         return False
-    return below.rest is None or (above.rest is not None and covers(above.rest, below.rest))
+    if below.rest is None:
+        return True
+    if above.rest is None or above.rest_key is None or below.rest_key is None:
+        return False
+    return covers(above.rest, below.rest) and covers(above.rest_key, below.rest_key)
 
 
 def state_covers(above: State, below: State) -> bool:

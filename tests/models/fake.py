@@ -75,8 +75,9 @@ class FakeMachine:
             return self.call(function.function, (function.receiver, *args), keywords)
         if function in self.functions:
             return self.functions[function](*args, **(keywords or {}))
-        assert isinstance(function, Native)
-        return self.native(function.name, *args, **(keywords or {}))
+        if isinstance(function, Native) and function.name in NATIVES:
+            return self.native(function.name, *args, **(keywords or {}))
+        return self.unknown(Cause.CALL, "call")
 
     def load_attr(self, value: Value, name: str) -> Value:
         if not isinstance(value, Ref):
@@ -91,7 +92,8 @@ class FakeMachine:
         return self.die("AttributeError", name) if found is None else found
 
     def store_attr(self, target: Value, name: str, value: Value) -> None:
-        assert isinstance(target, Ref)
+        if not isinstance(target, Ref):
+            return
         self.heap[target.address] = self.heap[target.address].with_attr(name, value)
 
     def load_item(self, value: Value, index: Value) -> Value:

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import operator
 import time
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from models.fake import REASON, FakeMachine, abstract, covers, text
+from models.fake import NATIVES, REASON, FakeMachine, abstract, covers, text
 from models.test_strings import fillings, outcome
 from rosward.domain.choice import join_all
 from rosward.domain.unknown import Cause, Origin
@@ -22,6 +23,7 @@ from rosward.domain.values import (
     UNBOUND,
     Const,
     Descriptor,
+    External,
     Native,
     Range,
     Ref,
@@ -228,6 +230,20 @@ def test_growth_is_bounded() -> None:
     assert isinstance(number, Unknown)
 
 
+def test_alternatives_of_lists_make_one_list() -> None:
+    """Else `x = x + [y]` would make one list more in each turn of a loop."""
+    machine = FakeMachine()
+    one, two, three = (abstract(machine, v) for v in (["a"], ["b"], ["c", "d"]))
+    before = len(machine.heap)
+    same = machine.binary("+", join_all((one, two)), three)
+    assert isinstance(same, Ref)
+    assert machine.obj(same).items == (join_all((Const("a"), Const("b"))), Const("c"), Const("d"))
+    longer = machine.load_item(join_all((one, three)), Slice(NONE, NONE, NONE))
+    assert covers(machine, longer, ["a"])
+    assert covers(machine, longer, ["c", "d"])
+    assert len(machine.heap) == before + 2
+
+
 def test_defaults_go_both_ways_but_keep_their_origin() -> None:
     machine = FakeMachine()
     origin = frozenset({Origin("parameter", "mode")})
@@ -358,3 +374,52 @@ def test_types() -> None:
     assert machine.native("builtins.slice", Const(1)) == Slice(NONE, Const(1), NONE)
     assert machine.native("builtins.range", Const(3)) == Range(Const(0), Const(3), Const(1))
     assert machine.native("builtins.print", Const(3)) == NONE
+
+
+KINDS: tuple[Callable[[FakeMachine], Value], ...] = (
+    lambda _: Unknown((REASON,)),
+    lambda _: Unknown((REASON,), "int"),
+    lambda _: NONE,
+    lambda _: Const(2),
+    lambda _: Const("ab"),
+    lambda _: Const("%s{}{0[a]}"),
+    lambda _: Const(b"ab"),
+    lambda _: Const(1.5),
+    lambda _: text("a", "*"),
+    lambda _: Tuple((Const("a"), Const(1))),
+    lambda m: abstract(m, ["a", 1]),
+    lambda m: abstract(m, {"a": 1}),
+    lambda m: abstract(m, {"a"}),
+    lambda m: m.new_list((), Unknown((REASON,))),
+    lambda m: m.new_dict({}, Unknown((REASON,))),
+    lambda m: m.native("builtins.object"),
+    lambda m: m.native("builtins.iter", abstract(m, ["a"])),
+    lambda _: External("lib.thing"),
+    lambda _: Native("builtins.str"),
+    lambda _: Range(Const(0), Unknown((REASON,), "int"), Const(1)),
+    lambda _: Slice(NONE, Const(1), NONE),
+    lambda m: join_all((NONE, Const("a"), abstract(m, ["a"]))),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(NATIVES))
+@given(data=st.data())
+def test_no_argument_makes_a_native_fail(name: str, data: st.DataObject) -> None:
+    machine = FakeMachine()
+    args = [make(machine) for make in data.draw(st.lists(st.sampled_from(KINDS), max_size=4))]
+    assert isinstance(machine.native(name, *args), Value)
+
+
+@given(
+    data=st.data(), op=st.sampled_from([*OPERATORS, "@"]), comparison=st.sampled_from([*COMPARISONS, "is", "is-not"])
+)
+def test_no_operand_makes_an_operator_fail(data: st.DataObject, op: str, comparison: str) -> None:
+    machine = FakeMachine()
+    left, right, third = (data.draw(st.sampled_from(KINDS))(machine) for _ in range(3))
+    assert isinstance(machine.binary(op, left, right), Value)
+    assert isinstance(machine.compare(comparison, left, right), Value)
+    assert isinstance(unary(machine, "-", left), Value)
+    assert isinstance(machine.load_item(left, right), Value)
+    machine.store_item(left, right, third)
+    machine.iterate(left)
+    machine.truth(left)

@@ -43,6 +43,8 @@ NODE_METHODS: Final = frozenset(
     ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
 )
 """Methods by which a node is known where its class is not."""
+CREATING: Final = (NODE_METHODS - {"create_timer"}) | {"create_lifecycle_publisher"}
+"""Methods that create entities."""
 
 
 def load(machine: Interpreter, value: Value, name: str) -> Value:

@@ -11,7 +11,8 @@ class Budget(NamedTuple):
 
     `steps`: operations interpreted before the process is given up; `entry_steps`: the same for each callback, afterwards.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
-    `unroll`: turns of a loop that are followed one by one while its condition is known; `unroll_forever`: the same for `while True`.
+    `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
+    known; `unroll_forever`: for `while True`.
     `turns`: turns of loops, nested ones included, that are followed one by one within one outermost loop.
     `fixpoint`: turns after which a loop that is followed by joining must have come to rest; `widen_after`: turns before widening.
     `rounds`: rounds in which all callbacks run before widening forces an end. `items`: elements of one collection kept apart.
@@ -23,6 +24,7 @@ class Budget(NamedTuple):
     depth: int = 60
     recursion: int = 4
     unroll: int = 300
+    unroll_while: int = 50
     unroll_forever: int = 4
     turns: int = 600
     fixpoint: int = 12

@@ -140,7 +140,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
-    limit = machine.budget.unroll_forever if forever else machine.budget.unroll
+    limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number = True, 0
     if not machine.loops:
         machine.turns = 0

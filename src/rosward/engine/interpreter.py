@@ -46,7 +46,8 @@ if TYPE_CHECKING:
     from rosward.models.native import Items
 
 Handler = Callable[["Interpreter", Any, Frame], bool | None]
-DEAD = False
+DEAD: Final = False
+_MAX_SEQUENCE: Final = 6
 
 
 @final
@@ -73,6 +74,7 @@ class Interpreter:
         self.memo: dict[object, Value] = {}
         self.instantiated: set[Place] = set()
         self.entered: set[int] = set()  # id() of each code body that was run
+        self.reached: set[int] = set()  # id() of each operation that was run and reads a method that creates an entity
         self._versions = 0
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
@@ -152,7 +154,8 @@ class Interpreter:
         frame = self.frames[-1] if self.frames else None
         if frame is None:
             return Ref(self.place_at((obj.kind, site), obj))
-        key = (frame.context, frame.code.file, frame.line, frame.column, frame.sequence, site)
+        # One operation may make several objects, but finitely many: it makes one for each alternative of its operands, and they come round.
+        key = (frame.context, frame.code.file, frame.line, frame.column, min(frame.sequence, _MAX_SEQUENCE), site)
         frame.sequence += 1
         return Ref(self.place_at(key, obj))
 
@@ -357,6 +360,8 @@ def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
 
 def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    if op.name in attributes.CREATING:
+        machine.reached.add(id(op))
     value = attributes.load(machine, frame.registers[op.obj], op.name)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None

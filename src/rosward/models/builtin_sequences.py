@@ -10,13 +10,14 @@ from typing import Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Range, Ref, Tuple, Value
-from rosward.models.containers_list import ITERATOR, element, order, write
+from rosward.domain.values import NONE, UNBOUND, Const, Native, Range, Ref, Tuple, Value
+from rosward.models.containers_list import ITERATOR, order, write
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable
 from rosward.models.plain import (
     NOT_PLAIN,
     Raised,
+    all_of,
     int_of,
     listed,
     native,
@@ -28,16 +29,14 @@ from rosward.models.plain import (
     with_origins,
 )
 
+_LIST: Final = Native("builtins.list")
+
 
 def iterator(machine: Machine, items: Items) -> Value:
     """A list that stands for an iterator."""
     made = listed(machine, "iterator", *items)
     machine.update(made, machine.obj(made).replace(payload=ITERATOR))
     return made
-
-
-def _all_of(items: Items) -> tuple[Value, ...]:
-    return (*items.known, *(() if items.rest is None else (items.rest,)))
 
 
 def _range(call: NativeCall) -> Value:
@@ -69,7 +68,7 @@ def _zip(call: NativeCall) -> Value:
         )
     sure = min(len(c.known) for c in columns)
     rows = tuple(Tuple(tuple(c.known[n] for c in columns)) for n in range(sure))
-    later = [_all_of(Items(c.known[sure:], c.rest)) for c in columns]
+    later = [all_of(Items(c.known[sure:], c.rest)) for c in columns]
     rest = Tuple(tuple(join_all(cells) for cells in later)) if all(later) else None
     return iterator(call.machine, Items(rows, rest))
 
@@ -80,7 +79,7 @@ def _map(call: NativeCall) -> Value:
     if all(c.rest is None for c in columns):
         results = [machine.call(function, row) for row in zip(*(c.known for c in columns), strict=False)]
         return UNBOUND if UNBOUND in results else iterator(machine, Items(tuple(results)))
-    cells = [_all_of(c) for c in columns]
+    cells = [all_of(c) for c in columns]
     if not all(cells):
         return iterator(machine, Items(()))
     result = machine.call(function, [join_all(c) for c in cells])
@@ -92,7 +91,7 @@ def _filter(call: NativeCall) -> Value:
     known, rest = machine.iterate(iterable)
     kept: list[Value] = []
     exact = rest is None
-    for item in _all_of(Items(known, rest)):
+    for item in all_of(Items(known, rest)):
         answer = machine.truth(item if function == NONE else machine.call(function, (item,)))
         if answer is not False:
             kept.append(item)
@@ -130,22 +129,36 @@ def _next(call: NativeCall) -> Value:
 
 def _next_of(call: NativeCall, value: Value) -> Value:
     """The first element of an iterator that we follow; any element of another one, or the default."""
-    machine, default = call.machine, call.args[1:2]
+    machine = call.machine
     obj = machine.obj(value) if isinstance(value, Ref) else None
-    if obj is not None and isinstance(value, Ref) and obj.payload == ITERATOR:
-        if obj.items:
-            write(machine, value, obj.items[1:])
-            return obj.items[0] if not obj.many else join_all(obj.items)
-        found = element(obj)
-    elif obj is not None and obj.kind == "instance":
+    if obj is None or not isinstance(value, Ref):
+        return _any_of(call, all_of(machine.iterate(value)))
+    if obj.payload == ITERATOR and obj.items and not obj.many:
+        write(machine, value, obj.items[1:])
+        return obj.items[0]
+    if obj.kind == "generator" and not obj.many:
+        return _start(call, value, machine.iterate(value))
+    if obj.kind == "instance":
         return machine.call(machine.load_attr(value, "__next__"), ())
-    else:
-        found = join_all(_all_of(machine.iterate(value)))
-    if found is None or found is UNBOUND:
-        if not default:
-            raise Raised("StopIteration", "")
-        return default[0]
-    return join_all((found, *default))
+    return _any_of(call, all_of(machine.iterate(value)))
+
+
+def _start(call: NativeCall, ref: Ref, items: Items) -> Value:
+    """The first `next` of a generator: its first element; from then on it may give any."""
+    if not items.known:
+        return _any_of(call, all_of(items))
+    obj = call.machine.obj(ref)
+    changed = obj.replace(kind="list", cls=_LIST, items=None, rest=join_all(all_of(items)), payload=ITERATOR)
+    call.machine.update(ref, changed)
+    return items.known[0]
+
+
+def _any_of(call: NativeCall, values: tuple[Value, ...]) -> Value:
+    """Any of these elements, or the default; without both there is nothing."""
+    default = call.args[1:2]
+    if not values and not default:
+        raise Raised("StopIteration", "")
+    return join_all((*values, *default))
 
 
 def _sum(call: NativeCall) -> Value:
@@ -168,7 +181,7 @@ def _extreme(call: NativeCall) -> Value:
             raise Raised("ValueError", f"{name}() arg is an empty sequence")
         return default
     if items.rest is not None:
-        return join_all((*_all_of(items), *(() if default is None else (default,))))
+        return join_all((*all_of(items), *(() if default is None else (default,))))
     key = call.keywords.get("key")
     keys = list(items.known) if key is None or key == NONE else [machine.call(key, (v,)) for v in items.known]
     ranks = [comparable(machine, k) for k in keys]
@@ -200,7 +213,7 @@ def _quantified(call: NativeCall) -> Value:
         return Const(wanted)
     if items.rest is None and sure <= {not wanted}:
         return Const(not wanted, origins(*items.known))
-    return unknown_from(machine, call.name, "bool", *_all_of(items))
+    return unknown_from(machine, call.name, "bool", *all_of(items))
 
 
 def _len(call: NativeCall) -> Value:

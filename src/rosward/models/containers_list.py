@@ -30,6 +30,7 @@ from rosward.models.plain import (
 )
 
 _LEN: Final = Native("builtins.len")
+_SPECIAL: Final = {"__len__": "int", "__contains__": "bool", "__getitem__": "", "__setitem__": "NoneType"}
 ITERATOR: Final = "iterator"
 """The payload of a list that stands for an iterator: `next` takes its first element away."""
 
@@ -232,20 +233,18 @@ def _copy(call: NativeCall) -> Value:
     return listed(call.machine, call.name, known, rest)
 
 
-def _length(call: NativeCall) -> Value:
-    return call.machine.call(_LEN, call.args[:1])
-
-
-def _contains(call: NativeCall) -> Value:
-    return call.machine.compare("in", call.args[1], call.args[0])
-
-
-def _get_item(call: NativeCall) -> Value:
-    return call.machine.load_item(call.args[0], call.args[1])
-
-
-def _set_item(call: NativeCall) -> Value:
-    call.machine.store_item(*call.args[:3])
+def _special(call: NativeCall) -> Value:
+    """Special methods called by name. What an instance of a class derived from a builtin one holds is not known."""
+    machine, name, receiver = call.machine, call.name.rpartition(".")[2], call.args[0]
+    if isinstance(receiver, Ref) and machine.obj(receiver).kind == "instance":
+        return unknown_from(machine, call.name, _SPECIAL[name], receiver)
+    if name == "__len__":
+        return machine.call(_LEN, (receiver,))
+    if name == "__contains__":
+        return machine.compare("in", call.args[1], receiver)
+    if name == "__getitem__":
+        return machine.load_item(receiver, call.args[1])
+    machine.store_item(receiver, *call.args[1:3])
     return NONE
 
 
@@ -270,8 +269,9 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "list.copy": native(_copy),
     "tuple.index": native(_index),
     "tuple.count": native(_count),
-    **{f"{kind}.__contains__": native(_contains) for kind in ("str", "list", "tuple", "dict", "set", "range")},
-    **{f"{kind}.__getitem__": native(_get_item) for kind in ("str", "list", "tuple", "dict", "range")},
-    **{f"{kind}.__setitem__": native(_set_item) for kind in ("list", "dict")},
-    **{f"{kind}.__len__": native(_length) for kind in ("str", "list", "tuple", "dict", "set", "range")},
+    **{
+        f"{kind}.{name}": native(_special)
+        for kind in ("str", "list", "tuple", "dict", "set", "range")
+        for name in _SPECIAL
+    },
 }

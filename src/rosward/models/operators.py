@@ -28,22 +28,24 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models import containers_dict
-from rosward.models.containers_list import new_tuple
-from rosward.models.containers_set import FROZEN, combine, new_set
+from rosward.models.containers_set import FROZEN, combine, distinct
 from rosward.models.native import Items, Machine
 from rosward.models.operators_compare import compare, contains, equal, kind_of
 from rosward.models.operators_items import load_item, store_item
 from rosward.models.plain import (
     MAX_BITS,
+    MAX_ITEMS,
+    Fresh,
     Raised,
     from_python,
     int_of,
-    listed,
+    join_items,
     operation,
     origins,
     range_of,
     run,
     spread,
+    spread_fresh,
     text_of,
     truth_const,
     unknown_from,
@@ -55,7 +57,6 @@ from rosward.models.strings_percent import percent, percent_one
 __all__ = ["binary", "compare", "contains", "equal", "iterate", "load_item", "percent", "store_item", "truth", "unary"]
 
 MAX_RANGE: Final = 1_000
-MAX_APART: Final = 8
 MAX_REPEAT: Final = 1_000
 _PYTHON: Final[dict[str, Callable[..., object]]] = {
     "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv,
@@ -72,10 +73,10 @@ _SEQUENCES: Final = ("str", "bytes", "list", "tuple")
 @operation
 def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
     """left op right."""
-    return spread(lambda a, b: _binary(machine, op, a, b), left, right)
+    return spread_fresh(machine, ("operator", op), lambda a, b: _binary(machine, op, a, b), left, right)
 
 
-def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
+def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value | Fresh:
     if op == "%" and (isinstance(left, Text) or text_of(left) is not None):
         return percent_one(machine, left, right)
     if isinstance(left, Const) and isinstance(right, Const):
@@ -151,7 +152,7 @@ def _texts(machine: Machine, left: Value, right: Value, kinds: tuple[str, str]) 
     raise Raised("TypeError", f'can only concatenate str (not "{kind}") to str')
 
 
-def _repeated(machine: Machine, sequence: Value, times: Value) -> Value:
+def _repeated(machine: Machine, sequence: Value, times: Value) -> Value | Fresh:
     number, kind = int_of(times), kind_of(machine, sequence)
     if isinstance(times, Const) and number is None:
         raise Raised("TypeError", f"can't multiply sequence by non-int of type '{times.value.__class__.__name__}'")
@@ -164,10 +165,10 @@ def _repeated(machine: Machine, sequence: Value, times: Value) -> Value:
         items = Items(known * number)
     else:
         items = Items((), join_all((*known, *(() if rest is None else (rest,)))) if known or rest is not None else None)
-    return _new_sequence(machine, kind, items)
+    return _new_sequence(kind, items)
 
 
-def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value:
+def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value | Fresh:
     if isinstance(left, Unknown) and isinstance(right, Unknown):
         return unknown_from(machine, "+", kind, left, right)
     first, second = iterate(machine, left), iterate(machine, right)
@@ -177,17 +178,15 @@ def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value:
         items = Items(
             first.known, join_all((first.rest, *second.known, *(() if second.rest is None else (second.rest,))))
         )
-    return _new_sequence(machine, kind, items)
+    return _new_sequence(kind, items)
 
 
-def _new_sequence(machine: Machine, kind: str, items: Items) -> Value:
-    """A new list or tuple. `a + b + c` makes several lists at one place: their lengths (up to some) tell them apart."""
-    if kind == "tuple":
-        return new_tuple(machine, items)
-    return listed(machine, ("operator", min(len(items.known), MAX_APART)), *items)
+def _new_sequence(kind: str, items: Items) -> Value | Fresh:
+    exact = kind == "tuple" and items.rest is None and len(items.known) <= MAX_ITEMS
+    return Tuple(items.known) if exact else Fresh("list", kind, items)
 
 
-def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[str, str]) -> Value:
+def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[str, str]) -> Value | Fresh:
     """Sets (and the keys and items of dicts, which we hold as lists), and dict | dict."""
     if op == "|" and kinds == ("dict", "dict"):
         made = containers_dict.copy(machine, left)
@@ -196,7 +195,7 @@ def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[
     if "dict" in kinds or kinds == ("list", "list"):
         return unknown_from(machine, op, "", left, right)
     items = combine(machine, op, iterate(machine, left), iterate(machine, right))
-    return new_set(machine, items, machine.obj(left).cls == FROZEN)
+    return Fresh("set", "frozenset" if machine.obj(left).cls == FROZEN else "set", distinct(items))
 
 
 @operation
@@ -278,12 +277,7 @@ def iterate(machine: Machine, value: Value) -> Items:
         if failure is not None:
             machine.die(failure.error, failure.message)
         return Items(())
-    if len(several) == 1:
-        return several[0]
-    if len({len(i.known) for i in several}) == 1 and all(i.rest is None for i in several):
-        return Items(tuple(join_all(column) for column in zip(*(i.known for i in several), strict=True)))
-    loose = [v for i in several for v in (*i.known, *(() if i.rest is None else (i.rest,)))]
-    return Items((), join_all(loose)) if loose else Items(())
+    return join_items(several)
 
 
 def _iterate(machine: Machine, value: Value) -> Items:

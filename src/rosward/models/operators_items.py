@@ -14,18 +14,19 @@ from rosward.domain.text import make, parts_of
 from rosward.domain.values import NONE, Choice, Const, External, Range, Ref, Slice, Text, Tuple, Unknown, Value
 from rosward.models import containers_dict, text_parts
 from rosward.models.containers_list import add_to_rest, element, write
-from rosward.models.native import Machine
+from rosward.models.native import Items, Machine
+from rosward.models.operators_compare import kind_of
 from rosward.models.plain import (
+    Fresh,
     Raised,
     from_python,
     int_of,
-    listed,
     operation,
     origins,
     range_of,
     run,
     slice_of,
-    spread,
+    spread_fresh,
     text_of,
     unknown_from,
     with_origins,
@@ -36,8 +37,12 @@ from rosward.models.plain import (
 def load_item(machine: Machine, value: Value, index: Value) -> Value:
     """value[index]."""
     if isinstance(index, Slice):
-        return spread(lambda v, a, b, c: _slice(machine, v, Slice(a, b, c)), value, *index)
-    return spread(lambda v, i: _slice(machine, v, i) if isinstance(i, Slice) else _load(machine, v, i), value, index)
+        return spread_fresh(machine, "slice", lambda v, a, b, c: _slice(machine, v, Slice(a, b, c)), value, *index)
+
+    def one(v: Value, i: Value) -> Value | Fresh:
+        return _slice(machine, v, i) if isinstance(i, Slice) else _load(machine, v, i)
+
+    return spread_fresh(machine, "slice", one, value, index)
 
 
 def _load(machine: Machine, value: Value, index: Value) -> Value:
@@ -99,7 +104,7 @@ def _character(machine: Machine, value: Text, index: Value) -> Value:
 # Slices
 
 
-def _slice(machine: Machine, value: Value, index: Slice) -> Value:
+def _slice(machine: Machine, value: Value, index: Slice) -> Value | Fresh:
     ends, source = slice_of(index), origins(index)
     if isinstance(value, Text) or (text_of(value) is not None and ends is None):
         return with_origins(_text_slice(machine, value, index), source | origins(value))
@@ -110,14 +115,11 @@ def _slice(machine: Machine, value: Value, index: Slice) -> Value:
     if isinstance(value, Tuple):
         if ends is not None:
             return with_origins(Tuple(value.items[ends]), source)
-        return listed(machine, "slice", (), join_all(value.items), cls="tuple") if value.items else value
+        return Fresh("list", "tuple", Items((), join_all(value.items))) if value.items else value
     if isinstance(value, Ref) and machine.obj(value).kind == "list":
         obj = machine.obj(value)
-        return (
-            listed(machine, "slice", (), element(obj))
-            if ends is None or obj.items is None
-            else listed(machine, "slice", obj.items[ends])
-        )
+        part = Items((), element(obj)) if obj.items is None or ends is None else Items(obj.items[ends])
+        return Fresh("list", kind_of(machine, value), part)
     if isinstance(value, Range) and ends is not None:
         return _range_slice(machine, value, ends)
     return Unknown(value.reasons, value.hint) if isinstance(value, Unknown) else unknown_from(machine, "[:]", "", value)

@@ -11,19 +11,21 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Sequence
-from typing import Concatenate, Final, ParamSpec, TypeVar
+from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join_all, options, reasons_of
 from rosward.domain.heap import Obj
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
-from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 
 MAX_BITS: Final = 4096
 MAX_ITEMS: Final = 1_000
 MAX_WORK: Final = 1 << 20
 """The product of the lengths of the operands of one string operation."""
+MOST_NEEDED: Final = 3
+"""No builtin function needs more arguments than this."""
 MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
 NOT_PLAIN: Final = object()
 _FAILURES: Final = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
@@ -41,13 +43,17 @@ class Raised(Exception):  # noqa: N818 - an exception of the analysed program, n
 
 
 def native(function: Callable[[NativeCall], Value]) -> NativeFunction:
-    """A native in which `Raised` ends the path; one that Python would call with other arguments raises a TypeError."""
+    """A native in which `Raised` ends the path; where it is called with too few arguments the result is not known."""
 
     def guarded(call: NativeCall) -> Value:
         try:
             return function(call)
         except Raised as raised:
             return call.machine.die(raised.error, raised.message)
+        except (IndexError, ValueError):
+            if len(call.args) >= MOST_NEEDED:
+                raise
+            return unknown_from(call.machine, call.name, "", *call.args)
 
     return guarded
 
@@ -76,7 +82,11 @@ def spread(function: Callable[..., Value], *values: Value) -> Value:
     """The join over all combinations of alternatives; those that raise are left out, unless all do."""
     if not any(v.__class__ is Choice for v in values):
         return function(*values)
-    results: list[Value] = []
+    return join_all(_combined(function, values))
+
+
+def _combined(function: Callable[..., _R], values: tuple[Value, ...]) -> list[_R]:
+    results: list[_R] = []
     failure: Raised | None = None
     for combination in itertools.product(*_bounded([options(v) for v in values])):
         try:
@@ -85,7 +95,45 @@ def spread(function: Callable[..., Value], *values: Value) -> Value:
             failure = failure or raised
     if not results and failure is not None:
         raise failure
-    return join_all(results)
+    return results
+
+
+class Fresh(NamedTuple):
+    """A list or set that an operation would make; `cls` is the name of its builtin class."""
+
+    kind: str
+    cls: str
+    items: Items
+
+
+def spread_fresh(machine: Machine, site: object, function: Callable[..., Value | Fresh], *values: Value) -> Value:
+    """The same for a function that may make lists: all alternatives together make one of each class.
+
+    So `x = x + [y]` in a loop does not make one list more in each turn.
+    """
+    results = _combined(function, values)
+    found = [r for r in results if not isinstance(r, Fresh)]
+    for kind, cls in dict.fromkeys((r.kind, r.cls) for r in results if isinstance(r, Fresh)):
+        several = [r.items for r in results if isinstance(r, Fresh) and (r.kind, r.cls) == (kind, cls)]
+        if kind == "set" and len(several) > 1:
+            several = [Items((), join_all(all_of(i))) if all_of(i) else i for i in several]
+        found.append(listed(machine, site, *join_items(several), kind=kind, cls=cls))
+    return join_all(found)
+
+
+def join_items(several: list[Items]) -> Items:
+    """Item by item where all have one length, else any number of any item."""
+    if len(several) == 1:
+        return several[0]
+    if len({len(i.known) for i in several}) == 1 and all(i.rest is None for i in several):
+        return Items(tuple(join_all(column) for column in zip(*(i.known for i in several), strict=True)))
+    loose = [v for i in several for v in all_of(i)]
+    return Items((), join_all(loose)) if loose else Items(())
+
+
+def all_of(items: Items) -> tuple[Value, ...]:
+    """The known items and what joins the rest."""
+    return (*items.known, *(() if items.rest is None else (items.rest,)))
 
 
 def _bounded(alternatives: list[tuple[Value, ...]]) -> list[tuple[Value, ...]]:

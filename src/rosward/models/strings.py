@@ -97,7 +97,6 @@ def _positional(call: NativeCall, name: str) -> Arguments:
 
 
 def _method(call: NativeCall) -> Value:
-    """Any method that needs no more than its operands."""
     kind, _, name = call.name.rpartition(".")
     own = bytes if kind == "bytes" else str
     return spread(lambda *values: _apply(call.machine, own, name, values), *_positional(call, name))

@@ -6,7 +6,7 @@
 
 A folder named `build`, `install` or `log` is taken as output if it holds what colcon, CMake or setuptools write
 there, if it stands beside a `src` folder, or at the top of what was named, and neither it nor the folder it stands in
-is a package. Names are only looked at, no file is opened.
+is a package. Names are only looked at; only a file that is named like a test is opened: many a node is called `test_motor.py`.
 """
 
 from __future__ import annotations
@@ -29,6 +29,11 @@ _PYTHON_BUILD: Final = re.compile(r"lib|lib\.\w+.*|bdist\..+|temp\..+")
 _INSTALLED: Final = frozenset({"site-packages", "dist-packages", "node_modules", "__pypackages__"})
 _TEST_FOLDERS: Final = frozenset({"test", "tests"})
 _TEST_FILE: Final = re.compile(r"test_.*\.py|.*_test\.py|conftest\.py")
+_PROGRAM: Final = re.compile(rb"^[ \t]*(?:from|import)[ \t]+rclpy\b", re.MULTILINE)
+_TESTING: Final = re.compile(
+    rb"^[ \t]*(?:(?:from|import)[ \t]+(?:pytest|unittest|launch_testing\w*|launch_pytest|ament_\w+\.main)\b|(?:async[ \t]+)?def[ \t]+test_)", re.MULTILINE
+)
+_TESTED_BYTES: Final = 1_000_000
 DESCRIPTIONS: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt"})
 _INTERFACE: Final = re.compile(r"[A-Za-z]\w*\.(?:msg|srv|action|idl)")
 _LAUNCH: Final = re.compile(r".*[._]launch\.(?:xml|yaml|yml)|.*\.launch")
@@ -63,9 +68,17 @@ class _Folder(NamedTuple):
     chosen: bool
 
 
-def is_test_file(name: str) -> bool:
-    """Whether pytest would take a file of that name for a test."""
-    return _TEST_FILE.fullmatch(name) is not None
+def is_test_file(path: str) -> bool:
+    """Whether a file is a test: by its name, unless it is a ROS program without any test in it."""
+    name = os.path.basename(path)  # noqa: PTH119
+    if _TEST_FILE.fullmatch(name) is None:
+        return False
+    try:
+        with open(path, "rb") as file:  # noqa: PTH123
+            text = file.read(_TESTED_BYTES)
+    except OSError:
+        return True
+    return name == "conftest.py" or _PROGRAM.search(text) is None or _TESTING.search(text) is not None
 
 
 def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None:
@@ -153,7 +166,7 @@ def _python(entry: os.DirEntry[str], folder: _Folder, tree: Tree, *, is_link: bo
         regular = False
     if not regular:
         tree.not_files.append((entry.path, "a link that leads nowhere" if is_link else "not a regular file"))
-    elif is_test_file(entry.name) and not include_tests:
+    elif not include_tests and is_test_file(entry.path):
         tree.skipped.append((entry.path, SkipReason.TEST))
     elif is_link:
         tree.linked.append(entry.path)
