@@ -72,7 +72,7 @@ def main() -> int:
         if not folder.is_dir():
             print(f"{repo}: no checkout")
             continue
-        extraction = extract([folder], seconds=options.seconds)
+        extraction = extract([folder], seconds=options.seconds, options=["--tests"])
         if extraction.trouble or extraction.graph is None:
             print(f"{repo}: {extraction.trouble or extraction.run.output.strip()}")
         graph = extraction.graph or Graph((), (), (), {}, {}, {})

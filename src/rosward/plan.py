@@ -90,7 +90,7 @@ def _distinct(entries: list[Entry]) -> list[Entry]:
 def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library) -> set[str]:
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
-    Nothing else can create an entity: a node is made by rclpy only. A file that cannot be read is not related.
+    Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
     """
     links: dict[str, set[str]] = {}
     related: set[str] = set()
@@ -100,7 +100,7 @@ def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library
             continue
         for name in module.imports:
             top = name.lstrip(".").partition(".")[0]
-            if not name.startswith(".") and _is_ros(top):
+            if not name.startswith(".") and (_is_ros(top) or _is_interfaces(name)):
                 related.add(file)
             found = _follow(name, file, library, sources)
             if found:
@@ -127,6 +127,11 @@ def _is_ros(top: str) -> bool:
     if top in sys.stdlib_module_names or top in ("numpy", "yaml"):
         return False
     return (STUBS / top).is_dir() or (STUBS / f"{top}.pyi").is_file() or top in ("launch", "rclpy")
+
+
+def _is_interfaces(name: str) -> bool:
+    """Whether a module name is that of generated interfaces: who has a type can make an entity on a node that it is given."""
+    return name.split(".")[1:2] in (["msg"], ["srv"], ["action"])
 
 
 def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTree, library: Library) -> set[str]:

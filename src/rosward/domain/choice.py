@@ -12,7 +12,20 @@ from typing import Final
 
 from rosward.domain.text import common
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Choice, Const, External, Text, Tuple, Unbound, Unknown, Value
+from rosward.domain.values import (
+    UNBOUND,
+    Choice,
+    Const,
+    External,
+    Partial,
+    Range,
+    Slice,
+    Text,
+    Tuple,
+    Unbound,
+    Unknown,
+    Value,
+)
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
@@ -135,13 +148,17 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
     joined = join(old, new)
     if joined == old:
         return old
+    joined = _kept_small(old, joined, reason)
+    if joined == old:
+        return old
     absorbed = {_kind(o) for o in options(old) if o.__class__ is Unknown}
-    plain = [o for o in options(joined) if o not in options(old) and o.__class__ in (Const, Text, Tuple)]
-    moving = {_kind(o) for o in plain} - {"NoneType", "bool"}
+    new_ones = [o for o in options(joined) if o not in options(old) and o.__class__ in (Const, Text, Tuple)]
+    plain = [o for o in new_ones if _kind(o) not in ("NoneType", "bool")]  # of those there are finitely many
+    moving = {_kind(o) for o in plain}
     if moving and (absorbed & moving or "" in absorbed):  # an unknown of that type is there already: it covers them
         gone = {o for o in plain if "" in absorbed or _kind(o) in absorbed}
         joined = join_all(o for o in options(joined) if o not in gone)
-        moving = {_kind(o) for o in plain if o not in gone} - {"NoneType", "bool"}
+        moving = {_kind(o) for o in plain if o not in gone}
     if not moving or joined == old:
         return joined
     keep: list[Value] = []
@@ -159,6 +176,20 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
         if any(o.__class__ is Text for o in options(old)):  # the second time nothing but the type is kept
             keep[-1] = Unknown((reason,), "str")
     return join_all(keep)
+
+
+_GROWING: Final = (External, Partial, Range, Slice)
+_MOST: Final = 8
+"""Values that are made of values (or of names) and can grow for ever: so many of them are kept apart by a widening."""
+
+
+def _kept_small(old: Value, joined: Value, reason: Reason) -> Value:
+    """Without the growing options that are new, where there are enough of them: one Unknown stands for them."""
+    grown = {o for o in options(joined) if o.__class__ in _GROWING}
+    fresh = grown.difference(options(old))
+    if not fresh or len(grown) <= _MOST:
+        return joined
+    return join_all([*(o for o in options(joined) if o not in fresh), Unknown((reason,))])
 
 
 def lift(function: Callable[[Value], Value], value: Value) -> Value:

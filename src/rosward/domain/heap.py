@@ -18,7 +18,7 @@ class Obj:
     """One object: its class and what it holds. Fields are never changed in place; `replace` makes a new record.
 
     kind is 'instance', 'list', 'set', 'dict', 'class', 'module', 'cell' or 'generator'.
-    attrs: attributes (variables of a module, `value` of a cell), by name.
+    attrs: attributes (variables of a module, `value` of a cell), by name; `partial` holds those that may be absent.
     items: the elements of a list or set in order, exactly, or None where the length is not known; then `rest` joins all elements (None: empty).
     entries: the items of a dict whose keys are known, in order, key value to value; `maybe` holds the keys that may be absent;
     `rest` joins the values under keys that are not known (None: there are none), `rest_key` those keys.
@@ -26,7 +26,7 @@ class Obj:
     payload: what the kind needs beyond (the suspended call of a generator, say).
     """
 
-    __slots__ = ("attrs", "cls", "entries", "items", "kind", "many", "maybe", "payload", "rest", "rest_key")
+    __slots__ = ("attrs", "cls", "entries", "items", "kind", "many", "maybe", "partial", "payload", "rest", "rest_key")
 
     def __init__(
         self,
@@ -40,6 +40,7 @@ class Obj:
         rest_key: Value | None = None,
         many: bool = False,
         payload: object = None,
+        partial: frozenset[str] = frozenset(),
     ) -> None:
         self.kind = kind
         self.cls = cls
@@ -51,6 +52,7 @@ class Obj:
         self.rest_key = rest_key
         self.many = many
         self.payload = payload
+        self.partial = partial
 
     def replace(self, **changes: object) -> Obj:
         """A copy with some fields changed."""
@@ -63,6 +65,8 @@ class Obj:
         """A copy in which one attribute differs."""
         copy = self.copy()
         copy.attrs = {**self.attrs, name: value}
+        if name in self.partial:
+            copy.partial = self.partial - {name}
         return copy
 
     def copy(self) -> Obj:
@@ -78,6 +82,7 @@ class Obj:
         copy.rest_key = self.rest_key
         copy.many = self.many
         copy.payload = self.payload
+        copy.partial = self.partial
         return copy
 
     def __repr__(self) -> str:

@@ -185,7 +185,7 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         return bind(machine, in_class, ref, cls)
     if own is not None and own is not UNBOUND:
-        if obj.many and in_class is not None:
+        if (obj.many or name in obj.partial) and in_class is not None:
             return join(own, bind(machine, in_class, ref, cls))
         return own
     if in_class is not None:
@@ -351,8 +351,12 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)
-    if old is not value:
-        machine.put(ref.address, obj.with_attr(name, value))
+    if old is not value or name in obj.partial:
+        absent = obj.partial | {name} if old is None and weak else obj.partial
+        changed = obj.with_attr(name, value)
+        if weak and name in absent:
+            changed.partial = absent
+        machine.put(ref.address, changed)
     return True
 
 

@@ -16,11 +16,16 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+    from rosward.ir.program import Code
 
 LOOSE: Final = "*"
 """The keyword under which a call passes arguments of unknown number and name, joined."""
 ANY: Final = "?"
 """The keyword that says: whatever parameters are left get an unknown value (a call from code that is not known)."""
+
+
+MAYBE: Final = "~"
+"""The prefix of a keyword that may not be there: its value is joined with the parameter's default."""
 
 
 class BadCallError(Exception):
@@ -35,7 +40,10 @@ def bind_arguments(machine: Interpreter, function: Function, args: tuple[Value, 
     if not keywords and parameters.vararg is None and not parameters.kwonly and parameters.kwarg is None and len(args) == count:
         return list(args)
     keywords = dict(keywords)
+    perhaps = {k[1:]: keywords.pop(k) for k in [k for k in keywords if k[:1] == MAYBE]}
     loose, anything = keywords.pop(LOOSE, None), keywords.pop(ANY, None)
+    if anything is UNBOUND:
+        anything = Unknown((Reason(Cause.CALLER, code.name, Place(code.file, code.line)),))
     values: list[Value] = list(args[:count])
     extra = args[count:]
     if extra and parameters.vararg is None and anything is None:
@@ -47,7 +55,7 @@ def bind_arguments(machine: Interpreter, function: Function, args: tuple[Value, 
             values.append(keywords.pop(name))
             continue
         default = function.defaults[number - first_default] if number >= first_default else None
-        values.append(_missing(machine, code.file, code.line, name, default, loose, anything))
+        values.append(_missing(code, name, default, loose, anything, perhaps))
     if parameters.vararg is not None:
         if loose is not None or anything is not None:
             rest = loose if loose is not None else anything
@@ -59,10 +67,13 @@ def bind_arguments(machine: Interpreter, function: Function, args: tuple[Value, 
         if name in keywords:
             values.append(keywords.pop(name))
         else:
-            values.append(_missing(machine, code.file, code.line, name, kwdefaults.get(name), loose, anything))
+            values.append(_missing(code, name, kwdefaults.get(name), loose, anything, perhaps))
     if parameters.kwarg is not None:
         entries: dict[Value, Value] = {Const(k): v for k, v in keywords.items()}
-        record = Obj("dict", Native("builtins.dict"), entries=entries, rest=loose)
+        entries.update({Const(k): v for k, v in perhaps.items()})
+        rest = loose if loose is not None else anything
+        maybe: frozenset[Value] = frozenset(Const(k) for k in perhaps)
+        record = Obj("dict", Native("builtins.dict"), entries=entries, rest=rest, maybe=maybe)
         values.append(machine.allocate(record, (code.file, code.line)))
     elif keywords and anything is None and loose is None:
         unexpected = next(iter(keywords))
@@ -73,14 +84,21 @@ def bind_arguments(machine: Interpreter, function: Function, args: tuple[Value, 
 
 
 def _missing(
-    machine: Interpreter, file: str, line: int, name: str, default: Value | None, loose: Value | None, anything: Value | None
+    code: Code, name: str, default: Value | None, loose: Value | None, anything: Value | None, perhaps: dict[str, Value]
 ) -> Value:
-    """A parameter that the call does not name."""
+    """A parameter that the call does not surely name: what it may be given, and its default."""
+    given = perhaps.pop(name, None)
+    if given is not None:
+        return join(join(default if default is not None else UNBOUND, given), loose if loose is not None else UNBOUND)
     if loose is not None:
         return join(default if default is not None else UNBOUND, loose)
     if default is not None:
         return default
     if anything is not None:
-        return anything if anything is not UNBOUND else Unknown((Reason(Cause.CALLER, name, Place(file, line)),))
-    del machine
+        return Unknown((Reason(Cause.CALLER, name, Place(code.file, code.line)),)) if _nobody(anything) else anything
     raise BadCallError(f"argument {name} is missing")
+
+
+def _nobody(value: Value) -> bool:
+    """Whether no caller is known: then the parameter's own name says best what is missing."""
+    return isinstance(value, Unknown) and all(r.cause is Cause.CALLER for r in value.reasons)

@@ -34,7 +34,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import attributes, classes, declared
-from rosward.engine.binding import ANY, LOOSE, BadCallError, bind_arguments
+from rosward.engine.binding import ANY, LOOSE, MAYBE, BadCallError, bind_arguments
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import State, join_states
@@ -70,7 +70,10 @@ def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, 
     for argument in arguments:
         value = registers[argument.register]
         if argument.kind == "positional":
-            args.append(value)
+            if loose:  # behind a `*` of unknown length it may be any of what follows
+                loose.append(value)
+            else:
+                args.append(value)
         elif argument.kind == "keyword":
             keywords[argument.name] = value
         elif argument.kind == "star":
@@ -88,16 +91,30 @@ def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, 
 def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Value]:
     """Merge `**value` into keywords; returns the values whose names are not known."""
     loose: list[Value] = []
+    tables: list[Keywords] = []
+    unsure: set[str] = set()
     for option in options(value):
         if option.__class__ is Ref and machine.obj(option).kind == "dict":
             obj = machine.obj(option)
+            table: Keywords = {}
             for key, item in obj.entries.items():
                 if key.__class__ is Const and isinstance(key.value, str):
-                    keywords[key.value] = item
+                    table[key.value] = item
+                    if key in obj.maybe:
+                        unsure.add(key.value)
+                else:
+                    loose.append(item)
+            tables.append(table)
             if obj.rest is not None:
                 loose.append(obj.rest)
         elif option != NONE:
             loose.append(machine.unknown(Cause.OPERATION, "**", ""))
+    for name in dict.fromkeys(n for t in tables for n in t):
+        joined = join_all(t[name] for t in tables if name in t)
+        if name in unsure or not all(name in t for t in tables):
+            keywords[MAYBE + name] = joined  # binding joins it with the default
+        else:
+            keywords[name] = joined
     return loose
 
 
@@ -164,7 +181,7 @@ def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keyw
 def _call_external(machine: Interpreter, function: External, args: Arguments, keywords: Keywords) -> Value:
     """Something of a library that is not modelled: its callable arguments may be called; an interface type makes a message."""
     if attributes.is_interface(function):
-        named = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY)}
+        named = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ANY)}
         return machine.allocate(Obj("instance", function, attrs=named))
     if machine.library.native(function.name):
         return call_native(machine, function.name, args, keywords)
@@ -178,10 +195,10 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
 def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
     """A builtin, or a model in code."""
     native = machine.library.native(name)
-    if LOOSE in keywords or ANY in keywords:
+    if keywords and any(k in (LOOSE, ANY) or k[0] == MAYBE for k in keywords):
         loose = keywords.get(LOOSE)
         args = args if loose is None else (*args, loose)
-        keywords = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY)}
+        keywords = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ANY)}
     if native is not None:
         frame = machine.frames[-1] if machine.frames else None
         if frame is not None:
@@ -259,7 +276,7 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
         registers = bind_arguments(machine, function, args, keywords)
     except BadCallError as error:
         # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
-        if not declared.is_model(function):
+        if not declared.is_model(function) or function.module.name.startswith("rclpy."):
             machine.report("RW209", f"this call of {code.qualname} raises TypeError: {error}")
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
         registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
@@ -285,9 +302,9 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
     remembered = machine.memo.get(key)
     if remembered is not None:
         return remembered, Items(())
-    raised, version = machine.raised, machine.state.version
+    raised, version, provisional = machine.raised, machine.state.version, machine.provisional
     value, items = _run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
-    quiet = machine.state.version == version and machine.raised == raised and not items.known and items.rest is None
+    quiet = machine.state.version == version and machine.raised == raised and machine.provisional == provisional and not items.known and items.rest is None
     if quiet and value is not UNBOUND and not declared.is_model(function):
         machine.memo[key] = value
     return value, items
@@ -342,6 +359,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
     if summary is not None:
         summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
+        machine.provisional += 1  # what is computed from it now may not be its last word
         if summary.after is None:
             return UNBOUND
         machine.state = summary.after.copy()
@@ -352,6 +370,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
     context = machine.context("summary", id(function.code))
     try:
         for _ in range(machine.budget.fixpoint):
+            reads = machine.provisional
             seen = (summary.registers, summary.before.version, summary.value, summary.after.version if summary.after else -1)
             machine.state = summary.before.copy()
             value, _items = _run_body(machine, function, list(summary.registers), machine.frames[-1], context)
@@ -362,6 +381,8 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
                     if summary.after is None
                     else join_states(summary.after, machine.state.copy(), machine.fresh_version, widening)
                 )
+            if machine.provisional == reads:
+                break  # nothing inside asked for the summary: this turn was exact
             if seen == (summary.registers, summary.before.version, summary.value, summary.after.version if summary.after else -1):
                 break
         else:

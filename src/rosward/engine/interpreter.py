@@ -66,6 +66,7 @@ class Interpreter:
         self.step_limit = budget.steps
         self.deadline = time.process_time() + budget.seconds
         self.raised = 0
+        self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began

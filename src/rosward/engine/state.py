@@ -69,6 +69,11 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     if attrs is not left.attrs:
         result = left.copy()
         result.attrs = attrs
+    if left.kind == "instance" and left.attrs is not right.attrs:
+        absent = left.partial | right.partial | (left.attrs.keys() ^ right.attrs.keys())
+        if absent != left.partial:
+            result = result.copy() if result is left else result
+            result.partial = frozenset(absent)
     if right.many and not left.many:
         result = result.copy() if result is left else result
         result.many = True
@@ -104,7 +109,7 @@ def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
             return result
         return result.replace(items=items)
     ours, theirs = element(left), element(right)
-    if left.items is None and ours is not None and (theirs is None or merge(ours, theirs) == ours):
+    if left.items is None and (theirs is None or (ours is not None and merge(ours, theirs) == ours)):
         return result
     both = merge(ours if ours is not None else UNBOUND, theirs if theirs is not None else UNBOUND)
     return result.replace(items=None, rest=None if both is UNBOUND else both)
@@ -119,7 +124,7 @@ def element(obj: Obj) -> Value | None:
 
 
 def _join_entries(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
-    if left.entries == right.entries and left.maybe == right.maybe and left.rest == right.rest:
+    if left.entries == right.entries and left.maybe == right.maybe and left.rest == right.rest and left.rest_key == right.rest_key:
         return result
     entries = dict(left.entries)
     maybe = set(left.maybe | right.maybe)

@@ -146,8 +146,8 @@ def _delete(call: NativeCall) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    "builtins.getattr": native(_get),
-    "builtins.setattr": native(_set),
-    "builtins.hasattr": native(_has),
-    "builtins.delattr": native(_delete),
+    "builtins.getattr": native(_get, 2),
+    "builtins.setattr": native(_set, 3),
+    "builtins.hasattr": native(_has, 2),
+    "builtins.delattr": native(_delete, 2),
 }

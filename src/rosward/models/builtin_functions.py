@@ -168,19 +168,19 @@ def _eval(call: NativeCall) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    **{f"builtins.{name}": native(_pure) for name in _PURE},
+    **{f"builtins.{name}": native(_pure, 2 if name in ("pow", "divmod") else 1) for name in _PURE},
     **{f"builtins.{name}": native(_opaque) for name in _OPAQUE},
     **{f"builtins.{name}": native(_run_code) for name in ("exec", "compile", "__import__")},
-    "builtins.isinstance": native(_is_instance),
-    "builtins.issubclass": native(_is_subclass),
-    "builtins.callable": native(_callable),
+    "builtins.isinstance": native(_is_instance, 2),
+    "builtins.issubclass": native(_is_subclass, 2),
+    "builtins.callable": native(_callable, 1),
     "builtins.print": native(_print),
     "builtins.input": native(_input),
     "builtins.open": native(_open),
     "builtins.id": native(_identity),
     "builtins.hash": native(_identity),
-    "builtins.repr": native(_repr),
-    "builtins.ascii": native(_ascii),
-    "builtins.format": native(_format),
-    "builtins.eval": native(_eval),
+    "builtins.repr": native(_repr, 1),
+    "builtins.ascii": native(_ascii, 1),
+    "builtins.format": native(_format, 1),
+    "builtins.eval": native(_eval, 1),
 }

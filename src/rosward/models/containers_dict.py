@@ -332,15 +332,15 @@ def _copy(call: NativeCall) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    "dict.get": native(_get),
-    "dict.keys": native(_listing),
-    "dict.values": native(_listing),
-    "dict.items": native(_listing),
-    "dict.setdefault": native(_set_default),
-    "dict.update": native(_update),
-    "dict.pop": native(_pop),
-    "dict.popitem": native(_pop_item),
-    "dict.fromkeys": native(_from_keys),
-    "dict.clear": native(_clear),
-    "dict.copy": native(_copy),
+    "dict.get": native(_get, 2),
+    "dict.keys": native(_listing, 1),
+    "dict.values": native(_listing, 1),
+    "dict.items": native(_listing, 1),
+    "dict.setdefault": native(_set_default, 2),
+    "dict.update": native(_update, 1),
+    "dict.pop": native(_pop, 2),
+    "dict.popitem": native(_pop_item, 1),
+    "dict.fromkeys": native(_from_keys, 1),
+    "dict.clear": native(_clear, 1),
+    "dict.copy": native(_copy, 1),
 }

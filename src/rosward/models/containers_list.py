@@ -30,6 +30,7 @@ from rosward.models.plain import (
 )
 
 _LEN: Final = Native("builtins.len")
+_LEAST: Final = {"__len__": 1, "__contains__": 2, "__getitem__": 2, "__setitem__": 3}
 _SPECIAL: Final = {"__len__": "int", "__contains__": "bool", "__getitem__": "", "__setitem__": "NoneType"}
 ITERATOR: Final = "iterator"
 """The payload of a list that stands for an iterator: `next` takes its first element away."""
@@ -256,21 +257,21 @@ def new_tuple(machine: Machine, items: Items) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    "list.append": native(_append),
-    "list.extend": native(_extend),
-    "list.insert": native(_insert),
-    "list.pop": native(_pop),
-    "list.remove": native(_remove),
-    "list.clear": native(_clear),
-    "list.index": native(_index),
-    "list.count": native(_count),
-    "list.sort": native(_sort),
-    "list.reverse": native(_reverse),
-    "list.copy": native(_copy),
-    "tuple.index": native(_index),
-    "tuple.count": native(_count),
+    "list.append": native(_append, 2),
+    "list.extend": native(_extend, 2),
+    "list.insert": native(_insert, 3),
+    "list.pop": native(_pop, 1),
+    "list.remove": native(_remove, 2),
+    "list.clear": native(_clear, 1),
+    "list.index": native(_index, 2),
+    "list.count": native(_count, 2),
+    "list.sort": native(_sort, 1),
+    "list.reverse": native(_reverse, 1),
+    "list.copy": native(_copy, 1),
+    "tuple.index": native(_index, 2),
+    "tuple.count": native(_count, 2),
     **{
-        f"{kind}.{name}": native(_special)
+        f"{kind}.{name}": native(_special, _LEAST[name])
         for kind in ("str", "list", "tuple", "dict", "set", "range")
         for name in _SPECIAL
     },

@@ -179,13 +179,13 @@ def _question(call: NativeCall) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    "set.add": native(_add),
-    "set.discard": native(_discard),
-    "set.remove": native(_discard),
-    "set.pop": native(_pop),
-    "set.clear": native(_clear),
-    "set.copy": native(_copy),
-    **{f"set.{name}": native(_combined) for name in _OPERATORS},
+    "set.add": native(_add, 2),
+    "set.discard": native(_discard, 2),
+    "set.remove": native(_discard, 2),
+    "set.pop": native(_pop, 1),
+    "set.clear": native(_clear, 1),
+    "set.copy": native(_copy, 1),
+    **{f"set.{name}": native(_combined, 1) for name in _OPERATORS},
     **{f"set.{name}": native(_changed) for name in ("update", *(f"{n}_update" for n in _OPERATORS if n != "union"))},
-    **{f"set.{name}": native(_question) for name in ("issubset", "issuperset", "isdisjoint")},
+    **{f"set.{name}": native(_question, 2) for name in ("issubset", "issuperset", "isdisjoint")},
 }

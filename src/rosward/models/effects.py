@@ -91,7 +91,7 @@ class EffectLog:
     @staticmethod
     def key(effect: EntityEffect) -> tuple[object, ...]:
         """What tells an entity from others of its node."""
-        return ("entity", effect.kind, effect.address, effect.name)
+        return ("entity", effect.kind, effect.address, effect.name, effect.type)
 
     @staticmethod
     def _done(machine: Interpreter, key: tuple[object, ...]) -> None:
@@ -141,8 +141,6 @@ class EffectLog:
     def ends_early(self, machine: Interpreter, exception: Value, message: str) -> None:
         """An exception that nothing catches ends the program here."""
         if machine.schedule_book.running:
-            return
-        if isinstance(exception, Native) and not message:
             return
         self.ends.append(machine.state.done)
 

@@ -24,8 +24,6 @@ MAX_BITS: Final = 4096
 MAX_ITEMS: Final = 1_000
 MAX_WORK: Final = 1 << 20
 """The product of the lengths of the operands of one string operation."""
-MOST_NEEDED: Final = 3
-"""No builtin function needs more arguments than this."""
 MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
 NOT_PLAIN: Final = object()
 _FAILURES: Final = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
@@ -42,18 +40,16 @@ class Raised(Exception):  # noqa: N818 - an exception of the analysed program, n
         self.message = message
 
 
-def native(function: Callable[[NativeCall], Value]) -> NativeFunction:
-    """A native in which `Raised` ends the path; where it is called with too few arguments the result is not known."""
+def native(function: Callable[[NativeCall], Value], least: int = 0) -> NativeFunction:
+    """A native in which `Raised` ends the path; with fewer than `least` arguments its result is not known."""
 
     def guarded(call: NativeCall) -> Value:
+        if len(call.args) + len(call.keywords) < least:
+            return unknown_from(call.machine, call.name, "", *call.args)
         try:
             return function(call)
         except Raised as raised:
             return call.machine.die(raised.error, raised.message)
-        except (IndexError, ValueError):
-            if len(call.args) >= MOST_NEEDED:
-                raise
-            return unknown_from(call.machine, call.name, "", *call.args)
 
     return guarded
 

@@ -131,6 +131,9 @@ def create(
 ) -> None:
     """Record an entity on every node that `node` may be."""
     profile, prefix = qos_of(machine, qos)
+    if isinstance(name, (External, Class)) and isinstance(type_, (Const, Text)):
+        machine.report("RW209", f"the type of this {kind.replace('_', ' ')} stands where its name belongs, which fails; it is taken as it is meant")
+        name, type_ = type_, name
     for option in options(node if node is not None else NONE):
         address = option.address if isinstance(option, Ref) else None
         if address is not None and not machine.log.is_node(address):

@@ -14,7 +14,7 @@ from typing import Final
 from rosward.domain.choice import join_all
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Text, Tuple, Unknown, Value
 from rosward.models import text_parts
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
@@ -36,6 +36,7 @@ from rosward.models.plain import (
     with_origins,
 )
 from rosward.models.strings_format import FORMAT_NATIVES, format_value, joined
+from rosward.models.strings_translate import TRANSLATE_NATIVES
 from rosward.models.text_parts import Parts
 
 __all__ = ["NATIVES", "format_value"]
@@ -71,6 +72,13 @@ _NAMES: Final = {
 }
 _DEFAULTS: Final[dict[str, Value]] = {"sep": NONE, "encoding": Const("utf-8")}
 _WIDTHS: Final = ("zfill", "ljust", "rjust", "center", "expandtabs", "replace")
+_LEAST: Final = {
+    **dict.fromkeys(
+        ["partition", "rpartition", "startswith", "endswith", "find", "index", "rfind", "rindex", "count"], 2
+    ),
+    **dict.fromkeys(["removeprefix", "removesuffix", "zfill", "ljust", "rjust", "center"], 2),
+    "replace": 3,
+}
 _EVERY_CHARACTER: Final = (
     "isalnum",
     "isalpha",
@@ -285,47 +293,6 @@ def _join(call: NativeCall) -> Value:
     return spread(one, *call.args[:2])
 
 
-def _translate(call: NativeCall) -> Value:
-    """text.translate(table)."""
-    table = _table(call.machine, call.args[1])
-    if table is None:
-        return unknown_from(call.machine, "str.translate", "str", *call.args)
-
-    def one(text: Value) -> Value:
-        parts = tuple(p.translate(table) if isinstance(p, str) else text_parts.loose(p) for p in parts_of(text))
-        return make(parts, origins(text))
-
-    return spread(one, call.args[0])
-
-
-def _table(machine: Machine, value: Value) -> dict[int, str | int | None] | None:
-    """The translation table that a dict surely is."""
-    obj = machine.obj(value) if isinstance(value, Ref) else None
-    if obj is None or obj.kind != "dict" or obj.rest is not None or obj.maybe or obj.many:
-        return None
-    table: dict[int, str | int | None] = {}
-    for key, item in obj.entries.items():
-        code, target = int_of(key), plain(item)
-        if code is None or not (target is None or isinstance(target, (str, int))):
-            return None
-        table[code] = target
-    return table
-
-
-def _maketrans(call: NativeCall) -> Value:
-    """str.maketrans(from, to, remove) or of a dict of characters."""
-    args = call.args
-    if len(args) == 1 and isinstance(args[0], Ref):
-        obj = call.machine.obj(args[0])
-        if obj.kind == "dict" and obj.rest is None and not obj.maybe and not obj.many:
-            codes = {k: int_of(k) if text_of(k) is None else ord((text_of(k) or "\0")[0]) for k in obj.entries}
-            return call.machine.new_dict({Const(codes[k]): v for k, v in obj.entries.items()})
-    operands = [plain(v) for v in args]
-    if NOT_PLAIN in operands:
-        return unknown_from(call.machine, "str.maketrans", "dict", *args)
-    return from_python(call.machine, run(str.maketrans, *operands), origins(*args), "str.maketrans")
-
-
 _Handler = Callable[[Machine, str, Parts, Arguments], Value | None]
 _HANDLERS: Final[dict[str, _Handler]] = {
     **dict.fromkeys(("upper", "lower", "title", "capitalize", "swapcase", "casefold"), _case),
@@ -341,10 +308,9 @@ _HANDLERS: Final[dict[str, _Handler]] = {
 }
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    **{f"str.{name}": native(_method) for name in _HINTS},
-    **{f"bytes.{name}": native(_method) for name in _BYTES},
+    **{f"str.{name}": native(_method, _LEAST.get(name, 1)) for name in _HINTS},
+    **{f"bytes.{name}": native(_method, _LEAST.get(name, 1)) for name in _BYTES},
     **FORMAT_NATIVES,
-    "str.join": native(_join),
-    "str.translate": native(_translate),
-    "str.maketrans": native(_maketrans),
+    "str.join": native(_join, 2),
+    **TRANSLATE_NATIVES,
 }

@@ -297,6 +297,6 @@ def _format_map(call: NativeCall) -> Value:
 
 
 FORMAT_NATIVES: Final[dict[str, NativeFunction]] = {
-    "str.format": native(_format),
-    "str.format_map": native(_format_map),
+    "str.format": native(_format, 1),
+    "str.format_map": native(_format_map, 2),
 }

@@ -154,7 +154,7 @@ def _resolved(
     try:
         return names.resolve(option.text, remap, rules, identity.name, identity.namespace)
     except names.InvalidName as error:
-        findings[invalid_name(kind.value, option.text, str(error), effect.place)] = None
+        findings[invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on)] = None
         return ()
 
 

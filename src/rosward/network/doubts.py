@@ -44,9 +44,10 @@ def unknown_node(option: NameOption, place: Place, part: str = "name") -> Findin
     return Finding("RW105", f"the {part} of this node {known}{_because(option.reasons)}", place)
 
 
-def invalid_name(kind: str, text: str, why: str, place: Place) -> Finding:
-    """A name that rcl rejects."""
-    return Finding("RW103", f"{text!r} is no valid name for a {kind}: {why}", place)
+def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
+    """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
+    default = f" (the default of {', '.join(depends_on)}: set it for the analysis)" if depends_on else ""
+    return Finding("RW103", f"{text!r} is no valid name for a {kind}: {why}{default}", place)
 
 
 def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
