@@ -16,6 +16,7 @@ from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
+from rosward.engine.state import join_states
 from rosward.findings import Finding
 from rosward.models.effects import EffectLog
 from rosward.source.location import Place
@@ -55,6 +56,8 @@ def run(library: Library, entry: Entry, budget: Budget) -> Run:
         place = machine.place
         log.findings[Finding("RW201", f"{limit.what}: what the program does after this is missing", place if place.file else Place(entry.file))] = None
     done = log.final(machine.state)
+    if machine.ends is not None:
+        machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
     machine.frames.clear()
     machine.catchers.clear()
     try:

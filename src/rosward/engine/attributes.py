@@ -196,7 +196,9 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     if name == "__class__":
         return cls
     if name == "__dict__":
-        return machine.new_dict({Const(k): v for k, v in obj.attrs.items()})
+        table = machine.new_dict({Const(k): v for k, v in obj.attrs.items()})
+        machine.update(table, machine.obj(table).replace(payload=ref))
+        return table
     fallback = lookup(machine, cls, "__getattr__")
     if fallback is not None:
         from rosward.engine import calls

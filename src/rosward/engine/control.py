@@ -164,6 +164,13 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
         if not alive:
             break
         if machine.state.version == seen[0] and frame.registers == seen[1]:
+            if not forever and machine.schedule_book.entries:  # something that runs meanwhile may end it
+                machine.spin()
+                if machine.state.version != seen[0]:
+                    continue
+                if machine.schedule_book.running:
+                    alive = machine.run(op.orelse, frame)
+                    break
             alive = False  # nothing changes any more: it never ends
             machine.log.blocks(machine)
             break

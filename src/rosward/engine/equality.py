@@ -106,7 +106,9 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
             return calls.call(machine, method, (right,), {})
         if operator in ("==", "!=") and _same(machine, left, right) is not None and not _plain(machine, left):
             same = _same(machine, left, right)
-            return TRUE if same is (operator == "==") else FALSE
+            if same or (_by_identity(machine, left) and _by_identity(machine, right)):
+                return TRUE if same is (operator == "==") else FALSE
+            return machine.unknown(Cause.OPERATION, operator, "bool")
     if operator in ("in", "not-in"):
         method = _special(machine, right, "__contains__")
         if method is not None:
@@ -115,6 +117,18 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
                 return machine.unknown(Cause.OPERATION, operator, "bool")
             return TRUE if answer is (operator == "in") else FALSE
     return operators.compare(machine, operator, left, right)
+
+
+def _by_identity(machine: Interpreter, value: Value) -> bool:
+    """A value that surely compares by identity: no `__eq__`, no base that may have one."""
+    if value.__class__ is not Ref:
+        return value.__class__ in (Class, Function)
+    cls = machine.obj(value).cls
+    return (
+        cls.__class__ is Class
+        and not any(b.__class__ is not Class or b.stub for b in cls.mro)
+        and attributes.lookup(machine, cls, "__eq__") is None
+    )
 
 
 def _plain(machine: Interpreter, value: Value) -> bool:

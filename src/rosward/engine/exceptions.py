@@ -7,12 +7,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, External, Native, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Tuple, Unknown, Value
 from rosward.engine.frame import Exits, Frame, Snapshot
 from rosward.ir import ops
 
@@ -26,13 +26,31 @@ _CANNOT_FAIL = (ops.Const, ops.Move, ops.StoreGlobal, ops.StoreCell, ops.StoreNa
 class Catcher:
     """A `try` that is running: the states from which its handlers may start, joined, and the exceptions that were raised explicitly."""
 
-    __slots__ = ("frame", "raised", "snapshot", "version")
+    __slots__ = ("frame", "raised", "registers", "snapshot", "version")
 
     def __init__(self, frame: Frame) -> None:
         self.frame = frame
         self.snapshot: Snapshot | None = None
         self.raised: Value = UNBOUND
-        self.version = -1
+        self.version = -1  # the state and the registers that were noted last
+        self.registers: list[Value] = []
+
+    def note(self, machine: Interpreter) -> None:
+        """An exception may be raised here."""
+        registers = self.frame.registers
+        if self.version != machine.state.version or self.registers != registers:
+            self.version = machine.state.version
+            self.registers = registers.copy()
+            self.enter(machine)
+
+    def take(self, machine: Interpreter, inner: Catcher) -> None:
+        """What an inner try did not surely catch arrives here."""
+        from rosward.engine.control import join_into
+
+        if inner.snapshot is not None:
+            same = inner.frame is self.frame
+            registers = inner.snapshot.registers if same else self.frame.registers
+            self.snapshot = join_into(machine, self.snapshot, Snapshot(registers.copy(), inner.snapshot.state.copy()))
 
     def enter(self, machine: Interpreter) -> None:
         """The current state may reach the handlers."""
@@ -44,9 +62,23 @@ class Catcher:
 
 def note(machine: Interpreter) -> None:
     """An exception may be raised here: tell the innermost try."""
-    if machine.catchers and machine.catchers[-1].version != machine.state.version:
-        machine.catchers[-1].version = machine.state.version
-        machine.catchers[-1].enter(machine)
+    if machine.catchers:
+        machine.catchers[-1].note(machine)
+
+
+def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
+    """Interpret a block inside a try: around each operation that may fail the state may reach the handlers."""
+    catcher = machine.catchers[-1]
+    table = machine._table
+    for op in block:
+        fails = op.__class__ not in _CANNOT_FAIL
+        if fails:
+            catcher.note(machine)
+        if table[op.__class__](machine, op, frame) is False:
+            return False
+        if fails:
+            catcher.note(machine)
+    return True
 
 
 def throw(machine: Interpreter, exception: Value, message: str = "") -> None:
@@ -120,9 +152,10 @@ def _finally(
         machine.resume(frame, catcher.snapshot)
         if machine.run(block, frame):
             throw(machine, catcher.raised)
-    elif catcher.snapshot is not None and after is None:
-        machine.resume(frame, catcher.snapshot)  # only an implicit exception leaves: its effects count, its state goes nowhere
-        machine.run(block, frame)
+    elif catcher.snapshot is not None:
+        machine.resume(frame, Snapshot(catcher.snapshot.registers.copy(), catcher.snapshot.state.copy()))
+        machine.run(block, frame)  # an implicit exception leaves
+        note(machine)
     if after is None:
         return False
     machine.resume(frame, after)
@@ -140,7 +173,7 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
     machine.catchers = [*catchers, catcher]
     uncertain = frame.uncertain
     try:
-        alive = _body(machine, op.body, frame, catcher)
+        alive = machine.run(op.body, frame)
     finally:
         machine.catchers = catchers
         frame.uncertain = uncertain
@@ -149,6 +182,8 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
     if catcher.snapshot is None:
         return None if alive else False
     raised = catcher.raised
+    if machine.catchers and not any(_catches_all(h) for h in op.handlers):
+        machine.catchers[-1].take(machine, catcher)
     frame.uncertain += 1
     for handler in op.handlers:
         machine.resume(frame, Snapshot(catcher.snapshot.registers.copy(), catcher.snapshot.state.copy()))
@@ -157,7 +192,10 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
         if handler.bind != ops.NO_REGISTER:
             frame.registers[handler.bind] = _bound(machine, raised, wanted)
         if machine.run(handler.body, frame):
+            done = after.state.done if after is not None and _interrupts(wanted) else None
             after = join_into(machine, after, Snapshot(frame.registers, machine.state))
+            if done is not None:
+                after.state.done = done  # an interrupt ends any program anywhere: it makes nothing conditional
         left = [e for e in options(raised) if raised is not UNBOUND and _may_catch(machine, e, wanted) is not True]
         raised = join_all(left) if left else UNBOUND
     frame.uncertain -= 1
@@ -170,29 +208,27 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
     return None
 
 
+def _catches_all(handler: ops.Handler) -> bool:
+    """A bare `except`, or one of Exception or BaseException."""
+    if handler.type == ops.NO_REGISTER:
+        return True
+    return any(isinstance(op, ops.LoadGlobal) and op.name in ("Exception", "BaseException") for op in handler.match)
+
+
+_INTERRUPTS: Final = frozenset(("KeyboardInterrupt", "SystemExit", "ExternalShutdownException"))
+
+
+def _interrupts(wanted: Value | None) -> bool:
+    """Whether a handler is there only for the end of the program from outside."""
+    if isinstance(wanted, Tuple):
+        return all(_interrupts(w) for w in wanted.items)
+    return isinstance(wanted, (Native, External, Class)) and wanted.name.rpartition(".")[2] in _INTERRUPTS
+
+
 def _bound(machine: Interpreter, raised: Value, wanted: Value | None) -> Value:
     """What `except … as e` binds."""
     instances = [e for e in options(raised) if e.__class__ is not Native and e is not UNBOUND and _may_catch(machine, e, wanted) is not False]
     return join_all([*instances, machine.unknown(Cause.LIVE, "exception")])
-
-
-def _body(machine: Interpreter, body: ops.Block, frame: Frame, catcher: Catcher) -> bool:
-    """Run a try body op by op, noting the state around each that may fail."""
-    machine.steps += len(body)
-    table = machine._table
-    noted: tuple[int, list[Value]] | None = None
-    for op in body:
-        if op.__class__ not in _CANNOT_FAIL and (
-            noted is None or noted[0] != machine.state.version or noted[1] != frame.registers
-        ):
-            catcher.enter(machine)
-            noted = (machine.state.version, frame.registers.copy())
-        if table[op.__class__](machine, op, frame) is False:
-            return False
-        if op.__class__ not in _CANNOT_FAIL and noted is not None and noted[0] != machine.state.version:
-            catcher.enter(machine)
-            noted = (machine.state.version, frame.registers.copy())
-    return True
 
 
 def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | None:
@@ -215,8 +251,6 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
     machine.catchers = [*catchers, catcher]
     try:
         alive = machine.run(op.body, frame)
-        if not alive and catcher.snapshot is None and inner.returned is None and inner.broken is None and inner.continued is None:
-            catcher.snapshot = None
     finally:
         frame.exits = outer
         machine.catchers = catchers
@@ -239,8 +273,11 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
         swallows = swallowed.__class__ not in (Const, Unknown) or machine.truth(swallowed) is not False
         if swallows and swallowed.__class__ is not Unknown and swallowed is not UNBOUND:
             after = join_into(machine, after, Snapshot(frame.registers, machine.state.copy()))
-        if catcher.raised is not UNBOUND and machine.truth(swallowed) is not True:
-            throw(machine, catcher.raised)
+        if machine.truth(swallowed) is not True:
+            if catcher.raised is not UNBOUND:
+                throw(machine, catcher.raised)
+            elif machine.catchers:
+                machine.catchers[-1].take(machine, catcher)
     if after is None:
         return False
     machine.resume(frame, after)

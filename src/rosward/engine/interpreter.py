@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final, final
 
-from rosward.domain.choice import join, options
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
@@ -33,7 +33,7 @@ from rosward.engine import attributes, calls, classes, control, equality, except
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.schedule import Schedule
-from rosward.engine.state import NOTHING_DONE, State
+from rosward.engine.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.models import operators
@@ -89,11 +89,20 @@ class Interpreter:
         self.steps += len(block)
         if self.steps > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps")
+        if self.catchers:
+            return exceptions.run_noting(self, block, frame)
         table = self._table
         for op in block:
             if table[op.__class__](self, op, frame) is DEAD:
                 return False
         return True
+
+    def keep_end(self) -> None:
+        """Here a path of the main body ends: its state counts for what runs afterwards."""
+        if self.ends is None:
+            self.ends = self.state.copy()
+        else:
+            self.ends = join_states(self.ends, self.state.copy(), self.fresh_version)
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
@@ -142,8 +151,6 @@ class Interpreter:
         """Replace the record behind a reference; where it stands for several objects the old content stays possible."""
         old = self.at(ref.address)
         if old.many:
-            from rosward.engine.state import join_objects
-
             joined = join_objects(old, obj, join)
             if joined is old:
                 return
@@ -172,8 +179,6 @@ class Interpreter:
         address = self.place_key(key)
         old = self.state.heap.get(address)
         if old is not None:
-            from rosward.engine.state import join_objects
-
             joined = join_objects(old, obj, join)
             if not joined.many:
                 joined = joined.replace(many=True)
@@ -188,8 +193,6 @@ class Interpreter:
         elements: tuple[Value, ...] | None = tuple(known)
         cls = Native(f"builtins.{kind}")
         if rest is not None or len(elements or ()) > self.budget.items:
-            from rosward.domain.choice import join_all
-
             rest = join_all([*(elements or ()), *(() if rest is None else (rest,))])
             elements = None
         return self.allocate(Obj(kind, cls, items=elements, rest=rest))
@@ -296,7 +299,8 @@ class Interpreter:
 
     def load_module(self, name: str) -> Value:
         """The module (or external thing) of a dotted name, run if it was not yet."""
-        return modules.load(self, name, None)
+        frame = next((f for f in reversed(self.frames) if not f.stub), None)
+        return modules.load(self, name, frame)
 
 
 # Simple operations

@@ -180,9 +180,11 @@ def _extreme(call: NativeCall) -> Value:
         if default is None:
             raise Raised("ValueError", f"{name}() arg is an empty sequence")
         return default
-    if items.rest is not None:
-        return join_all((*all_of(items), *(() if default is None else (default,))))
     key = call.keywords.get("key")
+    if items.rest is not None:
+        if key is not None:
+            machine.call(key, (join_all(all_of(items)),))
+        return join_all((*all_of(items), *(() if default is None else (default,))))
     keys = list(items.known) if key is None or key == NONE else [machine.call(key, (v,)) for v in items.known]
     ranks = [comparable(machine, k) for k in keys]
     if any(r is NOT_PLAIN for r in ranks):

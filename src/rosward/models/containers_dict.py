@@ -115,6 +115,8 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
         else:
             is_many = isinstance(key, Ref) and machine.obj(key).many
             obj = _store_known(obj, find(obj, key) or key, value, several or is_many)
+            if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
+                machine.store_attr(obj.payload, key.value, value)  # the `__dict__` of an object
     machine.update(ref, _bounded(obj))
 
 

@@ -196,9 +196,11 @@ def _count(call: NativeCall) -> Value:
 def order(machine: Machine, items: Items, key: Value | None, reverse: Value | None) -> Items:
     """Sorted items: in order where all keys are known, else each place holds any of them."""
     known, rest = items
+    keys = list(known) if key is None or key == NONE else [machine.call(key, (item,)) for item in known]
+    if rest is not None and key is not None:
+        machine.call(key, (rest,))
     if rest is not None or len(known) < 2:
         return items
-    keys = list(known) if key is None or key == NONE else [machine.call(key, (item,)) for item in known]
     decided = False if reverse is None else machine.truth(reverse)
     ranks = [comparable(machine, k) for k in keys]
     if any(k is NOT_PLAIN for k in ranks) or decided is None:
@@ -218,6 +220,8 @@ def _sort(call: NativeCall) -> Value:
         if obj.items is not None:
             ordered = order(call.machine, Items(obj.items), call.keywords.get("key"), call.keywords.get("reverse"))
             write(call.machine, ref, ordered.known)
+        elif obj.rest is not None:
+            order(call.machine, Items((), obj.rest), call.keywords.get("key"), None)
     return NONE
 
 

@@ -135,14 +135,19 @@ class EffectLog:
 
     def blocks(self, machine: Interpreter) -> None:
         """The program can stay here for ever: what surely happened so far is what an execution is sure of."""
-        if not any(f.uncertain and f.code.name == "" for f in machine.frames):
-            self.ends.append(machine.state.done)
+        if not machine.schedule_book.running:
+            self._end(machine)
 
     def ends_early(self, machine: Interpreter, exception: Value, message: str) -> None:
         """An exception that nothing catches ends the program here."""
         if machine.schedule_book.running:
             return
+        self._end(machine)
+
+    def _end(self, machine: Interpreter) -> None:
+        """The main body can end here: what was scheduled may still run from this state."""
         self.ends.append(machine.state.done)
+        machine.keep_end()
 
     def final(self, state: State) -> frozenset[tuple[object, ...]]:
         """What every execution does, given the state behind the main body."""

@@ -9,7 +9,7 @@ from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Value
 from rosward.findings import Finding
-from rosward.models.name_values import NameOption
+from rosward.models.name_values import STAR, NameOption
 from rosward.ros.entities import Entity, Resolution
 from rosward.source.location import Place
 
@@ -47,6 +47,7 @@ def unknown_node(option: NameOption, place: Place, part: str = "name") -> Findin
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
     """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
     default = f" (the default of {', '.join(depends_on)}: set it for the analysis)" if depends_on else ""
+    text = text.replace(STAR, "*")
     return Finding("RW103", f"{text!r} is no valid name for a {kind}: {why}{default}", place)
 
 
