@@ -57,7 +57,7 @@ def test_a_complete_result_is_status_0_and_the_default_files(capsys: pytest.Capt
     out, err = capsys.readouterr()
     assert out.startswith("rosward read 1 file (8 lines) for jazzy: 1 node in 1 process.\n")
     assert "Complete: no errors" in out
-    assert os.path.join("rosward-out", "report.html") in out
+    assert str(Path("rosward-out") / "report.html") in out
     assert err == ""
 
 

@@ -112,8 +112,9 @@ def test_every_entity_is_found_and_no_other(network: dict[str, Any]) -> None:
     for each in network["nodes"]:
         for kind, word in KINDS.items():
             for entity in (e for e in each[kind] if not e["system"]):
-                marks = [entity["resolution"]] * (entity["resolution"] != "exact") + ["conditional"] * entity["conditional"]
-                found.append(" ".join([each["fqn"], word, entity["name"], *marks]))
+                resolution = [] if entity["resolution"] == "exact" else [entity["resolution"]]
+                conditional = ["conditional"] if entity["conditional"] else []
+                found.append(" ".join([each["fqn"], word, entity["name"], *resolution, *conditional]))
     assert sorted(found) == sorted(EXPECTED.split("\n")[1:-1])
 
 
@@ -171,8 +172,8 @@ def test_outputs_are_valid_by_their_schemas(written: Path, network: dict[str, An
 
 def test_the_policy_grants_the_late_client_and_no_wildcard(written: Path) -> None:
     planner = ET.parse(written / "policies" / "porter" / "delivery_planner" / "policy.xml")
-    requested = [s.text for services in planner.iter("services") if services.get("request") == "ALLOW" for s in services]
-    assert requested == ["/building/doors/open"]
+    requested = [services for services in planner.iter("services") if services.get("request") == "ALLOW"]
+    assert [service.text for services in requested for service in services] == ["/building/doors/open"]
     assert not [e for e in ET.parse(written / "policy.xml").iter() if "*" in (e.text or "")]
 
 
@@ -190,10 +191,12 @@ def test_the_readme_shows_what_the_terminal_prints(
     assert doubts in capsys.readouterr().out
 
 
-def test_the_readme_shows_how_to_use_the_library(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_readme_shows_how_to_use_the_library(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     program = next(p for p in re.findall(r"```python\n(.*?)```", README, re.DOTALL) if "import rosward" in p)
     monkeypatch.chdir(ROOT)
-    exec(compile(program, "README.md", "exec"), {"rosward": rosward})  # noqa: S102 our own text
+    exec(compile(program, "README.md", "exec"), {"rosward": rosward})
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == len(EXPECTED.split("\n")[1:-1]) + 1
     assert lines[-1] == "complete"

@@ -109,7 +109,7 @@ def _extract(
     library = Library(sources, natives(), models)
     plan = make_plan(workspace, sources, library)
     everything = _run_all(library, sources, plan, budget, progress)
-    runs = [r for r in everything if r.log.nodes or r.log.entities or not r.entry.probe]
+    runs = [r for r in everything if r.log.nodes or r.log.entities or not r.entry.probe or _tells(r)]
     findings: dict[Finding, None] = dict.fromkeys((*workspace.findings, *sources.findings, *plan.findings))
     nodes: list[Node] = []
     for each in runs:
@@ -147,6 +147,11 @@ def _run_all(library: Library, sources: SourceTree, plan: Plan, budget: Budget, 
     for file, names in node_classes(runs, library.node_class(None)).items():
         runs.append(run(library, plan.for_classes(file, tuple(names)), budget))
     return runs
+
+
+def _tells(probe: Run) -> bool:
+    """Whether a probe that made no node has something to tell all the same: why it may have missed one."""
+    return any(f.rule.severity is Severity.ERROR or f.code in ("RW203", "RW209") for f in probe.log.findings)
 
 
 def _with_deep_stack(work: Callable[[], Result]) -> Result:

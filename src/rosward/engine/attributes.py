@@ -59,6 +59,8 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     if cls is Class:
         return _of_class(machine, value, name)  # type: ignore[arg-type]
     if cls is External:
+        if name in NODE_METHODS and not is_interface(value):
+            return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)  # type: ignore[attr-defined]
         return External(f"{value.name}.{name}")  # type: ignore[attr-defined]
     if cls is Choice:
         return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))  # type: ignore[attr-defined]

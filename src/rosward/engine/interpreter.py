@@ -295,7 +295,7 @@ class Interpreter:
             if not frame.stub:
                 break
             name = f"{frame.module.name}.{frame.code.qualname}"
-        return name
+        return name.removesuffix(".__init__") if name else None
 
     def load_module(self, name: str) -> Value:
         """The module (or external thing) of a dotted name, run if it was not yet."""

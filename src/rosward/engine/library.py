@@ -28,6 +28,7 @@ from rosward.source.location import Place
 
 STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
 _PROCESS_ADDRESSES: Final = 10_000_000
+_CLIENT_LIBRARY: Final = "rclpy"
 
 
 class Found(NamedTuple):
@@ -127,15 +128,15 @@ class Library:
         file = importer.file if importer is not None else ""
         if importer is not None and self.is_model_file(file):
             return self._model(_absolute(name, level, importer))
-        standard = name.partition(".")[0] in sys.stdlib_module_names
-        if level == 0 and not standard:
-            model = self._model(name)
-            if model is not None:
-                return model
+        top = name.partition(".")[0]
         found = self.sources.find(name, level, file)
-        if found is not None and not (found.guess and standard):
+        if level:
             return found
-        return self._model(name) if level == 0 else None
+        # The client library itself is modelled, never read. Any other library that stands among the sources is read, unless it is only a guess.
+        model = self._model(name) if found is None or found.guess or top == _CLIENT_LIBRARY else None
+        if model is not None:
+            return model
+        return None if found is not None and found.guess and top in sys.stdlib_module_names else found
 
     def _model(self, name: str) -> Found | None:
         path = self._model_path(name)

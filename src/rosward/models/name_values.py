@@ -48,7 +48,10 @@ class NameOption(NamedTuple):
 
 def name_options(value: Value) -> list[NameOption]:
     """The names that a value may be; what is no text at all is an unknown name."""
-    return [_name(option) for option in options(value)]
+    several = options(value)
+    if len(several) > 1:  # None among others is no name: the call fails there
+        several = tuple(o for o in several if not (isinstance(o, Const) and o.value is None)) or several
+    return [_name(option) for option in several]
 
 
 def _name(value: Value) -> NameOption:

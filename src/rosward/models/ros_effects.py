@@ -220,6 +220,17 @@ def _words(machine: Interpreter, value: Value | None) -> tuple[Value, ...]:
     return known if rest is None else (*known, rest)
 
 
+def _sim_time(machine: Interpreter, overrides: Value | None) -> tuple[tuple[str, Value], ...]:
+    """`use_sim_time` among the parameter overrides of the code itself."""
+    if overrides is None or overrides == NONE:
+        return ()
+    for item in machine.iterate(overrides).known:
+        attrs = machine.obj(item).attrs if isinstance(item, Ref) else {}
+        if text_of(attrs.get("_name")) == "use_sim_time":
+            return (("use_sim_time", attrs.get("_value", NONE)),)
+    return ()
+
+
 def _create_node(call: NativeCall) -> Value:
     machine = host(call)
     keywords = call.keywords
@@ -234,7 +245,7 @@ def _create_node(call: NativeCall) -> Value:
             node.address,
             call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE),
             keywords.get("namespace", NONE),
-            tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords),
+            tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _sim_time(machine, overrides),
             _words(machine, keywords.get("cli_args")),
             machine.log.global_words if use_global is None or machine.truth(use_global) is not False else (),
             machine.obj(node).cls,

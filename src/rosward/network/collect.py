@@ -133,10 +133,19 @@ def _entities(
                     findings[unknown_name(kind.value, entity, option, effect.place)] = None
                 result.append(entity)
                 if effect.introspection and type_ is not None:
-                    event = service_event_topic(distro, text, type_)
-                    if event is not None:
+                    for event in _events(kind, distro, text, type_):
                         result.append(replace(event, system=True, conditional=entity.conditional, created_at=entity.created_at))
     return result
+
+
+def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Entity]:
+    """What introspection publishes: of a service, or of the three services of an action."""
+    if kind not in _ACTIONS:
+        events = [service_event_topic(distro, name, type_)]
+    else:
+        parts = (("send_goal", f"{type_}_SendGoal"), ("get_result", f"{type_}_GetResult"), ("cancel_goal", "action_msgs/srv/CancelGoal"))
+        events = [service_event_topic(distro, f"{name}/_action/{part}", t, action=True) for part, t in parts]
+    return [e for e in events if e is not None]
 
 
 def _from_node_only(option: NameOption) -> bool:
@@ -216,7 +225,7 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
         enable_rosout=switch("enable_rosout", True) and parsed.rosout_logs is not False,
         start_parameter_services=switch("start_parameter_services", True),
         logger_service=switch("enable_logger_service", False),
-        use_sim_time=sim or any(p.name == "use_sim_time" and p.value.value is True for p in parsed.parameters if hasattr(p, "name")),
+        use_sim_time=sim or switch("use_sim_time", False) or any(p.name == "use_sim_time" and p.value.value is True for p in parsed.parameters if hasattr(p, "name")),
         lifecycle=switch("lifecycle", False),
         lifecycle_services=switch("lifecycle_services", True),
     )
