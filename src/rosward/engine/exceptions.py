@@ -14,6 +14,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Tuple, Unknown, Value
 from rosward.engine.frame import Exits, Frame, Snapshot
+from rosward.engine.state import State, join_objects, join_registers, join_states
 from rosward.ir import ops
 
 if TYPE_CHECKING:
@@ -24,46 +25,54 @@ _CANNOT_FAIL = (ops.Const, ops.Move, ops.StoreGlobal, ops.StoreCell, ops.StoreNa
 
 @final
 class Catcher:
-    """A `try` that is running: the states from which its handlers may start, joined, and the exceptions that were raised explicitly."""
+    """A `try` that is running.
 
-    __slots__ = ("frame", "raised", "registers", "snapshot", "version")
+    `snapshot` covers every state from which its handlers may start: the one at its beginning, joined with each object that is written
+    and each change of the frame's registers since. `reached`: something in the body may fail. `raised` joins what is raised explicitly.
+    """
 
-    def __init__(self, frame: Frame) -> None:
+    __slots__ = ("frame", "noted", "raised", "reached", "snapshot")
+
+    def __init__(self, machine: Interpreter, frame: Frame) -> None:
         self.frame = frame
-        self.snapshot: Snapshot | None = None
+        self.snapshot = machine.snapshot(frame)
+        self.noted: list[Value] = self.snapshot.registers
         self.raised: Value = UNBOUND
-        self.version = -1  # the state and the registers that were noted last
-        self.registers: list[Value] = []
+        self.reached = False
 
-    def note(self, machine: Interpreter) -> None:
+    def note(self) -> None:
         """An exception may be raised here."""
+        self.reached = True
         registers = self.frame.registers
-        if self.version != machine.state.version or self.registers != registers:
-            self.version = machine.state.version
-            self.registers = registers.copy()
-            self.enter(machine)
+        if self.noted != registers:
+            self.noted = registers.copy()
+            self.snapshot.registers = join_registers(self.snapshot.registers, registers)
 
-    def take(self, machine: Interpreter, inner: Catcher) -> None:
+    def wrote(self, machine: Interpreter, address: int, obj: Obj) -> None:
+        """An object is written."""
+        state = self.snapshot.state
+        old = state.heap.get(address)
+        merged = obj if old is None else join_objects(old, obj, join)
+        if merged is not old:
+            state.heap[address] = merged
+            state.version = machine.fresh_version()
+
+    def take(self, machine: Interpreter, state: State) -> None:
+        """All of a state may arrive here."""
+        self.snapshot.state = join_states(self.snapshot.state, state.copy(), machine.fresh_version)
+
+    def take_over(self, machine: Interpreter, inner: Catcher) -> None:
         """What an inner try did not surely catch arrives here."""
-        from rosward.engine.control import join_into
-
-        if inner.snapshot is not None:
-            same = inner.frame is self.frame
-            registers = inner.snapshot.registers if same else self.frame.registers
-            self.snapshot = join_into(machine, self.snapshot, Snapshot(registers.copy(), inner.snapshot.state.copy()))
-
-    def enter(self, machine: Interpreter) -> None:
-        """The current state may reach the handlers."""
-        from rosward.engine.control import join_into
-
-        here = machine.snapshot(self.frame)
-        self.snapshot = join_into(machine, self.snapshot, here)
+        self.take(machine, inner.snapshot.state)
+        self.reached = self.reached or inner.reached
+        if inner.frame is self.frame:
+            self.snapshot.registers = join_registers(self.snapshot.registers, inner.snapshot.registers)
 
 
 def note(machine: Interpreter) -> None:
     """An exception may be raised here: tell the innermost try."""
     if machine.catchers:
-        machine.catchers[-1].note(machine)
+        machine.catchers[-1].note()
 
 
 def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
@@ -73,11 +82,11 @@ def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
     for op in block:
         fails = op.__class__ not in _CANNOT_FAIL
         if fails:
-            catcher.note(machine)
+            catcher.note()
         if table[op.__class__](machine, op, frame) is False:
             return False
         if fails:
-            catcher.note(machine)
+            catcher.note()
     return True
 
 
@@ -86,7 +95,7 @@ def throw(machine: Interpreter, exception: Value, message: str = "") -> None:
     machine.raised += 1
     if machine.catchers:
         catcher = machine.catchers[-1]
-        catcher.enter(machine)
+        catcher.note()
         catcher.raised = join(catcher.raised, exception)
     else:
         machine.log.ends_early(machine, exception, message)
@@ -119,7 +128,7 @@ def attempt(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
         return _handled(machine, op, frame)
     outer, catchers = frame.exits, machine.catchers
     inner = frame.exits = Exits()
-    catcher = Catcher(frame)
+    catcher = Catcher(machine, frame)
     machine.catchers = [*catchers, catcher]
     try:
         alive = _handled(machine, op, frame) is not False
@@ -148,11 +157,11 @@ def _finally(
             setattr(outer, way, join_into(machine, getattr(outer, way), Snapshot(frame.registers, machine.state)))
             if way == "returned":
                 outer.value = join(outer.value, inner.value)
-    if catcher.raised is not UNBOUND and catcher.snapshot is not None:
+    if catcher.raised is not UNBOUND:
         machine.resume(frame, catcher.snapshot)
         if machine.run(block, frame):
             throw(machine, catcher.raised)
-    elif catcher.snapshot is not None:
+    elif catcher.reached:
         machine.resume(frame, Snapshot(catcher.snapshot.registers.copy(), catcher.snapshot.state.copy()))
         machine.run(block, frame)  # an implicit exception leaves
         note(machine)
@@ -168,7 +177,7 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
         return (machine.run(op.body, frame) and machine.run(op.orelse, frame)) or False
     from rosward.engine.control import join_into
 
-    catcher = Catcher(frame)
+    catcher = Catcher(machine, frame)
     catchers = machine.catchers
     machine.catchers = [*catchers, catcher]
     uncertain = frame.uncertain
@@ -179,11 +188,14 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
         frame.uncertain = uncertain
     alive = alive and machine.run(op.orelse, frame)
     after = Snapshot(frame.registers, machine.state) if alive else None
-    if catcher.snapshot is None:
-        return None if alive else False
+    if not catcher.reached:
+        if after is None:
+            return False
+        machine.resume(frame, after)
+        return None
     raised = catcher.raised
     if machine.catchers and not any(_catches_all(h) for h in op.handlers):
-        machine.catchers[-1].take(machine, catcher)
+        machine.catchers[-1].take_over(machine, catcher)
     frame.uncertain += 1
     for handler in op.handlers:
         machine.resume(frame, Snapshot(catcher.snapshot.registers.copy(), catcher.snapshot.state.copy()))
@@ -247,7 +259,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
         frame.registers[op.bind] = entered
     outer, catchers = frame.exits, machine.catchers
     inner = frame.exits = Exits()
-    catcher = Catcher(frame)
+    catcher = Catcher(machine, frame)
     machine.catchers = [*catchers, catcher]
     try:
         alive = machine.run(op.body, frame)
@@ -268,7 +280,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
             setattr(outer, way, join_into(machine, getattr(outer, way), Snapshot(frame.registers, machine.state)))
             if way == "returned":
                 outer.value = join(outer.value, inner.value)
-    if catcher.snapshot is not None:
+    if catcher.reached:
         swallowed = leave(catcher.snapshot)
         swallows = swallowed.__class__ not in (Const, Unknown) or machine.truth(swallowed) is not False
         if swallows and swallowed.__class__ is not Unknown and swallowed is not UNBOUND:
@@ -277,7 +289,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
             if catcher.raised is not UNBOUND:
                 throw(machine, catcher.raised)
             elif machine.catchers:
-                machine.catchers[-1].take(machine, catcher)
+                machine.catchers[-1].take_over(machine, catcher)
     if after is None:
         return False
     machine.resume(frame, after)

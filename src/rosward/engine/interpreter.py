@@ -144,6 +144,8 @@ class Interpreter:
     def put(self, address: int, obj: Obj) -> None:
         """Replace the record at an address."""
         self.state.heap[address] = obj
+        if self.catchers:
+            self.catchers[-1].wrote(self, address, obj)
         self._versions += 1
         self.state.version = self._versions
 
@@ -262,6 +264,8 @@ class Interpreter:
     def spin(self) -> None:
         """Everything scheduled may run here."""
         self.schedule_book.spin(self)
+        if self.catchers:
+            self.catchers[-1].take(self, self.state)
 
     def report(self, code: str, message: str) -> None:
         """A finding at the current place."""
