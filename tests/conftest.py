@@ -5,4 +5,6 @@ import pytest
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--update-cases", action="store_true", help="rewrite the expectations of tests/cases by what comes out")
+    parser.addoption(
+        "--update-cases", action="store_true", help="rewrite the expectations of tests/cases by what comes out"
+    )

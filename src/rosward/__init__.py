@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """rosward: from the source of a ROS 2 system to its computation graph and SROS2 policies.
 
-    import rosward
+import rosward
 
-    result = rosward.extract("my_ws")
-    for node in result.network.nodes:
-        print(node.fqn, [e.name for e in node.entities])
+result = rosward.extract("my_ws")
+for node in result.network.nodes:
+    print(node.fqn, [e.name for e in node.entities])
 """
 
 from rosward._version import __version__

@@ -47,8 +47,12 @@ def _parser() -> argparse.ArgumentParser:
         description="Reads files, packages or workspaces and writes the computation graph, the SROS2 policies and a report.",
         epilog="Exit status: 0 complete; 1 extracted, but incomplete (an unknown name, an unreadable file, a limit); 2 wrong use or nothing to read.",
     )
-    extract.add_argument("paths", nargs="*", metavar="PATH", help="file, package or workspace (default: the current folder)")
-    extract.add_argument("-o", "--output", default="rosward-out", metavar="DIR", help="where to write (default: %(default)s)")
+    extract.add_argument(
+        "paths", nargs="*", metavar="PATH", help="file, package or workspace (default: the current folder)"
+    )
+    extract.add_argument(
+        "-o", "--output", default="rosward-out", metavar="DIR", help="where to write (default: %(default)s)"
+    )
     extract.add_argument(
         "--format",
         type=_formats,
@@ -56,14 +60,21 @@ def _parser() -> argparse.ArgumentParser:
         metavar="LIST",
         help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: all but permissions)",
     )
-    extract.add_argument("--distro", choices=DISTROS, default="jazzy", help="what the client library adds by itself (default: %(default)s)")
+    extract.add_argument(
+        "--distro",
+        choices=DISTROS,
+        default="jazzy",
+        help="what the client library adds by itself (default: %(default)s)",
+    )
     extract.add_argument(
         "--unknown",
         choices=("deny", "wildcard"),
         default="deny",
         help="in the policy, leave out a name that is not known, or write * for it (default: %(default)s)",
     )
-    extract.add_argument("--models", action="append", default=[], metavar="DIR", help="stub files that describe further libraries")
+    extract.add_argument(
+        "--models", action="append", default=[], metavar="DIR", help="stub files that describe further libraries"
+    )
     extract.add_argument("--tests", action="store_true", help="read test files too")
     extract.add_argument("--system", action="store_true", help="show the entities of the client library in the graph")
     extract.add_argument("--types", action="store_true", help="show interface types in the graph")
@@ -120,7 +131,12 @@ def _write(result: Result, options: argparse.Namespace) -> list[str]:
     from rosward.outputs.files import write_outputs
 
     return write_outputs(
-        result.network, options.output, options.format, unknown=options.unknown, system=options.system, types=options.types
+        result.network,
+        options.output,
+        options.format,
+        unknown=options.unknown,
+        system=options.system,
+        types=options.types,
     )
 
 

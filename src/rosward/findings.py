@@ -41,33 +41,107 @@ _TABLE: Final = (
     Rule("RW005", "nesting too deep", _E, "Simplify the expression: the file was not analysed."),
     Rule("RW006", "Python 2 source", _E, "Port the file to Python 3, or exclude it: nothing in it is in the result."),
     Rule("RW007", "no ROS 2 code found", _N, "Name a workspace, a package or a file that uses rclpy."),
-    Rule("RW008", "package description cannot be read", _W, "Correct the package.xml, setup.py, setup.cfg or CMakeLists.txt."),
-    Rule("RW009", "executable without source", _W, "The entry point names a module or function that is not among the sources."),
+    Rule(
+        "RW008",
+        "package description cannot be read",
+        _W,
+        "Correct the package.xml, setup.py, setup.cfg or CMakeLists.txt.",
+    ),
+    Rule(
+        "RW009",
+        "executable without source",
+        _W,
+        "The entry point names a module or function that is not among the sources.",
+    ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Supply the value that is missing: a default, a parameter file, an argument."),
     Rule("RW102", "partly known name", _W, "Supply the missing part, or accept the wildcard in the policy."),
     Rule("RW103", "invalid name", _E, "rcl rejects this name: the call fails when it runs."),
     Rule("RW104", "unknown type", _W, "Import the interface type directly, so that it can be named."),
-    Rule("RW105", "unknown node name", _E, "Give the node a name in the source, or start it by a launch file that names it."),
+    Rule(
+        "RW105",
+        "unknown node name",
+        _E,
+        "Give the node a name in the source, or start it by a launch file that names it.",
+    ),
     # Analysis
     Rule("RW201", "limit reached", _E, "The analysis stopped early here: the result lacks what comes after."),
-    Rule("RW202", "node handed to an unknown library", _W, "Describe the library in a stub file (--models), or check by hand what it creates."),
+    Rule(
+        "RW202",
+        "node handed to an unknown library",
+        _W,
+        "Describe the library in a stub file (--models), or check by hand what it creates.",
+    ),
     Rule("RW203", "code made at run time", _W, "exec, eval, dynamic imports and the like are not followed."),
-    Rule("RW204", "base class not among the sources", _W, "Add its package to the analysis, or describe it in a stub file (--models)."),
-    Rule("RW205", "entity in code that never runs", _N, "No entry point reaches this call: it is left out of the result."),
+    Rule(
+        "RW204",
+        "base class not among the sources",
+        _W,
+        "Add its package to the analysis, or describe it in a stub file (--models).",
+    ),
+    Rule(
+        "RW205", "entity in code that never runs", _N, "No entry point reaches this call: it is left out of the result."
+    ),
     Rule("RW206", "construct not understood", _E, "Please report it; what it would create is missing."),
-    Rule("RW207", "module not among the sources", _W, "Add its package to the analysis, or install it beside the workspace."),
-    Rule("RW208", "entity on an unknown node", _E, "The node that this call belongs to is not known: it is in no policy."),
+    Rule(
+        "RW207",
+        "module not among the sources",
+        _W,
+        "Add its package to the analysis, or install it beside the workspace.",
+    ),
+    Rule(
+        "RW208", "entity on an unknown node", _E, "The node that this call belongs to is not known: it is in no policy."
+    ),
     Rule("RW209", "call fails when it runs", _W, "The real library raises an exception here."),
-    Rule("RW210", "starts another program", _W, "The program started here is not part of the result; analyse or declare it."),
-    Rule("RW211", "use_sim_time can be switched on", _N, "Set use_sim_time for the analysis if the system runs on simulated time."),
+    Rule(
+        "RW210",
+        "starts another program",
+        _W,
+        "The program started here is not part of the result; analyse or declare it.",
+    ),
+    Rule(
+        "RW211",
+        "use_sim_time can be switched on",
+        _N,
+        "Set use_sim_time for the analysis if the system runs on simulated time.",
+    ),
     # System and policy
-    Rule("RW301", "several nodes in one process", _W, "They share one context, so one enclave: start them with an enclave whose policy has both profiles."),
-    Rule("RW302", "wildcard grants more than one name segment", _W, "In DDS permissions * also matches /: make the unknown part known."),
-    Rule("RW303", "enclave path too long", _W, "A certificate cannot hold a path of more than 64 characters: choose an enclave by --enclave."),
-    Rule("RW304", "permissions too large", _W, "Signed permissions above 64 KB break the DDS handshake: split the enclave."),
-    Rule("RW305", "topic outside the ROS name space", _W, "avoid_ros_namespace_conventions has no form in policy.xml: write the DDS permission by hand."),
-    Rule("RW306", "differing types on one name", _W, "Publisher and subscription (server and client) of different type never talk."),
+    Rule(
+        "RW301",
+        "several nodes in one process",
+        _W,
+        "They share one context, so one enclave: start them with an enclave whose policy has both profiles.",
+    ),
+    Rule(
+        "RW302",
+        "wildcard grants more than one name segment",
+        _W,
+        "In DDS permissions * also matches /: make the unknown part known.",
+    ),
+    Rule(
+        "RW303",
+        "enclave path too long",
+        _W,
+        "A certificate cannot hold a path of more than 64 characters: choose an enclave by --enclave.",
+    ),
+    Rule(
+        "RW304",
+        "permissions too large",
+        _W,
+        "Signed permissions above 64 KB break the DDS handshake: split the enclave.",
+    ),
+    Rule(
+        "RW305",
+        "topic outside the ROS name space",
+        _W,
+        "avoid_ros_namespace_conventions has no form in policy.xml: write the DDS permission by hand.",
+    ),
+    Rule(
+        "RW306",
+        "differing types on one name",
+        _W,
+        "Publisher and subscription (server and client) of different type never talk.",
+    ),
     Rule("RW307", "node name used twice", _N, "Two nodes of one full name share their policy: rename one of them."),
 )
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The whole way, on one page: source text to workspace to processes to effects to nodes to network.
 
-    result = rosward.extract("my_ws", distro="jazzy")
-    result.network.nodes
+result = rosward.extract("my_ws", distro="jazzy")
+result.network.nodes
 """
 
 from __future__ import annotations
@@ -91,7 +91,9 @@ def extract(
     chosen = Distro(distro)
     folders = tuple(Path(m) for m in models)
     wanted = [Path(p) for p in paths] or [Path()]
-    return _with_deep_stack(lambda: _extract(wanted, chosen, unknown, folders, tests, budget or Budget(), progress or _silent))
+    return _with_deep_stack(
+        lambda: _extract(wanted, chosen, unknown, folders, tests, budget or Budget(), progress or _silent)
+    )
 
 
 def _silent(_what: str, _done: int, _all: int) -> None:
@@ -99,7 +101,13 @@ def _silent(_what: str, _done: int, _all: int) -> None:
 
 
 def _extract(
-    paths: list[Path], distro: Distro, unknown: UnknownNames, models: tuple[Path, ...], tests: bool, budget: Budget, progress: Progress
+    paths: list[Path],
+    distro: Distro,
+    unknown: UnknownNames,
+    models: tuple[Path, ...],
+    tests: bool,
+    budget: Budget,
+    progress: Progress,
 ) -> Result:
     workspace = discover(paths, include_tests=tests)
     if not workspace.files:
@@ -117,7 +125,9 @@ def _extract(
         found, doubts = collect(each.log, Process(entry.package, entry.executable, entry.label, each.done), distro)
         nodes += found
         findings.update(dict.fromkeys((*each.log.findings, *doubts)))
-    findings.update(dict.fromkeys(unreached(everything, (m for f in sorted(plan.related) if (m := sources.module(f)) is not None))))
+    findings.update(
+        dict.fromkeys(unreached(everything, (m for f in sorted(plan.related) if (m := sources.module(f)) is not None)))
+    )
     if not nodes:
         findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
     network = connect(
@@ -166,7 +176,7 @@ def _with_deep_stack(work: Callable[[], Result]) -> Result:
         sys.setrecursionlimit(max(limit, _RECURSION))
         try:
             outcome.append(work())
-        except BaseException as error:  # noqa: BLE001 it is raised again in the caller's thread
+        except BaseException as error:
             failure.append(error)
         finally:
             sys.setrecursionlimit(limit)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which processes a workspace has, and how each starts.
 
-    console script  talker = demo.talker:main      demo/talker: imports demo.talker, calls main
-    file with a __main__ block, installed script    runs the file
-    file that no other imports, of which nothing else starts    probed: runs the file; counts if it makes a node
+console script  talker = demo.talker:main      demo/talker: imports demo.talker, calls main
+file with a __main__ block, installed script    runs the file
+file that no other imports, of which nothing else starts    probed: runs the file; counts if it makes a node
 """
 
 from __future__ import annotations

@@ -53,8 +53,14 @@ def run(library: Library, entry: Entry, budget: Budget) -> Run:
     try:
         _main(machine, entry)
     except LimitReachedError as limit:
-        place = machine.place
-        log.findings[Finding("RW201", f"{limit.what}: what the program does after this is missing", place if place.file else Place(entry.file))] = None
+        place = limit.place
+        log.findings[
+            Finding(
+                "RW201",
+                f"{limit.what}: what the program does after this is missing",
+                place if place.file else Place(entry.file),
+            )
+        ] = None
     done = log.final(machine.state)
     if machine.ends is not None:
         machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
@@ -64,7 +70,9 @@ def run(library: Library, entry: Entry, budget: Budget) -> Run:
         machine.spin()
     except LimitReachedError as limit:
         log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
-    return Run(entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated), frozenset(machine.reached))
+    return Run(
+        entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated), frozenset(machine.reached)
+    )
 
 
 def _main(machine: Interpreter, entry: Entry) -> None:
@@ -77,7 +85,9 @@ def _main(machine: Interpreter, entry: Entry) -> None:
     if entry.function and alive:
         function: Value = module
         for part in entry.function.split("."):
-            function = modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
+            function = (
+                modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
+            )
         machine.call(function, (), {ANY: UNBOUND})
     for qualname in entry.classes:
         found = machine.at(address).attrs.get(qualname)
@@ -103,6 +113,12 @@ def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]
             inherited.update(b.place for b in cls.mro[1:] if isinstance(b, Class))
     found: dict[str, list[str]] = {}
     for place, cls in sorted(defined.items()):
-        if place not in made and place not in inherited and node is not None and node in cls.mro and "." not in cls.qualname:
+        if (
+            place not in made
+            and place not in inherited
+            and node is not None
+            and node in cls.mro
+            and "." not in cls.qualname
+        ):
             found.setdefault(place.file, []).append(cls.name)
     return found

@@ -33,7 +33,9 @@ class SourceTree:
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
         self._files: dict[str, SourceFile] = {f.relative: f for f in workspace.files}
-        self._packages = {p.name for p in workspace.packages} | {(f.module or "").partition(".")[0] for f in workspace.files}
+        self._packages = {p.name for p in workspace.packages} | {
+            (f.module or "").partition(".")[0] for f in workspace.files
+        }
 
     def read_all(self, progress: Callable[[int], None]) -> None:
         """Read and lower every file of the workspace."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Entities in code that no process reaches: left out of the result, and told (RW205).
 
-    class N(Node):
-        def later(self):                              # nothing calls it
-            self.create_publisher(String, 'late', 10)
-    if MODE == 'laser': …                             # MODE is known to be 'camera'
+class N(Node):
+    def later(self):                              # nothing calls it
+        self.create_publisher(String, 'late', 10)
+if MODE == 'laser': …                             # MODE is known to be 'camera'
 """
 
 from __future__ import annotations
@@ -74,9 +74,9 @@ def _creations(block: ops.Block, names: set[str]) -> Iterator[tuple[str, ops.Op]
         if isinstance(op, ops.Call):
             called.add(op.func)
         elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
-            if op.name in CREATING if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names:
-                yield op.name, op
-            elif isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names:
+            if (op.name in CREATING if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names) or (
+                isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names
+            ):
                 yield op.name, op
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The order of values: join, widening, and how an operation distributes over alternatives.
 
-    join(Const('a'), Const('b'))            Choice(Const('a'), Const('b'))
-    widen(Choice(0, 1), Choice(0, 1, 2))    Unknown('int')
+join(Const('a'), Const('b'))            Choice(Const('a'), Const('b'))
+widen(Choice(0, 1), Choice(0, 1, 2))    Unknown('int')
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Strings of which a part is known: concatenation and what several strings have in common.
 
-    concat('/robot_', unknown, '/cmd')      Text('/robot_', hole, '/cmd'), printed /robot_*/cmd
-    common('/a/x', '/b/x')                  Text('/', hole, '/x')
+concat('/robot_', unknown, '/cmd')      Text('/robot_', hole, '/cmd'), printed /robot_*/cmd
+common('/a/x', '/b/x')                  Text('/', hole, '/x')
 """
 
 from __future__ import annotations

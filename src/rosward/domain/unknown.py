@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Why something is not known, and what a known value was computed from.
 
-    topic = self.get_parameter('topic').value   # no default: Unknown because of Reason(PARAMETER, 'topic', place)
-    topic = os.environ.get('TOPIC', '/scan')    # '/scan', from Origin('environment variable', 'TOPIC')
+topic = self.get_parameter('topic').value   # no default: Unknown because of Reason(PARAMETER, 'topic', place)
+topic = os.environ.get('TOPIC', '/scan')    # '/scan', from Origin('environment variable', 'TOPIC')
 """
 
 from __future__ import annotations

@@ -116,9 +116,7 @@ class Choice(Value):
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
-            other.__class__ is Choice
-            and self._hash == other._hash
-            and set(self.options) == set(other.options)
+            other.__class__ is Choice and self._hash == other._hash and set(self.options) == set(other.options)
         )
 
     def __hash__(self) -> int:

@@ -113,9 +113,14 @@ def _of_unknown(machine: Interpreter, value: Unknown, name: str) -> Value:
         found = lookup(machine, node, name) if node is not None else None
         if found is not None:
             return BoundMethod(value, found)
-    if value.hint in ("str", "list", "dict", "set", "int", "float", "bytes", "tuple") and machine.library.native(f"{value.hint}.{name}"):
+    if value.hint in ("str", "list", "dict", "set", "int", "float", "bytes", "tuple") and machine.library.native(
+        f"{value.hint}.{name}"
+    ):
         return BoundMethod(value, Native(f"{value.hint}.{name}"))
-    reasons = tuple(r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r for r in value.reasons)
+    reasons = tuple(
+        r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
+        for r in value.reasons
+    )
     return Unknown(reasons)
 
 
@@ -261,7 +266,17 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     for base in cls.mro:
         if base.__class__ is External:
             return External(f"{base.name}.{name}")
-    if name in ("__init__", "__new__", "__init_subclass__", "__setattr__", "__getattribute__", "__repr__", "__str__", "__hash__", "__eq__"):
+    if name in (
+        "__init__",
+        "__new__",
+        "__init_subclass__",
+        "__setattr__",
+        "__getattribute__",
+        "__repr__",
+        "__str__",
+        "__hash__",
+        "__eq__",
+    ):
         return Native(f"object.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
@@ -298,7 +313,11 @@ def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
         return machine.unknown(Cause.OPERATION, "doc", "str")
     kept = machine.state.heap.get(machine.library.function_address(function))
     found = kept.attrs.get(name) if kept is not None else None
-    return found if found is not None else machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
+    return (
+        found
+        if found is not None
+        else machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
+    )
 
 
 def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
@@ -370,5 +389,3 @@ def delete(machine: Interpreter, target: Value, name: str) -> None:
         obj = machine.obj(target)
         if name in obj.attrs and not obj.many:
             machine.put(target.address, obj.with_attr(name, UNBOUND))
-
-

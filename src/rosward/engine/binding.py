@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Binding of arguments to parameters, as Python does it, with room for arguments of unknown number.
 
-    def f(a, b=1, *c, d=2, **e)      f(0, d=3)  ->  registers a=0, b=1, c=(), d=3, e={}
+def f(a, b=1, *c, d=2, **e)      f(0, d=3)  ->  registers a=0, b=1, c=(), d=3, e={}
 """
 
 from __future__ import annotations
@@ -32,12 +32,20 @@ class BadCallError(Exception):
     """The call fails for sure: the arguments do not fit the parameters."""
 
 
-def bind_arguments(machine: Interpreter, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> list[Value]:
+def bind_arguments(
+    machine: Interpreter, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]
+) -> list[Value]:
     """The values of the parameters in register order. Raises `BadCallError`."""
     code, parameters = function.code, function.code.parameters
     names = parameters.positional
     count = len(names)
-    if not keywords and parameters.vararg is None and not parameters.kwonly and parameters.kwarg is None and len(args) == count:
+    if (
+        not keywords
+        and parameters.vararg is None
+        and not parameters.kwonly
+        and parameters.kwarg is None
+        and len(args) == count
+    ):
         return list(args)
     keywords = dict(keywords)
     perhaps = {k[1:]: keywords.pop(k) for k in [k for k in keywords if k[:1] == MAYBE]}

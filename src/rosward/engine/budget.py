@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from rosward.source.location import Place
+
 
 class Budget(NamedTuple):
     """Limits of the interpretation of one process.
@@ -35,8 +37,9 @@ class Budget(NamedTuple):
 
 
 class LimitReachedError(Exception):
-    """A limit of the budget was reached; `what` says which, in words."""
+    """A limit of the budget was reached; `what` says which, in words, `place` where in the user's code."""
 
-    def __init__(self, what: str) -> None:
+    def __init__(self, what: str, place: Place) -> None:
         super().__init__(what)
         self.what = what
+        self.place = place

@@ -188,7 +188,9 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
     escape(machine, (*args, *keywords.values()), function.name)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
         machine.log.decorated(machine, function.name)
-        return args[0]  # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
+        return args[
+            0
+        ]  # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
     return machine.unknown(Cause.CALL, function.name)
 
 
@@ -304,7 +306,13 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
         return remembered, Items(())
     raised, version, provisional = machine.raised, machine.state.version, machine.provisional
     value, items = _run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
-    quiet = machine.state.version == version and machine.raised == raised and machine.provisional == provisional and not items.known and items.rest is None
+    quiet = (
+        machine.state.version == version
+        and machine.raised == raised
+        and machine.provisional == provisional
+        and not items.known
+        and items.rest is None
+    )
     if quiet and value is not UNBOUND and not declared.is_model(function):
         machine.memo[key] = value
     return value, items
@@ -316,7 +324,9 @@ def _run_body(
     code = function.code
     machine.entered.add(id(code))
     if context is None:
-        context = machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
+        context = (
+            machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
+        )
     full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
     frame = Frame(code, full, (), function.module, context, declared.is_model(function))
     frame.cells = (*new_cells(machine, code, context), *function.cells)
@@ -365,13 +375,18 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
         machine.state = summary.after.copy()
         return summary.value
     if len(machine.frames) >= machine.budget.depth * 2:
-        raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep")
+        raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     summary = machine.summaries[key] = Summary(list(registers), machine.state.copy())
     context = machine.context("summary", id(function.code))
     try:
         for _ in range(machine.budget.fixpoint):
             reads = machine.provisional
-            seen = (summary.registers, summary.before.version, summary.value, summary.after.version if summary.after else -1)
+            seen = (
+                summary.registers,
+                summary.before.version,
+                summary.value,
+                summary.after.version if summary.after else -1,
+            )
             machine.state = summary.before.copy()
             value, _items = _run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:
@@ -383,7 +398,12 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
                 )
             if machine.provisional == reads:
                 break  # nothing inside asked for the summary: this turn was exact
-            if seen == (summary.registers, summary.before.version, summary.value, summary.after.version if summary.after else -1):
+            if seen == (
+                summary.registers,
+                summary.before.version,
+                summary.value,
+                summary.after.version if summary.after else -1,
+            ):
                 break
         else:
             machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
@@ -403,7 +423,11 @@ def run_generator(machine: Interpreter, ref: Ref, obj: Obj) -> tuple[Items, Valu
     function, registers = obj.payload
     value, items = invoke(machine, function, list(registers))
     if obj.many:
-        items = Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))])) if items.known else items
+        items = (
+            Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))]))
+            if items.known
+            else items
+        )
     return items, value
 
 

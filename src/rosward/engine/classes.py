@@ -44,14 +44,19 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     code = op.code
     place = Place(code.file, op.line, op.column)
     # A class is one object for each place and chain of calls; the module's own classes are there once.
-    address = machine.place_at(("class", frame.context, code.file, op.line, op.column), Obj("class", Native("builtins.type")))
+    address = machine.place_at(
+        ("class", frame.context, code.file, op.line, op.column), Obj("class", Native("builtins.type"))
+    )
     record = machine.at(address)
     if record.many and frame.code.kind is CodeKind.MODULE:
         machine.put(address, Obj("class", Native("builtins.type")))
     cls = Class(address, code.name, code.qualname, frame.module.name, bases, _linearise(bases), place, frame.stub)
     body = Frame(code, [UNBOUND] * code.registers, (), frame.module, frame.context, frame.stub)
     captured = tuple([frame.cells[c] for c in op.captures])
-    body.cells = (*calls.new_cells(machine, code, machine.context(frame.context, op.line, op.column, "class")), *captured)
+    body.cells = (
+        *calls.new_cells(machine, code, machine.context(frame.context, op.line, op.column, "class")),
+        *captured,
+    )
     body.namespace = address
     machine.frames.append(body)
     try:
@@ -82,7 +87,9 @@ def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[tuple
             continue
         several = machine.iterate(value).known if argument.kind == "star" else (value,)
         for base in several:
-            if base.__class__ is Choice:  # `try: from a import B / except ImportError: B = object`: the class that is known
+            if (
+                base.__class__ is Choice
+            ):  # `try: from a import B / except ImportError: B = object`: the class that is known
                 ours = [o for o in base.options if isinstance(o, Class)]
                 known: list[Value] = [*ours, *(o for o in base.options if isinstance(o, External))]
                 bases.append(known[0] if known else base.options[0])
@@ -172,7 +179,9 @@ def _has(machine: Interpreter, ref: Value, cls: Class) -> bool:
     return found.__class__ is Class and cls in found.mro
 
 
-def _initialise(machine: Interpreter, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+def _initialise(
+    machine: Interpreter, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]
+) -> Value:
     """Run `__init__`; a base that is not known gets the arguments."""
     for base in cls.mro:
         if base.__class__ is Class:
@@ -195,7 +204,6 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
             for name, value in machine.at(base.address).attrs.items():
                 if value.__class__ is Function and not name.startswith("__"):
                     machine.schedule_book.add(machine, BoundMethod(ref, value), None, "call by the base class")
-
 
 
 def type_of(machine: Interpreter, value: Value) -> Value | None:

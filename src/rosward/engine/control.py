@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Branches and loops: how a structured block maps a state to the states in which control leaves it.
 
-    if unknown: x = 'a'            both ways are followed, and joined behind
-    for n in ['a', 'b']: …         a known sequence is followed item by item
-    while unknown: …               anything else runs until nothing changes, widening at the head
+if unknown: x = 'a'            both ways are followed, and joined behind
+for n in ['a', 'b']: …         a known sequence is followed item by item
+while unknown: …               anything else runs until nothing changes, widening at the head
 """
 
 from __future__ import annotations
@@ -235,5 +235,3 @@ def _until_stable(
         return False
     machine.resume(frame, ended)
     return True
-
-

@@ -49,7 +49,9 @@ def result(machine: Interpreter, function: Function, registers: list[Value]) -> 
     return _of_annotation(machine, function, tree, registers, dotted)
 
 
-def _of_annotation(machine: Interpreter, function: Function, tree: ast.expr, registers: list[Value], dotted: str) -> Value:
+def _of_annotation(
+    machine: Interpreter, function: Function, tree: ast.expr, registers: list[Value], dotted: str
+) -> Value:
     if isinstance(tree, ast.Constant):
         if tree.value is None:
             return NONE
@@ -76,7 +78,11 @@ def _of_annotation(machine: Interpreter, function: Function, tree: ast.expr, reg
 def _evaluate(machine: Interpreter, function: Function, tree: ast.expr) -> Value:
     if isinstance(tree, ast.Name):
         found = machine.at(function.module.address).attrs.get(tree.id)
-        return found if found is not None and found is not UNBOUND else modules.load_global(machine, function.module, tree.id, quiet=True)
+        return (
+            found
+            if found is not None and found is not UNBOUND
+            else modules.load_global(machine, function.module, tree.id, quiet=True)
+        )
     if isinstance(tree, ast.Attribute):
         return machine.load_attr(_evaluate(machine, function, tree.value), tree.attr)
     return NONE

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Exceptions, `finally` and `with`.
 
-    try:    self.t = read()      any operation of the body may fail: the handler starts from the join of the states around each of them
-    except: self.t = 'a'         afterwards self.t is what read() gave, or 'a'
+try:    self.t = read()      any operation of the body may fail: the handler starts from the join of the states around each of them
+except: self.t = 'a'         afterwards self.t is what read() gave, or 'a'
 """
 
 from __future__ import annotations
@@ -20,7 +20,17 @@ from rosward.ir import ops
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
-_CANNOT_FAIL = (ops.Const, ops.Move, ops.StoreGlobal, ops.StoreCell, ops.StoreName, ops.MakeFunction, ops.Build, ops.NewCell, ops.Assume)
+_CANNOT_FAIL = (
+    ops.Const,
+    ops.Move,
+    ops.StoreGlobal,
+    ops.StoreCell,
+    ops.StoreName,
+    ops.MakeFunction,
+    ops.Build,
+    ops.NewCell,
+    ops.Assume,
+)
 
 
 @final
@@ -36,17 +46,17 @@ class Catcher:
     def __init__(self, machine: Interpreter, frame: Frame) -> None:
         self.frame = frame
         self.snapshot = machine.snapshot(frame)
-        self.noted: list[Value] = self.snapshot.registers
+        self.noted = self.snapshot.registers[: len(frame.code.variables)]
         self.raised: Value = UNBOUND
         self.reached = False
 
     def note(self) -> None:
         """An exception may be raised here."""
         self.reached = True
-        registers = self.frame.registers
-        if self.noted != registers:
-            self.noted = registers.copy()
-            self.snapshot.registers = join_registers(self.snapshot.registers, registers)
+        variables = self.frame.registers[: len(self.noted)]  # temporaries do not outlive a statement
+        if self.noted != variables:
+            self.noted = variables
+            self.snapshot.registers = join_registers(self.snapshot.registers, variables)
 
     def wrote(self, machine: Interpreter, address: int, obj: Obj) -> None:
         """An object is written."""
@@ -78,7 +88,7 @@ def note(machine: Interpreter) -> None:
 def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
     """Interpret a block inside a try: around each operation that may fail the state may reach the handlers."""
     catcher = machine.catchers[-1]
-    table = machine._table
+    table = machine.table
     for op in block:
         fails = op.__class__ not in _CANNOT_FAIL
         if fails:
@@ -239,7 +249,11 @@ def _interrupts(wanted: Value | None) -> bool:
 
 def _bound(machine: Interpreter, raised: Value, wanted: Value | None) -> Value:
     """What `except … as e` binds."""
-    instances = [e for e in options(raised) if e.__class__ is not Native and e is not UNBOUND and _may_catch(machine, e, wanted) is not False]
+    instances = [
+        e
+        for e in options(raised)
+        if e.__class__ is not Native and e is not UNBOUND and _may_catch(machine, e, wanted) is not False
+    ]
     return join_all([*instances, machine.unknown(Cause.LIVE, "exception")])
 
 

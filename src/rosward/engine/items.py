@@ -93,7 +93,11 @@ def load(machine: Interpreter, value: Value, index: Value) -> Value:
         if classes.is_enum(machine, value):  # type: ignore[arg-type]
             return machine.call(Native("enum.item"), (value, index))
         method = attributes.lookup(machine, value, "__class_getitem__")
-        return value if method is None else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})
+        return (
+            value
+            if method is None
+            else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})
+        )
     if cls in (External, Native, Function):
         return value  # a generic alias such as list[int]
     return operators.load_item(machine, value, index)
@@ -176,7 +180,9 @@ def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
             if number < len(known):
                 frame.registers[dst] = known[number] if rest is None else join(known[number], rest)
             else:
-                frame.registers[dst] = rest if rest is not None else machine.unknown(Cause.ERROR, "too few values to unpack")
+                frame.registers[dst] = (
+                    rest if rest is not None else machine.unknown(Cause.ERROR, "too few values to unpack")
+                )
         return
     behind = count - op.star - 1
     if rest is None and len(known) >= count - 1:
@@ -257,7 +263,9 @@ def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
     for option in options(value):
         if option.__class__ is Ref:
             kind = machine.obj(option).kind
-            answers.add(None if kind in ("instance", "generator") else kind == ("list" if name == "is_sequence" else "dict"))
+            answers.add(
+                None if kind in ("instance", "generator") else kind == ("list" if name == "is_sequence" else "dict")
+            )
         elif option.__class__ is Tuple:
             answers.add(name == "is_sequence")
         else:

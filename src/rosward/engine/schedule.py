@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What may run later: callbacks of every kind, run to a fixpoint, in any order, any number of times.
 
-    self.create_timer(1.0, self.tick)     tick runs wherever the program spins, and after its main body
+self.create_timer(1.0, self.tick)     tick runs wherever the program spins, and after its main body
 """
 
 from __future__ import annotations
@@ -60,7 +60,9 @@ class Schedule:
         for option in options(callback):
             key = (option, args)
             if key not in self.entries and option.__class__ is not Unknown:
-                self.entries[key] = Entry(option, args, event, machine.place, machine.state.copy(), self._context(machine, option, event))
+                self.entries[key] = Entry(
+                    option, args, event, machine.place, machine.state.copy(), self._context(machine, option, event)
+                )
 
     def _context(self, machine: Interpreter, callback: Value, event: str) -> int:
         """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The state of an interpretation at one point: the heap, and what has surely happened. And how two states join.
 
-    if unknown: self.t = 'a'      heap 1: self.t 'a'    joined: self.t 'a' | 'b'
-    else:       self.t = 'b'      heap 2: self.t 'b'
+if unknown: self.t = 'a'      heap 1: self.t 'a'    joined: self.t 'a' | 'b'
+else:       self.t = 'b'      heap 2: self.t 'b'
 """
 
 from __future__ import annotations
@@ -103,7 +103,12 @@ def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -
 def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
     if left.items == right.items and left.rest == right.rest:
         return result
-    if left.items is not None and right.items is not None and len(left.items) == len(right.items) and left.rest == right.rest:
+    if (
+        left.items is not None
+        and right.items is not None
+        and len(left.items) == len(right.items)
+        and left.rest == right.rest
+    ):
         items = tuple(merge(a, b) for a, b in zip(left.items, right.items, strict=True))
         if items == left.items:
             return result
@@ -124,7 +129,12 @@ def element(obj: Obj) -> Value | None:
 
 
 def _join_entries(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
-    if left.entries == right.entries and left.maybe == right.maybe and left.rest == right.rest and left.rest_key == right.rest_key:
+    if (
+        left.entries == right.entries
+        and left.maybe == right.maybe
+        and left.rest == right.rest
+        and left.rest_key == right.rest_key
+    ):
         return result
     entries = dict(left.entries)
     maybe = set(left.maybe | right.maybe)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple, final
 
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, External, Function, Native, Ref, Tuple, Value
+from rosward.domain.values import UNBOUND, Class, External, Function, Ref, Tuple, Value
 from rosward.findings import Finding
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
@@ -109,7 +109,10 @@ class EffectLog:
         if self.is_node(ref.address):
             return
         name = base.name if isinstance(base, External) else "a base class that is not known"
-        machine.report("RW204", f"{name} is taken to be a node, since entities are created on it; its own entities and its name are not known")
+        machine.report(
+            "RW204",
+            f"{name} is taken to be a node, since entities are created on it; its own entities and its name are not known",
+        )
         unknown = machine.unknown(Cause.MODULE, name, "str")
         cls = machine.obj(ref).cls
         self.add_node(machine, NodeEffect(ref.address, unknown, UNBOUND, (), (), (), cls, machine.place, False, True))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """From abstract values to the words of ROS: names with their resolution, interface types, QoS, callbacks.
 
-    Text('/robot_', hole, '/cmd')      NameOption('/robot_*/cmd', PATTERN, …)
-    External('std_msgs.msg.String')    'std_msgs/msg/String'
+Text('/robot_', hole, '/cmd')      NameOption('/robot_*/cmd', PATTERN, …)
+External('std_msgs.msg.String')    'std_msgs/msg/String'
 """
 
 from __future__ import annotations

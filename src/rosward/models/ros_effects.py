@@ -82,7 +82,7 @@ def perform(machine: Interpreter, function: Function, spec: Tuple, named: dict[s
         machine.spin()
     elif kind == "creates":
         wanted = {text_of(p.items[0]): text_of(p.items[1]) for p in spec.items[2].items}  # type: ignore[attr-defined]
-        given = {role: named.get(wanted.get(role, ""), None) for role in ("name", "type", "qos", "callback")}
+        given = {role: named.get(wanted.get(role, "")) for role in ("name", "type", "qos", "callback")}
         node = named.get(wanted.get("node", "self"))
         create(machine, text_of(spec.items[1]), node, given["name"], given["type"], given["callback"], given["qos"])
     elif kind == "calls":
@@ -132,7 +132,10 @@ def create(
     """Record an entity on every node that `node` may be."""
     profile, prefix = qos_of(machine, qos)
     if isinstance(name, (External, Class)) and isinstance(type_, (Const, Text)):
-        machine.report("RW209", f"the type of this {kind.replace('_', ' ')} stands where its name belongs, which fails; it is taken as it is meant")
+        machine.report(
+            "RW209",
+            f"the type of this {kind.replace('_', ' ')} stands where its name belongs, which fails; it is taken as it is meant",
+        )
         name, type_ = type_, name
     for option in options(node if node is not None else NONE):
         address = option.address if isinstance(option, Ref) else None
@@ -373,7 +376,9 @@ def _unknown(call: NativeCall) -> Value:
     label = text_of(call.args[0]).upper().replace(" ", "_")
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
     subject = call.arg(1, "subject")
-    return call.machine.unknown(cause, text_of(subject, "" if subject is None else word_text(subject)), text_of(call.arg(2, "hint")))
+    return call.machine.unknown(
+        cause, text_of(subject, "" if subject is None else word_text(subject)), text_of(call.arg(2, "hint"))
+    )
 
 
 def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Parameters of a node: what `declare_parameter` and `get_parameter` give, and from where.
 
-    self.declare_parameter('topic', '/scan')    '/scan', marked as the default of parameter topic
-    self.declare_parameter('topic')             unknown, because parameter topic has no value
+self.declare_parameter('topic', '/scan')    '/scan', marked as the default of parameter topic
+self.declare_parameter('topic')             unknown, because parameter topic has no value
 """
 
 from __future__ import annotations
@@ -68,7 +68,9 @@ def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hin
     if override is not None:
         return override
     values = [
-        machine.unknown(Cause.PARAMETER, label, hint) if option == NONE or option is UNBOUND else mark(machine, option, Origin("parameter", label))
+        machine.unknown(Cause.PARAMETER, label, hint)
+        if option == NONE or option is UNBOUND
+        else mark(machine, option, Origin("parameter", label))
         for option in options(default)
     ]
     return join_all(values)
@@ -142,7 +144,13 @@ def _set(call: NativeCall) -> Value:
             if table is not None:
                 machine.store_item(table, key, value)
             if text_of(key) == "use_sim_time" and any(is_true(v) for v in options(value)):
-                create(machine, "subscription", each, Const("/clock"), machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock"))
+                create(
+                    machine,
+                    "subscription",
+                    each,
+                    Const("/clock"),
+                    machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock"),
+                )
     return NONE
 
 
@@ -154,7 +162,12 @@ def _has(call: NativeCall) -> Value:
         table = _table(machine, node)
         for name in options(call.args[1]):
             record = machine.obj(table) if table is not None else None
-            if record is None or not isinstance(name, Const) or record.rest is not None or Const(name.value) in record.maybe:
+            if (
+                record is None
+                or not isinstance(name, Const)
+                or record.rest is not None
+                or Const(name.value) in record.maybe
+            ):
                 answers.add(None)
             else:
                 answers.add(Const(name.value) in record.entries)

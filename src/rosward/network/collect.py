@@ -6,7 +6,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final, NamedTuple
 
-from rosward.domain.unknown import Reason
 from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
 from rosward.findings import Finding
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
@@ -72,7 +71,14 @@ def _identities(effect: NodeEffect, findings: dict[Finding, None]) -> list[_Iden
         for option in own:
             wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
             if wrong:
-                findings[invalid_name("node", option.text if names.validate_node_name(option.text) else space.text, wrong, effect.place)] = None
+                findings[
+                    invalid_name(
+                        "node",
+                        option.text if names.validate_node_name(option.text) else space.text,
+                        wrong,
+                        effect.place,
+                    )
+                ] = None
                 continue
             resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
             if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
@@ -82,12 +88,19 @@ def _identities(effect: NodeEffect, findings: dict[Finding, None]) -> list[_Iden
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
             namespace = names.full_namespace(space.text)
-            found.append(_Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1))
+            found.append(
+                _Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1)
+            )
     return found
 
 
 def _node(
-    log: EffectLog, effect: NodeEffect, identity: _Identity, process: Process, distro: Distro, findings: dict[Finding, None]
+    log: EffectLog,
+    effect: NodeEffect,
+    identity: _Identity,
+    process: Process,
+    distro: Distro,
+    findings: dict[Finding, None],
 ) -> Node:
     certain = identity.sole and not effect.late and ("node", effect.address) in process.done
     entities: list[Entity] = []
@@ -126,7 +139,9 @@ def _entities(
     for option in options:
         for text in _resolved(kind, option, identity, distro, effect, findings):
             for type_ in types:
-                entity = _entity(effect, kind, text, type_, option, identity, sure=sure and len(options) * len(types) == 1)
+                entity = _entity(
+                    effect, kind, text, type_, option, identity, sure=sure and len(options) * len(types) == 1
+                )
                 if type_ is None:
                     findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
                 if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(option):
@@ -134,7 +149,9 @@ def _entities(
                 result.append(entity)
                 if effect.introspection and type_ is not None:
                     for event in _events(kind, distro, text, type_):
-                        result.append(replace(event, system=True, conditional=entity.conditional, created_at=entity.created_at))
+                        result.append(
+                            replace(event, system=True, conditional=entity.conditional, created_at=entity.created_at)
+                        )
     return result
 
 
@@ -143,7 +160,11 @@ def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Ent
     if kind not in _ACTIONS:
         events = [service_event_topic(distro, name, type_)]
     else:
-        parts = (("send_goal", f"{type_}_SendGoal"), ("get_result", f"{type_}_GetResult"), ("cancel_goal", "action_msgs/srv/CancelGoal"))
+        parts = (
+            ("send_goal", f"{type_}_SendGoal"),
+            ("get_result", f"{type_}_GetResult"),
+            ("cancel_goal", "action_msgs/srv/CancelGoal"),
+        )
         events = [service_event_topic(distro, f"{name}/_action/{part}", t, action=True) for part, t in parts]
     return [e for e in events if e is not None]
 
@@ -154,7 +175,12 @@ def _from_node_only(option: NameOption) -> bool:
 
 
 def _resolved(
-    kind: EntityKind, option: NameOption, identity: _Identity, distro: Distro, effect: EntityEffect, findings: dict[Finding, None]
+    kind: EntityKind,
+    option: NameOption,
+    identity: _Identity,
+    distro: Distro,
+    effect: EntityEffect,
+    findings: dict[Finding, None],
 ) -> tuple[str, ...]:
     remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
     rules = identity.rules
@@ -168,12 +194,23 @@ def _resolved(
 
 
 def _entity(
-    effect: EntityEffect, kind: EntityKind, text: str, type_: str | None, option: NameOption, identity: _Identity, *, sure: bool
+    effect: EntityEffect,
+    kind: EntityKind,
+    text: str,
+    type_: str | None,
+    option: NameOption,
+    identity: _Identity,
+    *,
+    sure: bool,
 ) -> Entity:
     resolution = option.resolution
     depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
     if not option.text.startswith("/"):
-        resolution = max(resolution, identity.resolution if names.HOLE in text or resolution in _KNOWN else resolution, key=_ORDER.__getitem__)
+        resolution = max(
+            resolution,
+            identity.resolution if names.HOLE in text or resolution in _KNOWN else resolution,
+            key=_ORDER.__getitem__,
+        )
         depends = tuple(sorted({*depends, *identity.depends_on}))
         reasons = (*reasons, *identity.reasons)
     if resolution is Resolution.UNKNOWN and names.HOLE in text and text.strip("/*"):
@@ -225,7 +262,9 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
         enable_rosout=switch("enable_rosout", True) and parsed.rosout_logs is not False,
         start_parameter_services=switch("start_parameter_services", True),
         logger_service=switch("enable_logger_service", False),
-        use_sim_time=sim or switch("use_sim_time", False) or any(p.name == "use_sim_time" and p.value.value is True for p in parsed.parameters if hasattr(p, "name")),
+        use_sim_time=sim
+        or switch("use_sim_time", False)
+        or any(p.name == "use_sim_time" and p.value.value is True for p in parsed.parameters if hasattr(p, "name")),
         lifecycle=switch("lifecycle", False),
         lifecycle_services=switch("lifecycle_services", True),
     )
@@ -283,7 +322,9 @@ def _merged(nodes: list[Node]) -> list[Node]:
         if known is None:
             result[key] = node
         else:
-            merged = replace(known, entities=(*known.entities, *node.entities), parameters=_union(known.parameters, node.parameters))
+            merged = replace(
+                known, entities=(*known.entities, *node.entities), parameters=_union(known.parameters, node.parameters)
+            )
             result[key] = merged
     return list(result.values())
 
@@ -291,5 +332,3 @@ def _merged(nodes: list[Node]) -> list[Node]:
 def _union(left: tuple[Parameter, ...], right: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
     found = {p.name: p for p in (*right, *left)}
     return tuple(found[n] for n in sorted(found))
-
-

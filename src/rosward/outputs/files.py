@@ -19,7 +19,13 @@ from rosward.outputs.svg import graph_svg
 
 
 def write_outputs(
-    network: Network, folder: str, formats: Iterable[str], *, unknown: UnknownNames = "deny", system: bool = False, types: bool = False
+    network: Network,
+    folder: str,
+    formats: Iterable[str],
+    *,
+    unknown: UnknownNames = "deny",
+    system: bool = False,
+    types: bool = False,
 ) -> list[str]:
     """Write the chosen formats below `folder`; returns the paths written, without those of single enclaves.
 
@@ -36,7 +42,9 @@ def write_outputs(
     return written
 
 
-def _texts(network: Network, formats: tuple[str, ...], unknown: UnknownNames, system: bool, types: bool) -> Iterator[tuple[str, str]]:
+def _texts(
+    network: Network, formats: tuple[str, ...], unknown: UnknownNames, system: bool, types: bool
+) -> Iterator[tuple[str, str]]:
     if "json" in formats:
         yield "network.json", network_json(network)
     if "policy" in formats and network.nodes:

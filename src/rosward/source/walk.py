@@ -31,7 +31,8 @@ _TEST_FOLDERS: Final = frozenset({"test", "tests"})
 _TEST_FILE: Final = re.compile(r"test_.*\.py|.*_test\.py|conftest\.py")
 _PROGRAM: Final = re.compile(rb"^[ \t]*(?:from|import)[ \t]+rclpy\b", re.MULTILINE)
 _TESTING: Final = re.compile(
-    rb"^[ \t]*(?:(?:from|import)[ \t]+(?:pytest|unittest|launch_testing\w*|launch_pytest|ament_\w+\.main)\b|(?:async[ \t]+)?def[ \t]+test_)", re.MULTILINE
+    rb"^[ \t]*(?:(?:from|import)[ \t]+(?:pytest|unittest|launch_testing\w*|launch_pytest|ament_\w+\.main)\b|(?:async[ \t]+)?def[ \t]+test_)",
+    re.MULTILINE,
 )
 _TESTED_BYTES: Final = 1_000_000
 DESCRIPTIONS: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt"})

@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What each operation does to the state: one handler per operation, in a table by its class.
+
+A handler returns None where control goes on, and False where it does not (the path is dead, or has left by an exit).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.domain.choice import join, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
+from rosward.engine import attributes, calls, classes, control, equality, exceptions, items, modules
+from rosward.engine.frame import Frame
+from rosward.ir import ops
+from rosward.models.strings import format_value
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+Handler = Callable[["Interpreter", Any, Frame], bool | None]
+DEAD: Final = False
+
+
+def _const(machine: Interpreter, op: ops.Const, frame: Frame) -> None:
+    frame.registers[op.dst] = machine.library.constant(op)
+
+
+def _move(_machine: Interpreter, op: ops.Move, frame: Frame) -> None:
+    frame.registers[op.dst] = frame.registers[op.src]
+
+
+def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None:
+    found = machine.at(frame.module.address).attrs.get(op.name)
+    if found is None or found is UNBOUND:
+        frame.line, frame.column, frame.sequence = op.line, op.column, 0
+        found = modules.load_global(machine, frame.module, op.name)
+    frame.registers[op.dst] = found
+
+
+def _store_global(machine: Interpreter, op: ops.StoreGlobal, frame: Frame) -> None:
+    modules.store_global(machine, frame.module, op.name, frame.registers[op.src])
+
+
+def _load_name(machine: Interpreter, op: ops.LoadName, frame: Frame) -> None:
+    found = machine.at(frame.namespace).attrs.get(op.name) if frame.namespace >= 0 else None
+    if found is None and op.cell != ops.NO_REGISTER:
+        found = machine.at(frame.cells[op.cell]).attrs.get("value")
+    if found is None or found is UNBOUND:
+        found = machine.at(frame.module.address).attrs.get(op.name)
+    if found is None or found is UNBOUND:
+        frame.line, frame.column, frame.sequence = op.line, op.column, 0
+        found = modules.load_global(machine, frame.module, op.name)
+    frame.registers[op.dst] = found
+
+
+def _store_name(machine: Interpreter, op: ops.StoreName, frame: Frame) -> None:
+    machine.put(frame.namespace, machine.at(frame.namespace).with_attr(op.name, frame.registers[op.src]))
+
+
+def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> None:
+    found = machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND)
+    if found is UNBOUND:
+        frame.line, frame.column, frame.sequence = op.line, op.column, 0
+        found = machine.unknown(Cause.ERROR, "variable without a value")
+    frame.registers[op.dst] = found
+
+
+def _store_cell(machine: Interpreter, op: ops.StoreCell, frame: Frame) -> None:
+    ref = Ref(frame.cells[op.cell])
+    machine.update(ref, machine.obj(ref).with_attr("value", frame.registers[op.src]))
+
+
+def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    cell = machine.allocate(Obj("cell", NONE), op.cell)
+    cells = list(frame.cells)
+    cells[op.cell] = cell.address
+    frame.cells = tuple(cells)
+
+
+def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    if op.name in attributes.CREATING:
+        machine.reached.add(id(op))
+    value = attributes.load(machine, frame.registers[op.obj], op.name)
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    if op.narrowing:
+        attributes.narrow(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
+        return None
+    alive = attributes.store(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
+    return None if alive else DEAD
+
+
+def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    value = items.load(machine, frame.registers[op.obj], frame.registers[op.index])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    items.store(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
+
+
+def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    if op.kind == "local":
+        frame.registers[op.obj] = UNBOUND
+    elif op.kind == "global":
+        modules.store_global(machine, frame.module, op.name, UNBOUND)
+    elif op.kind == "item":
+        items.delete(machine, frame.registers[op.obj], frame.registers[op.index])
+    elif op.kind == "attr":
+        attributes.delete(machine, frame.registers[op.obj], op.name)
+
+
+def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    value = equality.unary(machine, op.operator, frame.registers[op.src])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    registers = frame.registers
+    value = equality.binary(machine, op.operator, registers[op.left], registers[op.right], inplace=op.inplace)
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _compare(machine: Interpreter, op: ops.Compare, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    value = equality.compare(machine, op.operator, frame.registers[op.left], frame.registers[op.right])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    registers = frame.registers
+    function = registers[op.func]
+    if op.simple is not None:
+        value = calls.call(machine, function, tuple([registers[r] for r in op.simple]), {})
+    else:
+        value = calls.call_with(machine, function, op.arguments, registers)
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+def _build(machine: Interpreter, op: ops.Build, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.registers[op.dst] = items.build(machine, op, frame)
+
+
+def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    registers = frame.registers
+    known: list[Value] = []
+    for part in op.parts:
+        if isinstance(part, str):
+            known.append(Const(part))
+            continue
+        register, conversion, spec = part
+        spec_value = registers[spec] if spec != ops.NO_REGISTER else None
+        known.append(format_value(machine, registers[register], conversion, spec_value))
+    frame.registers[op.dst] = equality.join_texts(known)
+
+
+def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> None:
+    registers = frame.registers
+    frame.registers[op.dst] = Function(
+        op.code,
+        frame.module,
+        tuple([frame.cells[c] for c in op.captures]),
+        tuple([registers[r] for r in op.defaults]),
+        tuple([(name, registers[r]) for name, r in op.kwdefaults]),
+    )
+    machine.log.seen(op.code, stub=frame.stub)
+
+
+def _make_class(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.registers[op.dst] = classes.make(machine, op, frame)
+
+
+def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.registers[op.dst] = modules.import_module(machine, op, frame)
+
+
+def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.registers[op.dst] = modules.import_from(machine, op, frame)
+
+
+def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    modules.import_star(machine, op, frame)
+
+
+def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    items.unpack(machine, op, frame)
+
+
+def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    arguments = [frame.registers[r] for r in op.arguments]
+    if op.name == "slice":
+        frame.registers[op.dst] = Slice(arguments[0], arguments[1], arguments[2])
+    else:
+        frame.registers[op.dst] = items.intrinsic(machine, op.name, arguments, frame)
+
+
+def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
+    value = frame.registers[op.src]
+    if value.__class__ is not Choice and op.test != "true":
+        frame.registers[op.dst] = value
+        return None
+    other = frame.registers[op.other] if op.other != ops.NO_REGISTER else None
+    kept: list[Value] = [o for o in options(value) if equality.may(machine, o, op.test, other, op.sense)]
+    if not kept:
+        return DEAD if value.__class__ is Choice else None
+    frame.registers[op.dst] = equality.join_all(kept)
+    return None
+
+
+def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    value = frame.registers[op.src]
+    known, rest = ((value,), None) if not op.many else machine.iterate(value)
+    if frame.uncertain or frame.yield_rest is not UNBOUND or len(frame.yields) > machine.budget.items:
+        for item in known:
+            frame.yield_rest = join(frame.yield_rest, item)
+    else:
+        frame.yields.extend(known)
+    if rest is not None:
+        frame.yield_rest = join(frame.yield_rest, rest)
+    frame.registers[op.dst] = machine.unknown(Cause.CALL, "send")
+
+
+def _await(machine: Interpreter, op: ops.Await, frame: Frame) -> bool | None:
+    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    value = calls.wait_for(machine, frame.registers[op.src])
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
+
+
+HANDLERS: Final[dict[type[ops.Op], Handler]] = {
+    ops.Const: _const,
+    ops.Move: _move,
+    ops.LoadGlobal: _load_global,
+    ops.StoreGlobal: _store_global,
+    ops.LoadName: _load_name,
+    ops.StoreName: _store_name,
+    ops.LoadCell: _load_cell,
+    ops.StoreCell: _store_cell,
+    ops.NewCell: _new_cell,
+    ops.LoadAttr: _load_attr,
+    ops.StoreAttr: _store_attr,
+    ops.LoadItem: _load_item,
+    ops.StoreItem: _store_item,
+    ops.Delete: _delete,
+    ops.Unary: _unary,
+    ops.Binary: _binary,
+    ops.Compare: _compare,
+    ops.Call: _call,
+    ops.Build: _build,
+    ops.Format: _format,
+    ops.MakeFunction: _make_function,
+    ops.MakeClass: _make_class,
+    ops.Import: _import,
+    ops.ImportFrom: _import_from,
+    ops.ImportStar: _import_star,
+    ops.Unpack: _unpack,
+    ops.Intrinsic: _intrinsic,
+    ops.Assume: _assume,
+    ops.Yield: _yield,
+    ops.Await: _await,
+    ops.If: control.branch,
+    ops.While: control.loop,
+    ops.ForEach: control.for_each,
+    ops.Try: exceptions.attempt,
+    ops.With: exceptions.with_context,
+    ops.Return: control.leave,
+    ops.Raise: exceptions.raise_,
+    ops.Break: control.break_,
+    ops.Continue: control.continue_,
+}

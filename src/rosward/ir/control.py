@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The operations that hold blocks, or leave one: branches, loops, try, with, return, raise, break, continue."""
+
+from __future__ import annotations
+
+from typing import final
+
+from rosward.ir.simple import Block, Op
+
+
+@final
+class If(Op):
+    """Run `then` where register test is true, else `orelse`."""
+
+    __slots__ = ("orelse", "test", "then")
+
+    def __init__(self, line: int, column: int, test: int, then: Block, orelse: Block) -> None:
+        super().__init__(line, column)
+        self.test = test
+        self.then = then
+        self.orelse = orelse
+
+
+@final
+class While(Op):
+    """Run `condition`, and while register test is true `body`; `orelse` when it ends without break."""
+
+    __slots__ = ("body", "condition", "orelse", "test")
+
+    def __init__(self, line: int, column: int, condition: Block, test: int, body: Block, orelse: Block) -> None:
+        super().__init__(line, column)
+        self.condition = condition
+        self.test = test
+        self.body = body
+        self.orelse = orelse
+
+
+@final
+class ForEach(Op):
+    """For each item of register iterable: write it to register item, run `body`; `orelse` when it ends without break."""
+
+    __slots__ = ("body", "is_async", "item", "iterable", "orelse")
+
+    def __init__(
+        self, line: int, column: int, item: int, iterable: int, body: Block, orelse: Block, is_async: bool = False
+    ) -> None:
+        super().__init__(line, column)
+        self.item = item
+        self.iterable = iterable
+        self.body = body
+        self.orelse = orelse
+        self.is_async = is_async
+
+
+@final
+class Handler:
+    """One `except`: `match` computes the exception class into `type` (NO_REGISTER: catches all); the exception goes to register bind."""
+
+    __slots__ = ("bind", "body", "match", "type")
+
+    def __init__(self, match: Block, type_: int, bind: int, body: Block) -> None:
+        self.match = match
+        self.type = type_
+        self.bind = bind
+        self.body = body
+
+
+@final
+class Try(Op):
+    """try / except / else / finally; `star` for `except*`, where several handlers may run, each with a group of exceptions."""
+
+    __slots__ = ("body", "final", "handlers", "orelse", "star")
+
+    def __init__(
+        self,
+        line: int,
+        column: int,
+        body: Block,
+        handlers: tuple[Handler, ...],
+        orelse: Block,
+        final_: Block,
+        star: bool = False,
+    ) -> None:
+        super().__init__(line, column)
+        self.star = star
+        self.body = body
+        self.handlers = handlers
+        self.orelse = orelse
+        self.final = final_
+
+
+@final
+class With(Op):
+    """Enter the context manager in register context (result to register bind, or NO_REGISTER), run body, leave it."""
+
+    __slots__ = ("bind", "body", "context", "is_async")
+
+    def __init__(self, line: int, column: int, context: int, bind: int, body: Block, is_async: bool = False) -> None:
+        super().__init__(line, column)
+        self.context = context
+        self.bind = bind
+        self.body = body
+        self.is_async = is_async
+
+
+@final
+class Return(Op):
+    """Leave the function with register src."""
+
+    __slots__ = ("src",)
+
+    def __init__(self, line: int, column: int, src: int) -> None:
+        super().__init__(line, column)
+        self.src = src
+
+
+@final
+class Raise(Op):
+    """raise src (NO_REGISTER: again)."""
+
+    __slots__ = ("src",)
+
+    def __init__(self, line: int, column: int, src: int) -> None:
+        super().__init__(line, column)
+        self.src = src
+
+
+@final
+class Break(Op):
+    """Leave the innermost loop."""
+
+    __slots__ = ()
+
+
+@final
+class Continue(Op):
+    """Go on with the next turn of the innermost loop."""
+
+    __slots__ = ()
