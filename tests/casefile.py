@@ -111,9 +111,8 @@ def rewrite(file: Path, results: dict[str, list[str]]) -> None:
         if title in results:
             block = "```expect\n" + "".join(f"{line}\n" for line in results[title]) + "```"
             if "```expect" in section:
-                sections[number] = re.sub(
-                    r"^```expect\n.*?^```$", lambda _: block, section, flags=re.MULTILINE | re.DOTALL
-                )  # noqa: B023
+                old = re.compile(r"^```expect\n.*?^```$", re.MULTILINE | re.DOTALL)
+                sections[number] = old.sub(block.replace("\\", "\\\\"), section)
             else:
                 sections[number] = section.rstrip("\n") + "\n" + block + "\n\n"
     file.write_text(head + "".join(sections), encoding="utf-8")

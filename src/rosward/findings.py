@@ -54,7 +54,7 @@ _TABLE: Final = (
         "The entry point names a module or function that is not among the sources.",
     ),
     # Names and types
-    Rule("RW101", "unknown name", _E, "Supply the value that is missing: a default, a parameter file, an argument."),
+    Rule("RW101", "unknown name", _E, "Give the value that is missing a default in the source."),
     Rule("RW102", "partly known name", _W, "Supply the missing part, or accept the wildcard in the policy."),
     Rule("RW103", "invalid name", _E, "rcl rejects this name: the call fails when it runs."),
     Rule("RW104", "unknown type", _W, "Import the interface type directly, so that it can be named."),
@@ -62,7 +62,7 @@ _TABLE: Final = (
         "RW105",
         "unknown node name",
         _E,
-        "Give the node a name in the source, or start it by a launch file that names it.",
+        "Give the node a name in the source, or a default to what it is made of.",
     ),
     # Analysis
     Rule("RW201", "limit reached", _E, "The analysis stopped early here: the result lacks what comes after."),
@@ -103,7 +103,7 @@ _TABLE: Final = (
         "RW211",
         "use_sim_time can be switched on",
         _N,
-        "Set use_sim_time for the analysis if the system runs on simulated time.",
+        "If the system runs on simulated time, set use_sim_time in the source.",
     ),
     # System and policy
     Rule(
@@ -122,7 +122,7 @@ _TABLE: Final = (
         "RW303",
         "enclave path too long",
         _W,
-        "A certificate cannot hold a path of more than 64 characters: choose an enclave by --enclave.",
+        "A certificate cannot hold a path of more than 64 characters: choose a shorter one when you start the process.",
     ),
     Rule(
         "RW304",

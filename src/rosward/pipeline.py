@@ -155,7 +155,8 @@ def _run_all(library: Library, sources: SourceTree, plan: Plan, budget: Budget, 
         if module is not None and not any(id(module.code) in r.entered for r in runs):
             runs.append(run(library, plan.for_file(file), budget))
     for file, names in node_classes(runs, library.node_class(None)).items():
-        runs.append(run(library, plan.for_classes(file, tuple(names)), budget))
+        for name in names:  # nothing says that two of them share a process
+            runs.append(run(library, plan.for_class(file, name, alone=len(names) == 1), budget))
     return runs
 
 

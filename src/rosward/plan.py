@@ -32,9 +32,10 @@ class Plan(NamedTuple):
         """The process that runs a file that nothing else does."""
         return _entry(self.files.get(file), file, probe=True)
 
-    def for_classes(self, file: str, names: tuple[str, ...]) -> Entry:
-        """The process that instantiates node classes of a file that nothing else does."""
-        return _entry(self.files.get(file), file, classes=names)
+    def for_class(self, file: str, name: str, *, alone: bool) -> Entry:
+        """The process that instantiates a node class that nothing else does; named after it where the file has several."""
+        entry = _entry(self.files.get(file), file, classes=(name,))
+        return entry if alone else entry._replace(label=f"{entry.label}:{name}")
 
 
 def _entry(source: SourceFile | None, file: str, *, classes: tuple[str, ...] = (), probe: bool = False) -> Entry:

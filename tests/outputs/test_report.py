@@ -56,7 +56,7 @@ def test_everything_is_in_it() -> None:
         "rate",
         "RW101 unknown name",
         "sys.argv[1] is not known",
-        "Supply the value that is missing",
+        "Give the value that is missing",
         "<topic>/robot1/chatter</topic>  <!-- src/demo/demo/node.py:20 -->",
         "of which 14 system",
     ):

@@ -35,7 +35,7 @@ rosward read 2 files (120 lines) for jazzy: 2 nodes in 2 processes.
 
 error RW101 unknown name: 1
   src/demo/demo/node.py:60  publisher of node /robot1/listener: sys.argv[1] is not known (main.py:3)
-  Supply the value that is missing: a default, a parameter file, an argument.
+  Give the value that is missing a default in the source.
 
 warning RW102 partly known name: 1
   src/demo/demo/node.py:31  publisher /robot_*/cmd_vel: parameter 'robot_id' has no default

@@ -132,7 +132,7 @@ class _Record(Value):
     __slots__ = ()
 
     def __eq__(self, other: object) -> bool:
-        return self.__class__ is other.__class__ and tuple.__eq__(self, other)
+        return self.__class__ is other.__class__ and tuple.__eq__(self, other)  # type: ignore[operator]
 
     def __ne__(self, other: object) -> bool:
         return not self == other

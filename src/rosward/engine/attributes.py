@@ -34,6 +34,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.engine import modules
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -53,8 +54,6 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     if cls is Ref:
         return _of_object(machine, value, name)  # type: ignore[arg-type]
     if cls is ModuleValue:
-        from rosward.engine import modules
-
         return modules.attribute(machine, value, name)  # type: ignore[arg-type]
     if cls is Class:
         return _of_class(machine, value, name)  # type: ignore[arg-type]
@@ -163,9 +162,7 @@ def bind(machine: Interpreter, found: Value, receiver: Value, cls: Value) -> Val
             return found.getter  # type: ignore[attr-defined,no-any-return]
         if found.kind == "classmethod":  # type: ignore[attr-defined]
             return BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
-        from rosward.engine import calls
-
-        return calls.call(machine, found.getter, (receiver,), {})  # type: ignore[attr-defined]
+        return machine.call(found.getter, (receiver,))  # type: ignore[attr-defined]
     if kind is Choice:
         return join_all(bind(machine, o, receiver, cls) for o in found.options)  # type: ignore[attr-defined]
     if kind is Partial and found.function.__class__ is Native:  # type: ignore[attr-defined]
@@ -174,9 +171,7 @@ def bind(machine: Interpreter, found: Value, receiver: Value, cls: Value) -> Val
         obj = machine.obj(found)  # type: ignore[arg-type]
         getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
         if getter is not None:
-            from rosward.engine import calls
-
-            return calls.call(machine, getter, (found, receiver, cls), {})
+            return machine.call(getter, (found, receiver, cls))
     return found
 
 
@@ -208,9 +203,7 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
         return table
     fallback = lookup(machine, cls, "__getattr__")
     if fallback is not None:
-        from rosward.engine import calls
-
-        return calls.call(machine, fallback, (ref, Const(name)), {})
+        return machine.call(fallback, (ref, Const(name)))
     return _missing(machine, ref, cls, name)
 
 
@@ -354,22 +347,16 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     in_class = lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         if in_class.setter is not None:
-            from rosward.engine import calls
-
-            return calls.call(machine, in_class.setter, (ref, value), {}) is not UNBOUND
+            return machine.call(in_class.setter, (ref, value)) is not UNBOUND
         if not obj.many:
             cls = obj.cls.name if obj.cls.__class__ is Class else ""
             machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
-            from rosward.engine.exceptions import throw
-
-            throw(machine, Native("builtins.AttributeError"), name)
+            machine.throw(Native("builtins.AttributeError"))
             return False
         return True
     hook = lookup(machine, obj.cls, "__setattr__") if obj.kind == "instance" else None
     if hook is not None and hook.__class__ is Function:
-        from rosward.engine import calls
-
-        calls.call(machine, hook, (ref, Const(name), value), {})
+        machine.call(hook, (ref, Const(name), value))
         return True
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):

@@ -39,7 +39,6 @@ from rosward.engine.budget import LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import State, join_states
 from rosward.ir.ops import Argument
-from rosward.ir.program import Code
 from rosward.models.native import Items, NativeCall
 
 if TYPE_CHECKING:
@@ -213,10 +212,8 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
     if short == "super":
         return _super(machine, args)
     if "." not in short:
-        from rosward.engine.exceptions import exception_object, is_exception
-
-        if is_exception(short):
-            return exception_object(machine, Native(name), args)
+        if classes.is_exception(short):
+            return classes.exception_object(machine, Native(name), args)
     if short == "object" or name.startswith("object."):
         return _object_method(machine, short, args)
     if short.startswith("descriptor."):
@@ -329,7 +326,7 @@ def _run_body(
         )
     full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
     frame = Frame(code, full, (), function.module, context, declared.is_model(function))
-    frame.cells = (*new_cells(machine, code, context), *function.cells)
+    frame.cells = (*machine.new_cells(code, context), *function.cells)
     if caller is not None:
         frame.uncertain = 0
     machine.frames.append(frame)
@@ -350,11 +347,6 @@ def _run_body(
         return UNBOUND, items
     machine.state = frame.exits.returned.state
     return frame.exits.value, items
-
-
-def new_cells(machine: Interpreter, code: Code, context: int) -> list[int]:
-    """Fresh cells for the captured variables of a code body."""
-    return [machine.place_at(("cell", context, id(code), n), Obj("cell", NONE)) for n in range(len(code.cells))]
 
 
 def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
@@ -415,7 +407,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
     return summary.value
 
 
-def run_generator(machine: Interpreter, ref: Ref, obj: Obj) -> tuple[Items, Value]:
+def run_generator(machine: Interpreter, obj: Obj) -> tuple[Items, Value]:
     """Run a suspended generator or coroutine to its end: what it yields, and what it returns."""
     if obj.payload is None:
         return Items(()), NONE
@@ -438,7 +430,7 @@ def wait_for(machine: Interpreter, value: Value) -> Value:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":
-            return run_generator(machine, value, obj)[1]
+            return run_generator(machine, obj)[1]
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:
@@ -455,7 +447,7 @@ def escape(machine: Interpreter, values: Iterable[Value], library: str, depth: i
             if kind in (Const, Text, Unknown, External, Native, ModuleValue):
                 continue
             if kind in (Function, BoundMethod, Partial):
-                if not _is_library(machine, option):
+                if not _is_library(option):
                     machine.schedule_book.add(machine, option, None, "call by a library")
             elif kind is Tuple and depth < 3:
                 escape(machine, option.items, library, depth + 1)  # type: ignore[attr-defined]
@@ -463,7 +455,7 @@ def escape(machine: Interpreter, values: Iterable[Value], library: str, depth: i
                 _escape_object(machine, option, library, depth)  # type: ignore[arg-type]
 
 
-def _is_library(machine: Interpreter, value: Value) -> bool:
+def _is_library(value: Value) -> bool:
     while value.__class__ in (BoundMethod, Partial):
         value = value.function
     return value.__class__ is not Function or declared.is_model(value)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import builtins
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
@@ -26,7 +27,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls
+from rosward.engine import attributes
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
@@ -54,7 +55,7 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     body = Frame(code, [UNBOUND] * code.registers, (), frame.module, frame.context, frame.stub)
     captured = tuple([frame.cells[c] for c in op.captures])
     body.cells = (
-        *calls.new_cells(machine, code, machine.context(frame.context, op.line, op.column, "class")),
+        *machine.new_cells(code, machine.context(frame.context, op.line, op.column, "class")),
         *captured,
     )
     body.namespace = address
@@ -71,7 +72,7 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
         hook = attributes.lookup(machine, base, "__init_subclass__")
         if hook is not None:
             function = hook.getter if hook.__class__ is Descriptor else hook
-            calls.call(machine, BoundMethod(cls, function), (), keywords)
+            machine.call(BoundMethod(cls, function), (), keywords)
             break
     return cls
 
@@ -156,7 +157,7 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
     maker = attributes.lookup(machine, cls, "__new__")
     if maker is not None and maker.__class__ in (Function, Descriptor):
         function = maker.getter if maker.__class__ is Descriptor else maker
-        made = calls.call(machine, function, (cls, *args), keywords)
+        made = machine.call(function, (cls, *args), keywords)
         machine.instantiated.add(cls.place)
         initialised: list[Value] = []
         for option in options(made):
@@ -187,9 +188,9 @@ def _initialise(
         if base.__class__ is Class:
             found = machine.at(base.address).attrs.get("__init__")
             if found is not None and found is not UNBOUND:
-                return calls.call(machine, BoundMethod(ref, found), args, keywords)
+                return machine.call(BoundMethod(ref, found), args, keywords)
         elif base.__class__ in (External, Unknown):
-            calls.escape(machine, (*args, *keywords.values()), getattr(base, "name", ""))
+            machine.escape((*args, *keywords.values()), getattr(base, "name", ""))
             return ref
     return ref
 
@@ -252,13 +253,11 @@ def is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
         if True in natives:
             return True
         return None if any(b.__class__ in (External, Unknown) for b in cls.mro) or None in natives else False
-    return None if wanted.__class__ is not Native else (None if cls.__class__ is not External else None)
+    return None
 
 
 def _native_subclass(name: str, wanted: Value) -> bool | None:
     """The order of builtin classes, asked of Python itself (exceptions, bool of int)."""
-    import builtins
-
     if wanted.__class__ is not Native:
         return None if wanted.__class__ is External else False
     ours = getattr(builtins, name.removeprefix("builtins."), None)
@@ -266,3 +265,14 @@ def _native_subclass(name: str, wanted: Value) -> bool | None:
     if isinstance(ours, type) and isinstance(theirs, type):
         return issubclass(ours, theirs)
     return None
+
+
+def exception_object(machine: Interpreter, cls: Value, args: tuple[Value, ...]) -> Value:
+    """An instance of a builtin or external exception class."""
+    return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}))
+
+
+def is_exception(name: str) -> bool:
+    """Whether a name of `builtins` is an exception class."""
+    found = getattr(builtins, name, None)
+    return isinstance(found, type) and issubclass(found, BaseException)

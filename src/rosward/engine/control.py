@@ -15,22 +15,12 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Value
 from rosward.engine.equality import truth
 from rosward.engine.exceptions import note
-from rosward.engine.frame import Frame, Snapshot
-from rosward.engine.state import Merge, join_registers, join_states
+from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.ir import ops
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
-
-
-def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
-    """Join a snapshot (used up) into another of the same frame."""
-    if target is None:
-        return snapshot
-    registers = join_registers(target.registers, snapshot.registers, merge)
-    state = join_states(target.state, snapshot.state, machine.fresh_version, merge)
-    return Snapshot(registers, state)
 
 
 def branch(machine: Interpreter, op: ops.If, frame: Frame) -> bool | None:

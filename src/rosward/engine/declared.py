@@ -10,7 +10,8 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Function, Native, Tuple, Unknown, Value
-from rosward.engine import calls, modules
+from rosward.engine import modules
+from rosward.models.ros_effects import perform
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -31,8 +32,8 @@ def apply(machine: Interpreter, function: Function, registers: list[Value]) -> V
         assert isinstance(spec, Tuple)
         kind = spec.items[0]
         if kind == Const("native"):
-            return calls.call_native(machine, f"{function.module.name}.{function.code.qualname}", tuple(registers), {})
-        machine.log.declared(machine, function, spec, named)
+            return machine.call(Native(f"{function.module.name}.{function.code.qualname}"), tuple(registers))
+        perform(machine, spec, named)
     return None
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, join_all, options
+from rosward.domain.choice import join, join_all, lift2, options
 from rosward.domain.heap import Obj
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause
@@ -26,7 +26,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls
+from rosward.engine import attributes
 from rosward.models import operators
 
 if TYPE_CHECKING:
@@ -47,8 +47,6 @@ def join_texts(values: list[Value]) -> Value:
     """The concatenation of texts, for each combination of alternatives (bounded)."""
     if not any(v.__class__ is Choice for v in values):
         return concat(values)
-    from rosward.domain.choice import lift2
-
     result: Value = Const("")
     for value in values:
         result = lift2(lambda a, b: concat((a, b)), result, value)
@@ -73,19 +71,19 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
         if inplace:
             method = _special(machine, left, f"__i{name}__")
             if method is not None:
-                return calls.call(machine, method, (right,), {})
+                return machine.call(method, (right,))
             if operator == "+" and left.__class__ is Ref and machine.obj(left).kind == "list":
-                calls.call(machine, BoundMethod(left, Native("list.extend")), (right,), {})
+                machine.call(BoundMethod(left, Native("list.extend")), (right,))
                 return left
             if operator == "|" and left.__class__ is Ref and machine.obj(left).kind in ("dict", "set"):
-                calls.call(machine, attributes.load(machine, left, "update"), (right,), {})
+                machine.call(attributes.load(machine, left, "update"), (right,))
                 return left
         method = _special(machine, left, f"__{name}__")
         if method is not None:
-            return calls.call(machine, method, (right,), {})
+            return machine.call(method, (right,))
         method = _special(machine, right, f"__r{name}__")
         if method is not None:
-            return calls.call(machine, method, (left,), {})
+            return machine.call(method, (left,))
         if _is_instance_object(machine, left) or _is_instance_object(machine, right):
             return machine.unknown(Cause.OPERATION, operator)
     return operators.binary(machine, operator, left, right)
@@ -103,7 +101,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
     if name is not None and (left.__class__ is Ref or right.__class__ is Ref):
         method = _special(machine, left, f"__{name}__")
         if method is not None:
-            return calls.call(machine, method, (right,), {})
+            return machine.call(method, (right,))
         if operator in ("==", "!=") and _same(machine, left, right) is not None and not _plain(machine, left):
             same = _same(machine, left, right)
             if same or (_by_identity(machine, left) and _by_identity(machine, right)):
@@ -112,7 +110,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
     if operator in ("in", "not-in"):
         method = _special(machine, right, "__contains__")
         if method is not None:
-            answer = truth(machine, calls.call(machine, method, (left,), {}))
+            answer = truth(machine, machine.call(method, (left,)))
             if answer is None:
                 return machine.unknown(Cause.OPERATION, operator, "bool")
             return TRUE if answer is (operator == "in") else FALSE
@@ -171,7 +169,7 @@ def unary(machine: Interpreter, operator: str, value: Value) -> Value:
         return FALSE if decided else TRUE
     method = _special(machine, value, f"__{_UNARY[operator]}__")
     if method is not None:
-        return calls.call(machine, method, (), {})
+        return machine.call(method, ())
     return operators.unary(machine, operator, value)
 
 
@@ -191,7 +189,7 @@ def truth(machine: Interpreter, value: Value) -> bool | None:
             for name in ("__bool__", "__len__"):
                 method = _special(machine, value, name)
                 if method is not None:
-                    answer = calls.call(machine, method, (), {})
+                    answer = machine.call(method, ())
                     return None if answer is value else truth(machine, answer)
             return True if obj.cls.__class__ is Class and not has_unknown_base(obj.cls) else None
     if value is UNBOUND:

@@ -13,7 +13,8 @@ from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Tuple, Unknown, Value
-from rosward.engine.frame import Exits, Frame, Snapshot
+from rosward.engine.classes import is_subclass, type_of
+from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.state import State, join_objects, join_registers, join_states
 from rosward.ir import ops
 
@@ -100,7 +101,7 @@ def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
     return True
 
 
-def throw(machine: Interpreter, exception: Value, message: str = "") -> None:
+def throw(machine: Interpreter, exception: Value) -> None:
     """An exception is raised here for sure."""
     machine.raised += 1
     if machine.catchers:
@@ -108,7 +109,7 @@ def throw(machine: Interpreter, exception: Value, message: str = "") -> None:
         catcher.note()
         catcher.raised = join(catcher.raised, exception)
     else:
-        machine.log.ends_early(machine, exception, message)
+        machine.log.ends_early(machine)
 
 
 def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
@@ -123,8 +124,6 @@ def _may_catch(machine: Interpreter, exception: Value, wanted: Value | None) -> 
     """Whether a handler for `wanted` catches; None where it may."""
     if wanted is None:
         return True
-    from rosward.engine.classes import is_subclass, type_of
-
     answers: set[bool | None] = set()
     for each in options(exception):
         cls = each if each.__class__ is Native else type_of(machine, each)
@@ -152,8 +151,6 @@ def _finally(
     machine: Interpreter, block: ops.Block, frame: Frame, inner: Exits, catcher: Catcher, alive: bool
 ) -> bool | None:
     """Run `block` on each way out of the statement, and let each go on where it went."""
-    from rosward.engine.control import join_into
-
     outer = frame.exits
     after: Snapshot | None = None
     if alive and machine.run(block, frame):
@@ -185,8 +182,6 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
     """The body under its handlers, then the handlers, then `else`."""
     if not op.handlers:
         return (machine.run(op.body, frame) and machine.run(op.orelse, frame)) or False
-    from rosward.engine.control import join_into
-
     catcher = Catcher(machine, frame)
     catchers = machine.catchers
     machine.catchers = [*catchers, catcher]
@@ -259,14 +254,11 @@ def _bound(machine: Interpreter, raised: Value, wanted: Value | None) -> Value:
 
 def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | None:
     """`with`: __enter__, the body, __exit__ on each way out."""
-    from rosward.engine import calls
-    from rosward.engine.control import join_into
-
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
     context = frame.registers[op.context]
     prefix = "__a" if op.is_async else "__"
-    entered = calls.call_method(machine, context, f"{prefix}enter__", ())
-    entered = calls.wait_for(machine, entered) if op.is_async else entered
+    entered = machine.call_method(context, f"{prefix}enter__", ())
+    entered = machine.wait_for(entered) if op.is_async else entered
     if entered is UNBOUND:
         return False
     if op.bind != ops.NO_REGISTER:
@@ -283,7 +275,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
 
     def leave(snapshot: Snapshot) -> Value:
         machine.resume(frame, snapshot)
-        return calls.call_method(machine, context, f"{prefix}exit__", (NONE, NONE, NONE))
+        return machine.call_method(context, f"{prefix}exit__", (NONE, NONE, NONE))
 
     after: Snapshot | None = None
     if alive and leave(Snapshot(frame.registers, machine.state)) is not UNBOUND:
@@ -308,21 +300,3 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
         return False
     machine.resume(frame, after)
     return None
-
-
-def exception_object(machine: Interpreter, cls: Value, args: tuple[Value, ...]) -> Value:
-    """An instance of a builtin or external exception class."""
-    return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}))
-
-
-def is_exception(name: str) -> bool:
-    """Whether a name of `builtins` is an exception class."""
-    import builtins
-
-    found = getattr(builtins, name, None)
-    return isinstance(found, type) and issubclass(found, BaseException)
-
-
-def external_exception(value: Value) -> bool:
-    """Whether an external name looks like an exception class."""
-    return value.__class__ is External and value.name.rpartition(".")[2].endswith(("Error", "Exception"))

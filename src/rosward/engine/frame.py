@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
-from typing import final
+from typing import TYPE_CHECKING, final
 
+from rosward.domain.choice import join
 from rosward.domain.values import UNBOUND, ModuleValue, Value
-from rosward.engine.state import State
+from rosward.engine.state import Merge, State, join_registers, join_states
 from rosward.ir.program import Code
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
 
 
 @final
@@ -19,6 +23,15 @@ class Snapshot:
     def __init__(self, registers: list[Value], state: State) -> None:
         self.registers = registers
         self.state = state
+
+
+def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
+    """Join a snapshot (used up) into another of the same frame."""
+    if target is None:
+        return snapshot
+    registers = join_registers(target.registers, snapshot.registers, merge)
+    state = join_states(target.state, snapshot.state, machine.fresh_version, merge)
+    return Snapshot(registers, state)
 
 
 @final

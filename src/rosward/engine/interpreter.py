@@ -14,6 +14,7 @@ from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
+    NONE,
     UNBOUND,
     Native,
     Ref,
@@ -32,6 +33,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.library import Library
+    from rosward.ir.program import Code
     from rosward.models.effects import EffectLog
     from rosward.models.native import Items
 
@@ -201,6 +203,22 @@ class Interpreter:
         """Call a value."""
         return calls.call(self, function, tuple(args), dict(keywords) if keywords else {})
 
+    def call_method(self, value: Value, name: str, args: tuple[Value, ...]) -> Value:
+        """value.name(*args)."""
+        return calls.call_method(self, value, name, args)
+
+    def wait_for(self, value: Value) -> Value:
+        """`await value`."""
+        return calls.wait_for(self, value)
+
+    def throw(self, exception: Value) -> None:
+        """An exception is raised here for sure."""
+        exceptions.throw(self, exception)
+
+    def new_cells(self, code: Code, context: int) -> list[int]:
+        """Fresh cells for the captured variables of a code body."""
+        return [self.place_at(("cell", context, id(code), n), Obj("cell", NONE)) for n in range(len(code.cells))]
+
     def load_attr(self, value: Value, name: str) -> Value:
         """value.name."""
         return attributes.load(self, value, name)
@@ -268,7 +286,7 @@ class Interpreter:
         if error not in ("SystemExit", "StopIteration"):
             exceptions.note(self)
             return self.unknown(Cause.ERROR, f"{error}: {message}")
-        exceptions.throw(self, Native(f"builtins.{error}"), message)
+        exceptions.throw(self, Native(f"builtins.{error}"))
         return UNBOUND
 
     @property

@@ -26,6 +26,7 @@ from rosward.domain.values import (
 )
 from rosward.engine import attributes, calls, classes
 from rosward.engine.frame import Frame
+from rosward.engine.state import element
 from rosward.ir import ops
 from rosward.models import operators
 from rosward.models.native import Items
@@ -132,7 +133,7 @@ def iterate(machine: Interpreter, value: Value) -> Items:
     if cls is Ref:
         obj = machine.obj(value)  # type: ignore[arg-type]
         if obj.kind == "generator":
-            return calls.run_generator(machine, value, obj)[0]  # type: ignore[arg-type]
+            return calls.run_generator(machine, obj)[0]
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
     if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
@@ -236,8 +237,6 @@ def _append(machine: Interpreter, target: Value, value: Value) -> None:
         return
     obj: Obj = machine.obj(target)
     if obj.items is None or len(obj.items) >= machine.budget.items:
-        from rosward.engine.state import element
-
         before = element(obj)
         rest = value if before is None else join(before, value)
         if obj.items is not None or rest != obj.rest:

@@ -57,10 +57,10 @@ def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
     taken = {n: attribute(machine, module, n) for n in names if n != _STARS}
     here = machine.at(frame.module.address)
     attrs = {**here.attrs, **taken}
-    stars = record.attrs.get(_STARS)
-    if isinstance(stars, Tuple):
+    theirs = record.attrs.get(_STARS)
+    if isinstance(theirs, Tuple):
         before = here.attrs.get(_STARS)
-        attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *stars.items))
+        attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *theirs.items))
     machine.put(frame.module.address, here.replace(attrs=attrs))
 
 
@@ -113,9 +113,7 @@ def run_module(machine: Interpreter, module: ModuleValue, name: str) -> bool:
     code = lowered.code
     context = machine.context("module", module.file)
     frame = Frame(code, [UNBOUND] * code.registers, (), module, context, machine.library.is_model_file(code.file))
-    from rosward.engine import calls
-
-    frame.cells = tuple(calls.new_cells(machine, code, context))
+    frame.cells = tuple(machine.new_cells(code, context))
     frames, machine.frames = machine.frames, [frame]
     machine.entered.add(id(code))
     try:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join, widen
+from rosward.domain.choice import join, options, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Function, Partial, Ref, Unknown, Value
 from rosward.engine.binding import ANY
@@ -55,8 +55,6 @@ class Schedule:
 
     def add(self, machine: Interpreter, callback: Value, args: tuple[Value, ...] | None, event: str) -> None:
         """Register a callback."""
-        from rosward.domain.choice import options
-
         for option in options(callback):
             key = (option, args)
             if key not in self.entries and option.__class__ is not Unknown:

@@ -51,7 +51,8 @@ class Parameters:
 class Code:
     """One body: of a module, a function (lambda, coroutine, generator) or a class.
 
-    `cells` are the names of the variables that inner functions capture; where one is a parameter, the body begins by storing the register into the cell.
+    `cells` are the names of the variables that inner functions capture; where one is a parameter, the body begins by
+    storing the register into the cell.
     `free` are the names captured from outside, in the order of `captures` of the operation that makes the function or class.
     Cell numbers count `cells` first, then `free`. `__class__` is a free cell of each method in which `super()` without
     arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple, final
 
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, External, Function, Ref, Tuple, Value
+from rosward.domain.values import UNBOUND, Class, External, Ref, Value
 from rosward.findings import Finding
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
@@ -117,12 +117,6 @@ class EffectLog:
         cls = machine.obj(ref).cls
         self.add_node(machine, NodeEffect(ref.address, unknown, UNBOUND, (), (), (), cls, machine.place, False, True))
 
-    def declared(self, machine: Interpreter, function: Function, spec: Tuple, named: dict[str, Value]) -> None:
-        """An effect that a model declares by a decorator."""
-        from rosward.models.ros_effects import perform
-
-        perform(machine, function, spec, named)
-
     def decorated(self, machine: Interpreter, library: str) -> None:
         """A function went through a decorator that is not known: nothing to tell, since it was scheduled."""
 
@@ -141,7 +135,7 @@ class EffectLog:
         if not machine.schedule_book.running:
             self._end(machine)
 
-    def ends_early(self, machine: Interpreter, exception: Value, message: str) -> None:
+    def ends_early(self, machine: Interpreter) -> None:
         """An exception that nothing catches ends the program here."""
         if machine.schedule_book.running:
             return

@@ -103,6 +103,8 @@ def callback_name(value: Value | None) -> str | None:
     """The qualified name of a function; None where it is not known."""
     while value is not None:
         kind = value.__class__
+        if kind is Function and value.code.file.startswith("models:"):  # type: ignore[attr-defined]
+            return None  # a method of the library itself
         if kind is Function:
             return value.code.qualname  # type: ignore[attr-defined,no-any-return]
         if kind in (BoundMethod, Partial):

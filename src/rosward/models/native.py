@@ -13,6 +13,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
+from rosward.domain.choice import reasons_of
+
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.unknown import Cause, Reason
@@ -117,8 +119,6 @@ class NativeCall(NamedTuple):
 
     def reasons(self, *values: Value) -> tuple[Reason, ...]:
         """The reasons for which any of the values is unknown, for a result computed from them."""
-        from rosward.domain.choice import reasons_of  # the lattice needs nothing of this module
-
         return tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))
 
 

@@ -75,7 +75,7 @@ def _marker(kind: str) -> NativeFunction:
     return lambda call: _mark(call._replace(args=(Tuple((Const(kind),)), call.args[0])))
 
 
-def perform(machine: Interpreter, function: Function, spec: Tuple, named: dict[str, Value]) -> None:
+def perform(machine: Interpreter, spec: Tuple, named: dict[str, Value]) -> None:
     """An effect that a decorator declares; `named` are the arguments of the call by parameter."""
     kind = text_of(spec.items[0])
     if kind == "spins":

@@ -14,9 +14,9 @@ from rosward.ros.entities import Entity, Resolution
 from rosward.source.location import Place
 
 _REMEDY: Final = {
-    Cause.PARAMETER: "give the parameter a default, or set it for the analysis",
-    Cause.ARGUMENT: "give the argument a default, or set it for the analysis",
-    Cause.ENVIRONMENT: "give the variable a default, or set it for the analysis",
+    Cause.PARAMETER: "give the parameter a default",
+    Cause.ARGUMENT: "give the argument a default",
+    Cause.ENVIRONMENT: "give the variable a default",
     Cause.MODULE: "add the package that holds it to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",
     Cause.CALLER: "add the code that makes the call to the analysis",
@@ -46,7 +46,7 @@ def unknown_node(option: NameOption, place: Place, part: str = "name") -> Findin
 
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
     """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
-    default = f" (the default of {', '.join(depends_on)}: set it for the analysis)" if depends_on else ""
+    default = f" (the default of {', '.join(depends_on)})" if depends_on else ""
     text = text.replace(STAR, "*")
     return Finding("RW103", f"{text!r} is no valid name for a {kind}: {why}{default}", place)
 

@@ -119,6 +119,6 @@ def _print(console: Console, *parts: tuple[str, str]) -> None:
 
 
 def _text(parts: Sequence[tuple[str, str]]) -> Text:
-    from rich.text import Text  # noqa: PLC0415 -- rich is only loaded where something is printed
+    from rich.text import Text
 
     return Text.assemble(*parts)

@@ -59,11 +59,11 @@ def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Fin
 
 
 def _through_catkin_pkg(data: bytes) -> Manifest:
-    import warnings  # noqa: PLC0415  not needed where there is no package
+    import warnings
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        from catkin_pkg.package import parse_package_string  # noqa: PLC0415  slow to import
+        from catkin_pkg.package import parse_package_string
 
         package = parse_package_string(data, warnings=[])
         package.evaluate_conditions(_CONTEXT)
