@@ -32,7 +32,7 @@ def main() -> int:
     cpu, paper_cpu = 0.0, 0.0
     _print_row("project", "", COLUMNS, "CPU s", "MB")
     for project, paper in _paper().items():
-        extraction = extract([folder / project], options=["--tests"])
+        extraction = extract([folder / project], options=["--tests", "-q"])
         run, graph = extraction.run, extraction.graph
         cpu, paper_cpu = cpu + run.cpu, paper_cpu + float(paper["cpu"])
         expected = _counts(paper)

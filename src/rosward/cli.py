@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -25,7 +24,6 @@ COMPLETE, INCOMPLETE, WRONG_USE = 0, 1, 2
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 wrong use or nothing to read."""
     options = _parser().parse_args(arguments)
-    gc.disable()  # a short run, of which most lives to the end
     try:
         return _extract(options)
     except BrokenPipeError:  # the reader of our output has gone: that is no failure of ours
