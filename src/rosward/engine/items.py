@@ -112,7 +112,7 @@ def store(machine: Interpreter, target: Value, index: Value, value: Value) -> No
             if method is not None:
                 calls.call(machine, method, (index, value), {})
         else:
-            operators.store_item(machine, option, index, value)
+            operators.store_item(machine, option, index, value, weak=len(options(target)) > 1)
 
 
 def delete(machine: Interpreter, target: Value, index: Value) -> None:

@@ -11,8 +11,6 @@ import json
 from collections.abc import Callable
 from typing import Final
 
-import yaml
-
 from rosward.domain.choice import lift, reasons_of
 from rosward.domain.text import origins_of, pattern
 from rosward.domain.unknown import Cause
@@ -29,6 +27,8 @@ def _json(text: str) -> object:
 
 
 def _yaml(text: str) -> object:
+    import yaml  # it takes a while to load, and few programs come here
+
     aliases = text.count("*")
     if aliases > _MAX_ALIASES or (aliases > 5 and "<<" in text):
         raise NotKnown
@@ -94,6 +94,8 @@ def _all_documents(call: NativeCall) -> Value:
 
 def _dumps(call: NativeCall) -> Value:
     """json.dumps / yaml.dump of what is known; else an unknown text. Written to a file: None."""
+    import yaml
+
     try:
         value, origins = to_plain(call.machine, call.args[0])
         options = {k: to_plain(call.machine, v)[0] for k, v in call.keywords.items()}

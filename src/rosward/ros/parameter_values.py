@@ -15,8 +15,6 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
-import yaml
-
 from rosward.ros.validation import HOLE
 
 _TRUE: Final = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
@@ -135,6 +133,8 @@ def parse_value(text: str) -> ParameterValue:
 def _parse_value(text: str) -> ParameterValue:
     if not text:
         raise InvalidArgument("no value")
+    import yaml  # it takes a while to load, and few programs come here
+
     known = text.replace(HOLE, "").strip()
     if known != text.strip() and (not known or scalar_value(known).type != "string"):
         return ParameterValue(None, None)  # `*`, `1*`: the hole decides the type
