@@ -186,7 +186,6 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
         return call_native(machine, function.name, args, keywords)
     escape(machine, (*args, *keywords.values()), function.name)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
-        machine.log.decorated(machine, function.name)
         return args[
             0
         ]  # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled

@@ -117,9 +117,6 @@ class EffectLog:
         cls = machine.obj(ref).cls
         self.add_node(machine, NodeEffect(ref.address, unknown, UNBOUND, (), (), (), cls, machine.place, False, True))
 
-    def decorated(self, machine: Interpreter, library: str) -> None:
-        """A function went through a decorator that is not known: nothing to tell, since it was scheduled."""
-
     def defined(self, cls: Class) -> None:
         """A class was made."""
         if not cls.stub:

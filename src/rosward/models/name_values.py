@@ -23,7 +23,6 @@ from rosward.domain.values import (
     Partial,
     Ref,
     Text,
-    Unknown,
     Value,
 )
 from rosward.ros.entities import Qos, Resolution
@@ -160,8 +159,3 @@ def _policy(machine: Interpreter, name: str, value: Value | None) -> str | None:
             if isinstance(label, Const) and isinstance(label.value, str):
                 return label.value.lower()
     return None
-
-
-def unknown_because(cause: Cause, subject: str, machine: Interpreter) -> Unknown:
-    """An unknown str that arises at the current place."""
-    return Unknown((Reason(cause, subject, machine.place),), "str")
