@@ -143,6 +143,58 @@ _TABLE: Final = (
         "Publisher and subscription (server and client) of different type never talk.",
     ),
     Rule("RW307", "node name used twice", _N, "Two nodes of one full name share their policy: rename one of them."),
+    Rule(
+        "RW308",
+        "enclaves conflict",
+        _W,
+        "One process has one enclave: name it in one place only (--enclave, or ROS_SECURITY_ENCLAVE_OVERRIDE).",
+    ),
+    # Deployment
+    Rule("RW310", "launch file cannot be read", _E, "Correct the launch file: what it starts is not in the result."),
+    Rule(
+        "RW311",
+        "included launch file not found",
+        _E,
+        "Add the package that has it (--underlay): what it starts is not in the result.",
+    ),
+    Rule("RW312", "launch argument without a value", _E, "Give it on the command line: --arg NAME:=VALUE."),
+    Rule(
+        "RW313",
+        "launch value not known",
+        _W,
+        "Give the launch argument or environment variable that it depends on a value (--arg NAME:=VALUE).",
+    ),
+    Rule(
+        "RW314",
+        "node of unknown interface",
+        _E,
+        "Add its source to the analysis, or declare its interface in a file of the folder given by --models.",
+    ),
+    Rule(
+        "RW315", "parameter file not found", _W, "launch goes on without it; name the package that has it (--underlay)."
+    ),
+    Rule("RW316", "launch condition not known", _N, "Both ways are taken; settle it with --arg NAME:=VALUE."),
+    Rule("RW317", "parameter file cannot be read", _E, "rcl refuses this file: the node ends when it starts."),
+    Rule(
+        "RW318",
+        "component without its container",
+        _W,
+        "Nothing starts the container that this component is loaded into: it is analysed as if something did.",
+    ),
+    Rule("RW319", "program that is no known node", _W, "If it talks over ROS, declare its interface (--models)."),
+    Rule("RW320", "launch fails here", _W, "The real launch raises an exception here: what follows is not started."),
+    Rule("RW321", "launch entity not understood", _E, "Please report it: what it would start is not in the result."),
+    Rule(
+        "RW322", "launch argument that nothing declares", _W, "Check the spelling: no launch file declares or reads it."
+    ),
+    Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
+    Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
+    Rule(
+        "RW325",
+        "value depends on how it is started",
+        _N,
+        "A launch file of the workspace decides it: analyse with --launch.",
+    ),
 )
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}

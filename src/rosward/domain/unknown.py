@@ -20,6 +20,9 @@ class Cause(enum.Enum):
     ARGUMENT = "command-line argument"
     ENVIRONMENT = "environment variable"
     FILE = "content of a file"
+    SHARE = "share folder of the package"
+    PREFIX = "install folder of the package"
+    SOURCES = "folder of the sources"
     INPUT = "input when it runs"
     MESSAGE = "content of a message"
     CALL = "call that is not modelled"
@@ -49,13 +52,15 @@ class Reason(NamedTuple):
 class Origin(NamedTuple):
     """A source outside the program that a known value was computed from.
 
-    `kind` is 'parameter', 'argument', 'environment variable' or 'launch argument'. `settled` is True where a deployment set it
-    (the value is bound), False where it is only the default, which someone may change.
+    `kind` is 'parameter', 'argument', 'environment variable' or 'launch argument'. `settled`: in the execution that is analysed it has this
+    value, so conditions on it are decided; otherwise it is a default that someone may change. `given`: someone set it (the value is bound),
+    rather than leaving it at its default.
     """
 
     kind: str
     name: str
     settled: bool = False
+    given: bool = False
 
 
 Origins = frozenset[Origin]

@@ -79,7 +79,7 @@ def resolution_of(origins: Origins) -> Resolution:
     """How a wholly known text was found."""
     if not origins:
         return Resolution.EXACT
-    return Resolution.BOUND if all(o.settled for o in origins) else Resolution.DEFAULT
+    return Resolution.BOUND if all(o.given for o in origins) else Resolution.DEFAULT
 
 
 def interface_type(value: Value) -> str | None:

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The seam between the execution of launch files and Python in them: each asks the other for what only it can say.
+
+    OpaqueFunction(function=setup)       execution -> Python: call setup(context), what actions does it give?
+    LaunchConfiguration('x').perform(context)   Python -> execution: what is this text now?
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from rosward.deployment.tree import Action, Description, Template
+    from rosward.domain.values import Value
+    from rosward.findings import Finding
+
+
+class Performer(Protocol):
+    """The launch context at the point of execution, as Python code of a launch file can ask it (LaunchContext)."""
+
+    def text(self, template: Template) -> Value:
+        """The text of a template now; Unknown, a Text with holes or a Choice where it is not wholly known."""
+
+    def configuration(self, name: str) -> Value | None:
+        """The value of a launch configuration, None where it is surely not set."""
+
+    def configurations(self) -> Mapping[str, Value]:
+        """All launch configurations that are or may be set."""
+
+    def set_configuration(self, name: str, value: Value | None) -> None:
+        """Set a launch configuration; None removes it."""
+
+    def variable(self, name: str) -> Value | None:
+        """An environment variable that launch set (None: it is that of the shell, not known)."""
+
+    def set_variable(self, name: str, value: Value | None) -> None:
+        """Set an environment variable; None removes it."""
+
+
+class PythonCode(Protocol):
+    """Python of launch files, run by the engine. Every call can ask `performer` in its course."""
+
+    def read(self, file: str, performer: Performer) -> Description:
+        """Run a Python launch file (named as in the workspace) and give the entities of its generate_launch_description()."""
+
+    def actions(
+        self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], performer: Performer, *, context: bool
+    ) -> tuple[Action, ...]:
+        """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
+
+    def perform(self, substitution: Value, performer: Performer) -> Value:
+        """`substitution.perform(context)` of a class of the analysed sources: a text."""
+
+    def test(self, condition: Value, performer: Performer) -> Value:
+        """`condition.evaluate(context)` of a class of the analysed sources, or a call of a function: a bool."""
+
+    def evaluate(self, expression: Value, modules: Sequence[str], performer: Performer) -> Value:
+        """The str() of a Python expression, as PythonExpression has it: a text. The names of `modules` and of math are there."""
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What the engine had to tell so far, each once."""
