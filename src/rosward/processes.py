@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, ModuleValue, Value
 from rosward.engine import modules
 from rosward.engine.binding import ANY
@@ -18,6 +19,7 @@ from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.state import join_states
 from rosward.findings import Finding
+from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
 from rosward.source.location import Place
 
@@ -46,11 +48,13 @@ class Run(NamedTuple):
     reached: frozenset[int]
 
 
-def run(library: Library, entry: Entry, budget: Budget) -> Run:
-    """Interpret one process to its end, and everything that it schedules."""
-    log = EffectLog()
+def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
+    """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
+    log = EffectLog(configuration)
     machine = Interpreter(library, budget, log)
     try:
+        if configuration is not None:
+            _give_words(machine, configuration)
         _main(machine, entry)
     except LimitReachedError as limit:
         place = limit.place
@@ -73,6 +77,15 @@ def run(library: Library, entry: Entry, budget: Budget) -> Run:
     return Run(
         entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated), frozenset(machine.reached)
     )
+
+
+def _give_words(machine: Interpreter, configuration: Configuration) -> None:
+    """`sys.argv` of a process whose command line is known."""
+    module = machine.load_module("sys")
+    if isinstance(module, ModuleValue):
+        program = machine.unknown(Cause.FILE, "path of the executable", "str")
+        words = machine.new_list((program, *configuration.words))
+        machine.put(module.address, machine.at(module.address).with_attr("argv", words))
 
 
 def _main(machine: Interpreter, entry: Entry) -> None:

@@ -23,12 +23,14 @@ class Given(NamedTuple):
     """One parameter of a parameter file: `node` is the key as rcl has it (`/**`, `/*/arm`, `/left/arm`), `name` dotted.
 
     `value` is a Const (bool, int, float, str), a domain `Tuple` of them, or unknown. `name` '*' stands for any parameter (an unknown file part).
+    `nested`: its name was made of nested keys. Such a parameter never joins an earlier one of its name, as others do (rcl parse.c): it replaces it.
     """
 
     node: str
     name: str
     value: Value
     place: Place | None = None
+    nested: bool = False
 
 
 @final

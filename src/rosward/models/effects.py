@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
     from rosward.engine.state import State
     from rosward.ir.program import Code
+    from rosward.models.configuration import Configuration
+    from rosward.models.launch_context import LaunchContext
 
 
 class NodeEffect(NamedTuple):
@@ -28,10 +30,10 @@ class NodeEffect(NamedTuple):
     namespace: Value
     options: tuple[tuple[str, Value], ...]
     words: tuple[Value, ...]  # its cli_args
-    global_words: tuple[Value, ...]  # those of rclpy.init, where it uses them
+    global_words: tuple[Value, ...]  # those of its context, where it uses them
     cls: Value
     place: Place
-    late: bool  # created in a callback
+    late: bool  # created in a callback, or by one of several command lines
     assumed: bool = False
 
 
@@ -65,11 +67,12 @@ class ParameterEffect(NamedTuple):
 class EffectLog:
     """All effects of one process, each once, in the order in which they were first seen; and what else is worth telling."""
 
-    def __init__(self) -> None:
+    def __init__(self, configuration: Configuration | None = None) -> None:
+        self.configuration = configuration
+        self.launch: LaunchContext | None = None  # the launch whose Python code this is
         self.nodes: dict[NodeEffect, None] = {}
         self.entities: dict[EntityEffect, None] = {}
         self.parameters: dict[ParameterEffect, None] = {}
-        self.global_words: tuple[Value, ...] = ()
         self.findings: dict[Finding, None] = {}
         self.classes: dict[Class, None] = {}
         self.functions: dict[int, Code] = {}

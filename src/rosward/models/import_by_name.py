@@ -8,8 +8,8 @@ from typing import Final
 from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Value
+from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.ros_effects import host
 
 
 def _import_module(call: NativeCall) -> Value:
@@ -17,7 +17,7 @@ def _import_module(call: NativeCall) -> Value:
     found: list[Value] = []
     for name in options(call.args[0]) if call.args else ():
         if isinstance(name, Const) and isinstance(name.value, str) and not name.value.startswith("."):
-            found.append(host(call).load_module(name.value))
+            found.append(host(call.machine).load_module(name.value))
         else:
             call.machine.report("RW203", "the name of the module that is imported here is not known")
             found.append(call.machine.unknown(Cause.CALL, call.name))

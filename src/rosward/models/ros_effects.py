@@ -3,15 +3,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, cast
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.heap import Obj
-from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import (
     NONE,
-    UNBOUND,
     Class,
     Const,
     External,
@@ -24,28 +22,14 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.models.command_line import word_text
 from rosward.models.effects import EntityEffect, NodeEffect
+from rosward.models.host import host, is_true, text_of
 from rosward.models.name_values import callback_name, interface_type, qos_of
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.ros import arguments, names
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
-
-
-def host(call: NativeCall) -> Interpreter:
-    """The interpreter behind a call: effects need its log and its frames."""
-    return cast("Interpreter", call.machine)
-
-
-def text_of(value: Value | None, default: str = "") -> str:
-    """The str that a value surely is."""
-    return value.value if isinstance(value, Const) and isinstance(value.value, str) else default
-
-
-def is_true(value: Value | None) -> bool:
-    """Whether a value is the constant True."""
-    return isinstance(value, Const) and value.value is True
 
 
 # Decorators
@@ -188,7 +172,7 @@ def _used_as_node(machine: Interpreter, ref: Value) -> bool:
 
 
 def _create(call: NativeCall) -> Value:
-    machine = host(call)
+    machine = host(call.machine)
     introspection = call.keywords.get("introspection")
     prefix = call.keywords.get("ros_prefix")
     create(
@@ -235,7 +219,7 @@ def _sim_time(machine: Interpreter, overrides: Value | None) -> tuple[tuple[str,
 
 
 def _create_node(call: NativeCall) -> Value:
-    machine = host(call)
+    machine = host(call.machine)
     keywords = call.keywords
     use_global = keywords.get("use_global_arguments")
     for node in options(call.args[0]):
@@ -244,113 +228,82 @@ def _create_node(call: NativeCall) -> Value:
         overrides = keywords.get("parameter_overrides")
         table = machine.new_dict({})
         machine.update(node, machine.obj(node).with_attr("__parameters__", table))
-        effect = NodeEffect(
-            node.address,
-            call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE),
-            keywords.get("namespace", NONE),
-            tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _sim_time(machine, overrides),
-            _words(machine, keywords.get("cli_args")),
-            machine.log.global_words if use_global is None or machine.truth(use_global) is not False else (),
-            machine.obj(node).cls,
-            machine.place,
-            machine.schedule_book.running,
-        )
-        machine.log.add_node(machine, effect)
+        takes_global = use_global is None or machine.truth(use_global) is not False
+        lines = _context_words(machine, keywords.get("context")) if takes_global else [()]
+        for words in lines:
+            effect = NodeEffect(
+                node.address,
+                call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE),
+                keywords.get("namespace", NONE),
+                tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _sim_time(machine, overrides),
+                _words(machine, keywords.get("cli_args")),
+                words,
+                machine.obj(node).cls,
+                machine.place,
+                machine.schedule_book.running or len(lines) > 1,
+            )
+            machine.log.add_node(machine, effect)
         if overrides is not None and overrides != NONE:
             machine.update(node, machine.obj(node).with_attr("__overrides__", overrides))
     return NONE
 
 
+_WORDS: Final = "__words__"
+
+
 def _init(call: NativeCall) -> Value:
-    machine = host(call)
-    machine.log.global_words = _words(machine, call.arg(0, "args"))
+    """`init(context, args)`: the context keeps its command line, that of the process where it is given none."""
+    machine = host(call.machine)
+    context, args = call.args[0], call.arg(1, "args")
+    if args is None or args == NONE:
+        words = machine.log.configuration.words if machine.log.configuration is not None else ()
+    else:
+        words = _words(machine, args)
+    for each in options(context):
+        if isinstance(each, Ref):
+            machine.update(each, machine.obj(each).with_attr(_WORDS, Tuple(words)))
     return NONE
 
 
-# Names
+def _remove_ros_args(call: NativeCall) -> Value:
+    """`rclpy.utilities.remove_ros_args(args)`: the words that are not between --ros-args and --."""
+    machine = host(call.machine)
+    args = call.arg(0, "args")
+    if args is None or args == NONE:
+        args = machine.load_attr(machine.load_module("sys"), "argv")
+    words = machine.iterate(args)
+    kept: list[Value] = []
+    for_ros = False
+    for word in words.known:
+        text = text_of(word)
+        if text == "--ros-args":
+            for_ros = True
+        elif for_ros and text == "--":
+            for_ros = False
+        elif not for_ros:
+            kept.append(word)
+    return machine.new_list(kept, words.rest)
 
 
-def _named(machine: Interpreter, node: Value, part: int) -> Value:
-    """The node's final name (part 0) or namespace (part 1)."""
-    found: list[Value] = []
-    for option in options(node):
-        if isinstance(option, Ref):
-            found += [final_name(e)[part] for e in machine.log.nodes if e.address == option.address]
-    return join_all(found) if found else machine.unknown(Cause.LIVE, "name of a node that is not known", "str")
+def _environment(call: NativeCall) -> Value:
+    """`_rosward.environment(name)`: a variable that the deployment sets, None where it sets none."""
+    configuration = host(call.machine).log.configuration
+    found = configuration.environment.get(text_of(call.args[0])) if configuration is not None else None
+    return found if found is not None else NONE
 
 
-def remap_rules(effect: NodeEffect) -> tuple[names.RemapRule, ...]:
-    """The remap rules that a node's own code gives it: its cli_args first, then those of rclpy.init."""
-    local = arguments.parse_arguments([word_text(w) for w in effect.words]).remaps
-    general = arguments.parse_arguments([word_text(w) for w in effect.global_words]).remaps
-    return (*local, *general)
-
-
-def word_text(value: Value) -> str:
-    """A command-line word, with `*` for what is not known."""
-    return "".join(p if isinstance(p, str) else names.HOLE for p in parts_of(value))
-
-
-def final_name(effect: NodeEffect) -> tuple[Value, Value]:
-    """The name and namespace of a node behind its remap rules."""
-    namespace = Const("/") if effect.namespace in (NONE, UNBOUND) else lift(_full_namespace, effect.namespace)
-    rules = remap_rules(effect)
-    if not rules or not isinstance(effect.name, Const) or not isinstance(namespace, Const):
-        return effect.name, namespace
-    name, space = names.remap_node(text_of(effect.name), text_of(namespace), rules)
-    return Const(name, effect.name.origins), Const(space, namespace.origins)
-
-
-def _full_namespace(value: Value) -> Value:
-    if isinstance(value, Const):
-        if value.value is None:
-            return Const("/")
-        return Const(names.full_namespace(str(value.value)), value.origins)
-    if isinstance(value, Text):
-        first = value.parts[0]
-        if isinstance(first, str) and not first.startswith("/"):
-            return make(("/", *value.parts), value.origins)
-    return value
-
-
-def _node_name(call: NativeCall) -> Value:
-    return _named(host(call), call.args[0], 0)
-
-
-def _node_namespace(call: NativeCall) -> Value:
-    return _named(host(call), call.args[0], 1)
-
-
-def _node_fqn(call: NativeCall) -> Value:
-    machine = host(call)
-    name, namespace = _named(machine, call.args[0], 0), _named(machine, call.args[0], 1)
-    return join_all(_qualified(n, s) for n in options(name) for s in options(namespace))
-
-
-def _qualified(name: Value, namespace: Value) -> Value:
-    if isinstance(namespace, Const) and namespace.value == "/":
-        return concat((Const("/", namespace.origins), name))
-    return concat((namespace, Const("/"), name))
-
-
-def _resolve_name(call: NativeCall) -> Value:
-    machine = host(call)
-    node = call.args[0]
-    kind = names.RemapKind.SERVICE if text_of(call.arg(2, "kind")) == "service" else names.RemapKind.TOPIC
-    effects = [e for e in machine.log.nodes if isinstance(node, Ref) and e.address == node.address]
-    found: list[Value] = []
-    for effect in effects:
-        own, space = final_name(effect)
-        for name in options(call.args[1]):
-            if isinstance(name, Const) and isinstance(own, Const) and isinstance(space, Const):
-                try:
-                    resolved = names.resolve(text_of(name), kind, remap_rules(effect), text_of(own), text_of(space))
-                except names.InvalidName:
-                    continue
-                found += [Const(r, name.origins | own.origins | space.origins) for r in resolved]
-            else:
-                found.append(machine.unknown(Cause.OPERATION, "resolve name", "str"))
-    return join_all(found) if found else machine.unknown(Cause.OPERATION, "resolve name", "str")
+def _context_words(machine: Interpreter, context: Value | None) -> list[tuple[Value, ...]]:
+    """The command lines that a context may have; without init, that of the process."""
+    found: dict[tuple[Value, ...], None] = {}
+    for each in options(context) if context is not None else ():
+        words = machine.obj(each).attrs.get(_WORDS) if isinstance(each, Ref) else None
+        for option in options(words) if words is not None else ():
+            if isinstance(option, Tuple):
+                found[option.items] = None
+    if not found:
+        configuration = machine.log.configuration
+        found[configuration.words if configuration is not None else ()] = None
+    return list(found)
 
 
 # Plain functions
@@ -369,7 +322,7 @@ def _spin(call: NativeCall) -> Value:
 
 
 def _message(call: NativeCall) -> Value:
-    return message_of(host(call), call.args[0])
+    return message_of(host(call.machine), call.args[0])
 
 
 def _unknown(call: NativeCall) -> Value:
@@ -401,7 +354,7 @@ def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
 
 def _default(call: NativeCall) -> Value:
     kind, name, value = call.args
-    return mark(host(call), value, Origin(text_of(kind), text_of(name, word_text(name))))
+    return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, word_text(name))))
 
 
 def _either(call: NativeCall) -> Value:
@@ -443,10 +396,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.create": _create,
     "_rosward.create_node": _create_node,
     "_rosward.init": _init,
-    "_rosward.node_name": _node_name,
-    "_rosward.node_namespace": _node_namespace,
-    "_rosward.node_fqn": _node_fqn,
-    "_rosward.resolve_name": _resolve_name,
+    "_rosward.environment": _environment,
+    "rclpy.utilities.remove_ros_args": _remove_ros_args,
     "_rosward.schedule": _schedule,
     "_rosward.spin": _spin,
     "_rosward.message": _message,
@@ -461,4 +412,4 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "rosidl_runtime_py.utilities.get_action": _get_message,
 }
 
-__all__ = ["NATIVES", "create", "final_name", "host", "mark", "message_of", "perform", "remap_rules", "text_of"]
+__all__ = ["NATIVES", "create", "mark", "message_of", "perform"]

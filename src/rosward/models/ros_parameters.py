@@ -10,12 +10,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Value
-from rosward.models.effects import NodeEffect, ParameterEffect
+from rosward.domain.unknown import Cause, Origin, Origins, Reason
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Text, Tuple, Unknown, Value
+from rosward.models.command_line import ANY_NAME, given_to, type_word, word_text
+from rosward.models.effects import EffectLog, NodeEffect, ParameterEffect
+from rosward.models.host import host, is_true, text_of
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.ros_effects import create, final_name, host, is_true, mark, text_of, word_text
-from rosward.ros import arguments
+from rosward.models.ros_effects import create, mark
+from rosward.models.ros_names import command_lines, final_name
 from rosward.ros.names import fully_qualified
 
 if TYPE_CHECKING:
@@ -32,7 +34,7 @@ def _table(machine: Interpreter, node: Value) -> Ref | None:
 
 
 def _declare(call: NativeCall) -> Value:
-    machine = host(call)
+    machine = host(call.machine)
     node, name = call.args[0], call.args[1]
     default = call.arg(2, "default", NONE) or NONE
     type_ = call.arg(3, "type", NONE) or NONE
@@ -62,22 +64,49 @@ def _hint(machine: Interpreter, type_: Value) -> str:
 
 
 def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hint: str) -> Value:
-    """The value of a parameter when it is declared: an override of the code itself, else its default, which anybody may change."""
+    """The value of a parameter when it is declared: what the code or the command line sets, else its default.
+
+    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
+    """
     label = text_of(name, word_text(name))
     override = _override(machine, node, label)
     if override is not None:
+        _check_type(machine, label, default, override)
+    open_ = _open(machine, node)
+    if override is not None and not open_:
         return override
+    origin = Origin("parameter", label, settled=machine.log.configuration is not None and not open_)
     values = [
         machine.unknown(Cause.PARAMETER, label, hint)
         if option == NONE or option is UNBOUND
-        else mark(machine, option, Origin("parameter", label))
-        for option in options(default)
+        else mark(machine, option, origin)
+        for option in (options(default) if override is None else (override,))
     ]
-    return join_all(values)
+    return join_all([*values, *(Unknown((r,), hint) for r in open_)])
+
+
+def _check_type(machine: Interpreter, label: str, default: Value, override: Value) -> None:
+    """rclpy refuses a value of another type than that of the default."""
+    declared, given = type_word(default), type_word(override)
+    if declared and given and declared != given and "not_set" not in (declared, given):
+        machine.report("RW209", f"parameter {label!r} is declared as {declared} but set to a value of type {given}")
+
+
+def _open(machine: Interpreter, node: Value) -> tuple[Reason, ...]:
+    """The parameter files of the node's command lines that are not known: they may set anything."""
+    return tuple(
+        dict.fromkeys(
+            r for e in _effects(machine, node) for line in command_lines(machine.log, e) for r in line.missing
+        )
+    )
+
+
+def _effects(machine: Interpreter, node: Value) -> list[NodeEffect]:
+    return [e for e in machine.log.nodes if isinstance(node, Ref) and e.address == node.address]
 
 
 def _override(machine: Interpreter, node: Value, name: str) -> Value | None:
-    """What the node's own code sets by parameter_overrides or by its arguments."""
+    """What the node's own code sets by parameter_overrides, or its command line."""
     if not isinstance(node, Ref):
         return None
     given = machine.obj(node).attrs.get("__overrides__")
@@ -87,35 +116,50 @@ def _override(machine: Interpreter, node: Value, name: str) -> Value | None:
                 attrs = machine.obj(item).attrs
                 if name in (text_of(attrs.get("_name")), text_of(attrs.get("name"))):
                     return attrs.get("_value", attrs.get("value"))
-    for effect in machine.log.nodes:
-        if effect.address == node.address and (effect.words or effect.global_words):
-            value = _from_words(machine, effect, name)
-            if value is not None:
-                return value
-    return None
-
-
-def _from_words(machine: Interpreter, effect: NodeEffect, name: str) -> Value | None:
-    own, space = final_name(effect)
-    fqn = fully_qualified(word_text(space), word_text(own))
-    for words in (effect.words, effect.global_words):
-        parsed = arguments.parse_arguments([word_text(w) for w in words])
-        value = arguments.parameters_of_node(parsed.parameters, fqn).get(name)
+    found: list[Value] = []
+    for effect in _effects(machine, node):
+        values = values_of(machine.log, effect)
+        value = values.get(name, values.get(ANY_NAME))
         if value is not None:
-            return _plain(machine, value.value)
-    return None
+            found.append(_on_heap(machine, name, value))
+    return join_all(found) if found else None
 
 
-def _plain(machine: Interpreter, value: object) -> Value:
-    if isinstance(value, tuple):
-        return machine.new_list([_plain(machine, v) for v in value])
-    if value is None or isinstance(value, (bool, int, float, str, bytes)):
-        return Const(value) if value is not None else machine.unknown(Cause.PARAMETER, "override")
-    return machine.unknown(Cause.PARAMETER, "override")
+def values_of(log: EffectLog, effect: NodeEffect) -> dict[str, Value]:
+    """The parameters that the command lines of a node set, by name."""
+    own, general = command_lines(log, effect)
+    if not own.parameters and not general.parameters:
+        return {}
+    name, space = final_name(log, effect)
+    found: dict[str, list[Value]] = {}
+    for fqn in {fully_qualified(word_text(s), word_text(n)): None for n in options(name) for s in options(space)}:
+        for label, value in {**given_to(fqn, general.parameters), **given_to(fqn, own.parameters)}.items():
+            found.setdefault(label, []).append(value)
+    return {label: join_all(values) for label, values in found.items()}
+
+
+def _on_heap(machine: Interpreter, name: str, value: Value) -> Value:
+    """A given value as the program holds it, marked as set from outside."""
+    if isinstance(value, Tuple):
+        value = machine.new_list(value.items)
+    return mark(machine, value, Origin("parameter", name, settled=True, given=True))
+
+
+def _now(machine: Interpreter, value: Value, label: str) -> Value:
+    """The value of a parameter when a callback reads it: by then `ros2 param set` may have given it another."""
+    if not machine.schedule_book.running:
+        return value
+    if isinstance(value, Const):
+        return Const(value.value, _reopened(value.origins, label))
+    return Text(value.parts, _reopened(value.origins, label)) if isinstance(value, Text) else value
+
+
+def _reopened(origins: Origins, label: str) -> Origins:
+    return frozenset(o._replace(settled=False) if o[:2] == ("parameter", label) else o for o in origins)
 
 
 def _parameter(call: NativeCall) -> Value:
-    machine = host(call)
+    machine = host(call.machine)
     found: list[Value] = []
     for node in options(call.args[0]):
         table = _table(machine, node)
@@ -131,12 +175,14 @@ def _parameter(call: NativeCall) -> Value:
                 value = _override(machine, node, label)
             if value is None and label == "use_sim_time":
                 value = mark(machine, Const(False), Origin("parameter", label))
-            found.append(value if value is not None else machine.unknown(Cause.PARAMETER, label))
+            if value is None:
+                value = machine.unknown(Cause.PARAMETER, label)
+            found.append(join_all(_now(machine, v, label) for v in options(value)))
     return join_all(found)
 
 
 def _set(call: NativeCall) -> Value:
-    machine = host(call)
+    machine = host(call.machine)
     node, name, value = call.args
     for each in options(node):
         table = _table(machine, each)
@@ -156,7 +202,7 @@ def _set(call: NativeCall) -> Value:
 
 def _has(call: NativeCall) -> Value:
     """Whether a parameter is declared."""
-    machine = host(call)
+    machine = host(call.machine)
     answers: set[bool | None] = set()
     for node in options(call.args[0]):
         table = _table(machine, node)
@@ -178,7 +224,7 @@ def _has(call: NativeCall) -> Value:
 
 def _by_prefix(call: NativeCall) -> Value:
     """The declared parameters below a prefix, by the rest of their names."""
-    machine = host(call)
+    machine = host(call.machine)
     prefix = text_of(call.args[1])
     entries: dict[Value, Value] = {}
     rest: Value | None = None
@@ -197,7 +243,20 @@ def _by_prefix(call: NativeCall) -> Value:
     return machine.new_dict(entries, rest)
 
 
+def _declare_given(call: NativeCall) -> Value:
+    """Every parameter that the command line sets becomes one of the node (automatically_declare_parameters_from_overrides)."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        table = _table(machine, node)
+        for effect in _effects(machine, node):
+            for label, value in values_of(machine.log, effect).items():
+                if table is not None:
+                    machine.store_item(table, Const(label), _on_heap(machine, label, value))
+    return NONE
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
+    "_rosward.declare_given": _declare_given,
     "_rosward.declare_parameter": _declare,
     "_rosward.parameter": _parameter,
     "rclpy.node.Node.has_parameter": _has,

@@ -6,16 +6,19 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final, NamedTuple
 
+from rosward.domain.choice import options
 from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
 from rosward.findings import Finding
+from rosward.models.command_line import Rule, word_text
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.models.name_values import NameOption, interface_types, name_options
-from rosward.models.ros_effects import final_name, remap_rules
+from rosward.models.ros_names import command_lines, final_name, remapped_by, remaps_of
+from rosward.models.ros_parameters import values_of
 from rosward.network.doubts import invalid_name, unknown_name, unknown_node, unknown_type
 from rosward.ros import names
-from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro, implicit_entities, service_event_topic
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
+from rosward.source.location import Place
 
 KINDS: Final = {
     "publisher": EntityKind.PUBLISHER,
@@ -31,12 +34,17 @@ _ORDER: Final = {r: n for n, r in enumerate(Resolution)}
 
 
 class Process(NamedTuple):
-    """What is known of a process beside its effects: its package and executable, its label, and what every execution does."""
+    """What is known of a process beside its effects: its package and executable, its label, and what every execution does.
+
+    `launched_by` is the place in a launch file that starts it; `conditional`: some execution does not start it.
+    """
 
     package: str | None
     executable: str | None
     label: str
     done: frozenset[tuple[object, ...]]
+    launched_by: Place | None = None
+    conditional: bool = False
 
 
 class _Identity(NamedTuple):
@@ -44,7 +52,7 @@ class _Identity(NamedTuple):
 
     name: str
     namespace: str
-    rules: tuple[names.RemapRule, ...]
+    rules: tuple[Rule, ...]
     resolution: Resolution
     depends_on: tuple[str, ...]
     reasons: tuple[str, ...]
@@ -56,14 +64,14 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
     findings: dict[Finding, None] = {}
     nodes: list[Node] = []
     for effect in log.nodes:
-        for identity in _identities(effect, findings):
+        for identity in _identities(log, effect, findings):
             nodes.append(_node(log, effect, identity, process, distro, findings))
     return _merged(nodes), list(findings)
 
 
-def _identities(effect: NodeEffect, findings: dict[Finding, None]) -> list[_Identity]:
-    name_value, space_value = final_name(effect)
-    rules = remap_rules(effect)
+def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[_Identity]:
+    name_value, space_value = final_name(log, effect)
+    rules = remaps_of(log, effect)
     found: list[_Identity] = []
     spaces = name_options(space_value)
     own = name_options(name_value)
@@ -102,7 +110,7 @@ def _node(
     distro: Distro,
     findings: dict[Finding, None],
 ) -> Node:
-    certain = identity.sole and not effect.late and ("node", effect.address) in process.done
+    certain = identity.sole and not effect.late and not process.conditional and ("node", effect.address) in process.done
     entities: list[Entity] = []
     for entity in log.entities:
         if entity.address == effect.address:
@@ -120,7 +128,8 @@ def _node(
         package=process.package,
         executable=process.executable,
         process=process.label,
-        launched_by=None,
+        launched_by=process.launched_by,
+        given_enclave=_given_enclave(log, effect),
         defined_at=effect.place,
         entities=tuple(entities),
         parameters=tuple(_parameters(log, effect.address)),
@@ -128,24 +137,32 @@ def _node(
     )
 
 
+def _given_enclave(log: EffectLog, effect: NodeEffect) -> str | None:
+    """The enclave that the start of the process names: ROS_SECURITY_ENCLAVE_OVERRIDE, else the last --enclave."""
+    configuration = log.configuration
+    override = configuration.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE") if configuration is not None else None
+    said = override if override is not None else command_lines(log, effect)[1].enclave
+    return None if said is None else word_text(said)
+
+
 def _entities(
     effect: EntityEffect, identity: _Identity, distro: Distro, findings: dict[Finding, None], *, sure: bool
 ) -> list[Entity]:
     """The entities that one effect makes: one for each name and type that it may have."""
     kind = KINDS[effect.kind]
-    options = name_options(effect.name)
+    possible = name_options(effect.name)
     types = interface_types(effect.type)
     result: list[Entity] = []
-    for option in options:
-        for text in _resolved(kind, option, identity, distro, effect, findings):
+    for option in possible:
+        resolved = _resolved(kind, option, identity, distro, effect, findings)
+        alone = len(possible) * len(types) * len(resolved) == 1
+        for text, how in resolved:
             for type_ in types:
-                entity = _entity(
-                    effect, kind, text, type_, option, identity, sure=sure and len(options) * len(types) == 1
-                )
+                entity = _entity(effect, kind, text, type_, how, identity, sure=sure and alone)
                 if type_ is None:
                     findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
-                if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(option):
-                    findings[unknown_name(kind.value, entity, option, effect.place)] = None
+                if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(how):
+                    findings[unknown_name(kind.value, entity, how, effect.place)] = None
                 result.append(entity)
                 if effect.introspection and type_ is not None:
                     for event in _events(kind, distro, text, type_):
@@ -181,16 +198,23 @@ def _resolved(
     distro: Distro,
     effect: EntityEffect,
     findings: dict[Finding, None],
-) -> tuple[str, ...]:
+) -> list[tuple[str, NameOption]]:
+    """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
     remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
     rules = identity.rules
     if kind in _ACTIONS and not names.action_names_are_remapped(distro):
         rules = ()
+    own, space = identity.name, identity.namespace
     try:
-        return names.resolve(option.text, remap, rules, identity.name, identity.namespace)
+        found = names.resolve(option.text, remap, tuple(r.rule for r in rules), own, space)
     except names.InvalidName as error:
         findings[invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on)] = None
-        return ()
+        return []
+    result: list[tuple[str, NameOption]] = []
+    for text in found:
+        target = remapped_by(text, option.text, remap, rules, own, space) if rules else None
+        result.append((text, option if target is None else name_options(target)[0]))
+    return result
 
 
 def _entity(
@@ -239,42 +263,43 @@ _KNOWN: Final = (Resolution.EXACT, Resolution.DEFAULT, Resolution.BOUND)
 
 def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: EffectLog) -> list[Entity]:
     """What the client library creates by itself, under the node's own rules."""
-    if effect.assumed:
-        pass  # it is a node of some kind: what every node has
-    options = dict(effect.options)
+    switches = dict(effect.options)
 
     def switch(name: str, default: bool) -> bool:
-        value = options.get(name)
+        value = switches.get(name)
         if isinstance(value, Const) and isinstance(value.value, bool) and not value.origins:
             return value.value
         return True if value is not None else default
 
-    words = [w for w in (*effect.words, *effect.global_words) if isinstance(w, Const) and isinstance(w.value, str)]
-    parsed = parse_arguments([str(w.value) for w in words])
+    own, general = command_lines(log, effect)
     fqn = names.fully_qualified(identity.namespace, identity.name)
-    sim = any(
+    given = values_of(log, effect).get("use_sim_time")
+    sim = (given is not None and _may_be_true(given)) or any(
         p.address == effect.address and isinstance(p.name, Const) and p.name.value == "use_sim_time" and _true(p.value)
         for p in log.parameters
     )
     found = implicit_entities(
         distro,
         node_fqn=fqn,
-        enable_rosout=switch("enable_rosout", True) and parsed.rosout_logs is not False,
+        enable_rosout=switch("enable_rosout", True) and own.rosout_logs and general.rosout_logs,
         start_parameter_services=switch("start_parameter_services", True),
         logger_service=switch("enable_logger_service", False),
-        use_sim_time=sim
-        or switch("use_sim_time", False)
-        or any(p.name == "use_sim_time" and p.value.value is True for p in parsed.parameters if hasattr(p, "name")),
+        use_sim_time=sim or switch("use_sim_time", False),
         lifecycle=switch("lifecycle", False),
         lifecycle_services=switch("lifecycle_services", True),
     )
+    rules = tuple(r.rule for r in identity.rules)
     result: list[Entity] = []
     for entity in found:
         kind = names.RemapKind.SERVICE if entity.kind in _SERVICES else names.RemapKind.TOPIC
-        for text in names.resolve(entity.name, kind, identity.rules, identity.name, identity.namespace):
+        for text in names.resolve(entity.name, kind, rules, identity.name, identity.namespace):
             resolution = identity.resolution if text.startswith(fqn) else Resolution.EXACT
             result.append(replace(entity, name=text, resolution=resolution, created_at=(effect.place,), system=True))
     return result
+
+
+def _may_be_true(value: Value) -> bool:
+    return any(not isinstance(o, Const) or o.value is True for o in options(value))
 
 
 def _true(value: Value) -> bool:

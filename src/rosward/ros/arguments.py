@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
 from rosward.ros.names import HOLE, RemapKind, RemapRule, may_be_equal, validate_enclave
@@ -27,6 +27,7 @@ __all__ = [
     "ParameterRule",
     "ParameterValue",
     "ParamsFile",
+    "Positions",
     "RosArguments",
     "effective_value",
     "key_fits_node",
@@ -53,6 +54,15 @@ class ParamsFile(NamedTuple):
     path: str
 
 
+class Positions(NamedTuple):
+    """At which words the remap rules, the overrides and the enclave stand, and which words are the user's."""
+
+    remaps: tuple[int, ...] = ()
+    overrides: tuple[int, ...] = ()
+    enclave: int | None = None
+    user: tuple[int, ...] = ()
+
+
 @dataclass(frozen=True, slots=True)
 class RosArguments:
     """What rcl reads from a command line.
@@ -71,6 +81,7 @@ class RosArguments:
     deprecated: tuple[str, ...] = ()
     errors: tuple[str, ...] = ()
     unknown: tuple[str, ...] = ()
+    positions: Positions = field(default=Positions(), compare=False)
 
     @property
     def parameters(self) -> tuple[ParameterRule, ...]:
@@ -118,26 +129,33 @@ def parse_arguments(words: Sequence[str]) -> RosArguments:
     deprecated: list[str] = []
     errors: list[str] = []
     unknown: list[str] = []
+    remaps_at: list[int] = []
+    overrides_at: list[int] = []
+    user_at: list[int] = []
+    enclave_at: int | None = None
     for_ros = False
-    pending = iter(words)
-    for word in pending:
+    pending = iter(enumerate(words))
+    for at, word in pending:
         if word == "--ros-args":
             for_ros = True
         elif not for_ros:
             try:
                 remaps.append(parse_remap_rule(word))
+                remaps_at.append(at)
                 deprecated.append(word)
             except InvalidArgument:
                 user.append(word)
+                user_at.append(at)
         elif word == "--":
             for_ros = False
         elif word in ("--enable-rosout-logs", "--disable-rosout-logs"):
             rosout_logs = word.startswith("--enable")
         elif word in _FLAGS_WITH_VALUE:
-            value = next(pending, None)
-            if value is None:
+            behind = next(pending, None)
+            if behind is None:
                 errors.append(f"{word}: nothing after it")
                 continue
+            value_at, value = behind
             try:
                 rule = _flag_value(_FLAGS_WITH_VALUE[word], value)
             except InvalidArgument as error:
@@ -148,10 +166,12 @@ def parse_arguments(words: Sequence[str]) -> RosArguments:
                 continue
             if isinstance(rule, RemapRule):
                 remaps.append(rule)
+                remaps_at.append(value_at)
             elif isinstance(rule, str):
-                enclave = rule
+                enclave, enclave_at = rule, value_at
             elif rule is not None:
                 overrides.append(rule)
+                overrides_at.append(value_at)
         elif word not in _FLAGS:
             if HOLE in word:
                 unknown.append(word)
@@ -169,6 +189,7 @@ def parse_arguments(words: Sequence[str]) -> RosArguments:
         tuple(deprecated),
         tuple(errors),
         tuple(unknown),
+        Positions(tuple(remaps_at), tuple(overrides_at), enclave_at, tuple(user_at)),
     )
 
 

@@ -86,7 +86,10 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """One node of one process with everything that it has. `entities` is sorted by kind, name and type."""
+    """One node of one process with everything that it has. `entities` is sorted by kind, name and type.
+
+    `enclave` is where it runs; `given_enclave` is the one that its launch file, arguments or environment name, None where they name none.
+    """
 
     namespace: str
     name: str
@@ -100,6 +103,7 @@ class Node:
     entities: tuple[Entity, ...] = ()
     parameters: tuple[Parameter, ...] = ()
     reasons: tuple[str, ...] = field(default=())
+    given_enclave: str | None = None
 
     @property
     def fqn(self) -> str:

@@ -37,6 +37,7 @@ __all__ = [
     "expand",
     "full_namespace",
     "fully_qualified",
+    "is_for_node",
     "may_be_equal",
     "remap_node",
     "remap_topic",
@@ -214,7 +215,7 @@ def remap_node(name: str, namespace: str, rules: Sequence[RemapRule]) -> tuple[s
 def _renamings(old: str, node_name: str, kind: RemapKind, rules: Sequence[RemapRule]) -> list[str]:
     found: list[str] = []
     for rule in rules:
-        applies = _is_for_node(rule, node_name) if rule.kind is kind else False
+        applies = is_for_node(rule, node_name) if rule.kind is kind else False
         if applies is not False:
             found.append(collapse(rule.replacement))
         if applies:
@@ -255,7 +256,7 @@ def remap_topic(
     for rule in rules:
         if rule.kind is not kind and rule.kind is not RemapKind.BOTH:
             continue
-        for_node = _is_for_node(rule, node_name)
+        for_node = is_for_node(rule, node_name)
         if for_node is False:
             continue
         try:
@@ -273,7 +274,7 @@ def remap_topic(
     return _distinct([*found, full])
 
 
-def _is_for_node(rule: RemapRule, node_name: str) -> bool | None:
+def is_for_node(rule: RemapRule, node_name: str) -> bool | None:
     """Whether the node prefix of `rule` fits; None if that depends on how a hole is filled."""
     if rule.node is None:
         return True

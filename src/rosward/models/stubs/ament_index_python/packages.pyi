@@ -6,7 +6,7 @@ Read from ament_index_python 1.11.0 (kilted).
 
 from pathlib import Path
 
-from _rosward import unknown
+from _rosward.launch import prefix_folder, share_folder
 
 
 class PackageNotFoundError(KeyError): ...
@@ -16,11 +16,11 @@ def get_packages_with_prefixes() -> dict: ...
 
 
 def get_package_prefix(package_name):
-    return unknown("file", f"install folder of {package_name}", "str")
+    return prefix_folder(package_name)
 
 
 def get_package_share_directory(package_name, print_warning=True):
-    return unknown("file", f"share folder of {package_name}", "str")
+    return share_folder(package_name)
 
 
 def get_package_share_path(package_name, print_warning=True):

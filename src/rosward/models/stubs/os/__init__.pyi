@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """`os`: the environment, paths, and programs that are started (also models/std_process.py)."""
-from _rosward import default, either, unknown
+from _rosward import default, either, environment, unknown
 from os import path as path
 
 class _Environ:
-    """`os.environ`: unknown until the program itself sets a variable."""
+    """`os.environ`: unknown until the deployment or the program itself sets a variable."""
     def __init__(self):
         self._set = {}
     def __getitem__(self, key):
         if key in self._set:
             return self._set[key]
-        return unknown('environment', key, 'str')
+        given = environment(key)
+        return unknown('environment', key, 'str') if given is None else given
     def get(self, key, default=None):
         if key in self._set:
             return self._set[key]
-        return _read(key, default)
+        given = environment(key)
+        return _read(key, default) if given is None else given
     def setdefault(self, key, default=None):
         value = self.get(key, default)
         self._set[key] = value
@@ -26,7 +28,7 @@ class _Environ:
     def __delitem__(self, key):
         self._set.pop(key, None)
     def __contains__(self, key):
-        if key in self._set:
+        if key in self._set or environment(key) is not None:
             return True
         return unknown('environment', key, 'bool')
     def update(self, *args, **kwargs):

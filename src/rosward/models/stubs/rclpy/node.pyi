@@ -8,6 +8,7 @@ from _rosward import (
     calls,
     create_node,
     creates,
+    declare_given,
     declare_parameter,
     default,
     message,
@@ -50,6 +51,7 @@ from rclpy.qos_overriding_options import _declare_qos_parameters
 from rclpy.service import Service as Service
 from rclpy.subscription import Subscription as Subscription
 from rclpy.timer import Rate as Rate, Timer as Timer
+from rclpy.utilities import get_default_context as get_default_context
 
 HIDDEN_NODE_PREFIX = "_"
 
@@ -81,6 +83,7 @@ class Node:
         create_node(
             self,
             node_name,
+            context=get_default_context() if context is None else context,
             namespace=namespace,
             cli_args=cli_args,
             use_global_arguments=use_global_arguments,
@@ -93,6 +96,8 @@ class Node:
             lifecycle=self._rosward_lifecycle,
             lifecycle_services=self._rosward_lifecycle_services,
         )
+        if automatically_declare_parameters_from_overrides:
+            declare_given(self)
 
     # What the node has. None of these can be assigned (`self.timers = []` raises AttributeError), except `executor`.
 

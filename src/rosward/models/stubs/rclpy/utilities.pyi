@@ -4,9 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-import sys
-
-from _rosward import unknown
+from _rosward import native, unknown
 
 from rclpy.context import Context
 
@@ -17,8 +15,8 @@ def get_default_context(*, shutting_down=False):
     return g_default_context
 
 
-def remove_ros_args(args=None):
-    return sys.argv if args is None else args
+@native
+def remove_ros_args(args=None): ...
 
 
 def ok(*, context=None) -> bool: ...

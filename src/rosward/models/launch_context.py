@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What Python code of a launch file can ask the launch that it runs in.
+
+    def setup(context):                                      # an OpaqueFunction
+        robot = context.launch_configurations['robot']       configuration('robot')
+        size = LaunchConfiguration('size').perform(context)  perform(the object)
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from rosward.domain.values import Value
+
+
+class LaunchContext(Protocol):
+    """The launch that is going on, as models of `launch` reach it (`EffectLog.launch`)."""
+
+    def perform(self, pieces: Value) -> Value:
+        """The text of a substitution, a str, or a list of them."""
+
+    def evaluate(self, condition: Value) -> Value:
+        """Whether a condition holds: a bool."""
+
+    def configuration(self, name: str) -> Value | None:
+        """A launch configuration, None where it is surely not set."""
+
+    def configurations(self) -> Mapping[str, Value]:
+        """All launch configurations that are or may be set."""
+
+    def set_configuration(self, name: str, value: Value | None) -> None:
+        """Set a launch configuration; None removes it."""
+
+    def variable(self, name: str) -> Value | None:
+        """An environment variable that launch set, None where it is that of the shell."""
+
+    def set_variable(self, name: str, value: Value | None) -> None:
+        """Set an environment variable; None removes it."""
