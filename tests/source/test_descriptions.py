@@ -96,7 +96,7 @@ def test_name_folders_and_scripts_of_setup_py(tmp_path: Path) -> None:
         ("setup(entry_points={'console_scripts':\n find()})", 1),
         ("setup(entry_points={'console_scripts': ['a = m.a:main', find()]})", 1),
         ("setup(entry_points={'console_scripts': ['a = m.a:main', 'nonsense']})", 1),
-        ("setup(scripts=glob('scripts/*'))", 1),
+        ("setup(scripts=find('scripts/*'))", 1),
         ("setup(**options)", 1),
         ("x = 1\nsetup(entry_points={'console_scripts': [f'{i} = m:{i}' for i in range(9)]})", 2),
         ("setup(", 1),

@@ -16,7 +16,7 @@ from rosward.models.ros_names import command_lines, final_name, remapped_by, rem
 from rosward.models.ros_parameters import values_of
 from rosward.network.doubts import invalid_name, unknown_name, unknown_node, unknown_type
 from rosward.ros import names
-from rosward.ros.distro import Distro, implicit_entities, service_event_topic
+from rosward.ros.distro import ClientLibrary, Distro, implicit_entities, service_event_topic
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
 from rosward.source.location import Place
 
@@ -287,6 +287,8 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
         use_sim_time=sim or switch("use_sim_time", False),
         lifecycle=switch("lifecycle", False),
         lifecycle_services=switch("lifecycle_services", True),
+        start_parameter_event_publisher=switch("start_parameter_event_publisher", True),
+        client_library=_client_library(switches.get("client_library")),
     )
     rules = tuple(r.rule for r in identity.rules)
     result: list[Entity] = []
@@ -296,6 +298,11 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
             resolution = identity.resolution if text.startswith(fqn) else Resolution.EXACT
             result.append(replace(entity, name=text, resolution=resolution, created_at=(effect.place,), system=True))
     return result
+
+
+def _client_library(value: Value | None) -> ClientLibrary:
+    written = value.value if isinstance(value, Const) else None
+    return ClientLibrary.RCLCPP if written == ClientLibrary.RCLCPP.value else ClientLibrary.RCLPY
 
 
 def _may_be_true(value: Value) -> bool:

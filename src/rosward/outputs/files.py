@@ -31,14 +31,11 @@ def write_outputs(
 
     Raises OSError where that is not possible.
     """
-    base = Path(folder)
     written: list[str] = []
     for name, text in _texts(network, tuple(formats), unknown, system, types):
-        path = base / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        _replace(path, text)
+        path = write_text(folder, name, text)
         if "/" not in name:
-            written.append(str(path))
+            written.append(path)
     return written
 
 
@@ -65,6 +62,14 @@ def _texts(
 def _below(enclave: str) -> str:
     """An enclave path as a path below a folder; it holds letters, digits, `_` and `/` only."""
     return "" if enclave == "/" else enclave
+
+
+def write_text(folder: str, name: str, text: str) -> str:
+    """Write one file below a folder, whole or not at all; returns its path."""
+    path = Path(folder) / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    _replace(path, text)
+    return str(path)
 
 
 def _replace(path: Path, text: str) -> None:

@@ -8,6 +8,9 @@ One table for each client library: a row is an endpoint, the switch of the node 
 that brought it. The rows of rclpy are read from rclpy (node.py, parameter_service.py, logging_service.py,
 type_description_service.py, time_source.py, lifecycle/node.py) and rcl (logging_rosout.h, com_interface.c,
 service_event_publisher.c), branches humble to rolling, and compared with the real rclpy of kilted in tests/live.
+Those of rclcpp are read from rclcpp and rclcpp_lifecycle (node.cpp, lifecycle_node.cpp, time_source.cpp,
+node_logging.cpp, node_type_descriptions.cpp, parameter_service.cpp), branches humble, iron, jazzy and rolling
+(a0a2a06, December 2024). They differ in one thing: the time source of a C++ node subscribes to /parameter_events.
 """
 
 from __future__ import annotations
@@ -39,6 +42,7 @@ class ClientLibrary(enum.Enum):
     """The library that a node is written with."""
 
     RCLPY = "rclpy"
+    RCLCPP = "rclcpp"
 
 
 class _Switch(enum.Enum):
@@ -46,6 +50,7 @@ class _Switch(enum.Enum):
 
     ALWAYS = enum.auto()
     ROSOUT = enum.auto()
+    PARAMETER_EVENTS = enum.auto()
     PARAMETER_SERVICES = enum.auto()
     TYPE_DESCRIPTION = enum.auto()
     LOGGER_SERVICE = enum.auto()
@@ -96,9 +101,10 @@ _LOGGER_SERVICES: Final = (
 
 _PUBLISHER, _SUBSCRIPTION, _SERVER = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER
 
-_RCLPY: Final = (
+_EVENTS: Final = "rcl_interfaces/msg/ParameterEvent"
+
+_BOTH: Final = (
     _Row(_Switch.ROSOUT, _PUBLISHER, "/rosout", "rcl_interfaces/msg/Log", _reliable(1000, "transient_local")),
-    _Row(_Switch.ALWAYS, _PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", _reliable(1000)),
     _Row(
         _Switch.SIM_TIME,
         _SUBSCRIPTION,
@@ -120,11 +126,17 @@ _RCLPY: Final = (
     *(_Row(_Switch.LIFECYCLE_SERVICES, _SERVER, f"~/{n}", t, _SERVICE) for n, t in _LIFECYCLE_SERVICES),
 )
 
+_RCLPY: Final = (*_BOTH, _Row(_Switch.ALWAYS, _PUBLISHER, "/parameter_events", _EVENTS, _reliable(1000)))
 
-def _rows(library: ClientLibrary) -> tuple[_Row, ...]:
-    if library is ClientLibrary.RCLPY:
-        return _RCLPY
-    raise ValueError(library)
+_RCLCPP: Final = (
+    *_BOTH,
+    _Row(_Switch.PARAMETER_EVENTS, _PUBLISHER, "/parameter_events", _EVENTS, _reliable(1000)),
+    _Row(_Switch.ALWAYS, _SUBSCRIPTION, "/parameter_events", _EVENTS, _reliable(1000)),
+)
+
+
+def _rows(client_library: ClientLibrary) -> tuple[_Row, ...]:
+    return _RCLPY if client_library is ClientLibrary.RCLPY else _RCLCPP
 
 
 def implicit_entities(
@@ -133,22 +145,25 @@ def implicit_entities(
     node_fqn: str,
     enable_rosout: bool = True,
     start_parameter_services: bool = True,
+    start_parameter_event_publisher: bool = True,
     type_description: bool = True,
     logger_service: bool = False,
     use_sim_time: bool = False,
     lifecycle: bool = False,
     lifecycle_services: bool = True,
-    library: ClientLibrary = ClientLibrary.RCLPY,
+    client_library: ClientLibrary = ClientLibrary.RCLPY,
 ) -> tuple[Entity, ...]:
     """The endpoints that the client library gives the node `node_fqn` by itself, sorted by kind and name.
 
     `enable_rosout` is the option of the node and the absence of `--disable-rosout-logs`; `type_description` the
     parameter `start_type_description_service`; `lifecycle_services` the option `enable_communication_interface` of a
-    lifecycle node, without which `~/transition_event` remains (rcl_lifecycle.c). The names are those before remapping:
+    lifecycle node, without which `~/transition_event` remains (rcl_lifecycle.c). rclpy has no switch for the publisher
+    of parameter events. The names are those before remapping:
     rcl remaps them like any other (`/rosout:=/log` works).
     """
     on = {_Switch.ALWAYS}
     on |= {_Switch.ROSOUT} if enable_rosout else set()
+    on |= {_Switch.PARAMETER_EVENTS} if start_parameter_event_publisher else set()
     on |= {_Switch.PARAMETER_SERVICES} if start_parameter_services else set()
     on |= {_Switch.TYPE_DESCRIPTION} if type_description else set()
     on |= {_Switch.LOGGER_SERVICE} if logger_service else set()
@@ -157,7 +172,7 @@ def implicit_entities(
     on |= {_Switch.LIFECYCLE_SERVICES} if lifecycle and lifecycle_services else set()
     entities = [
         Entity(row.kind, row.name.replace("~", node_fqn, 1), row.type, system=True, qos=row.qos)
-        for row in _rows(library)
+        for row in _rows(client_library)
         if row.switch in on and distro.has(row.since)
     ]
     return tuple(sorted(entities, key=lambda entity: (entity.kind.value, entity.name)))

@@ -13,10 +13,12 @@ from __future__ import annotations
 
 import os
 import re
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.findings import Finding
 from rosward.source.cmake_files import PackageFiles
+from rosward.source.cmake_install import CMakeTarget, Targets, below_share, by_option, shared
 from rosward.source.cmake_text import Argument, Command, parse_cmake
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
@@ -24,19 +26,30 @@ from rosward.source.text import place_name, read_bytes
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from rosward.source.workspace import Shared
+
 _FILE_LIMIT: Final = 1_000_000
 _STEP_LIMIT: Final = 50_000
 _VALUE_LIMIT: Final = 1_000_000  # characters
 _DEPTH_LIMIT: Final = 20
 
 _PIECE: Final = re.compile(r"(\\.|\$\{|\$ENV\{|\$CACHE\{|\})", re.DOTALL)
-_INSTALL_WORDS: Final = frozenset(
+
+
+_TARGET_COMMANDS: Final = frozenset(
     {
-        "COMPONENT", "CONFIGURATIONS", "DESTINATION", "DIRECTORY_PERMISSIONS", "EXCLUDE", "EXCLUDE_FROM_ALL",
-        "FILES_MATCHING", "FILE_PERMISSIONS", "MESSAGE_NEVER", "OPTIONAL", "PATTERN", "PERMISSIONS", "REGEX", "RENAME",
-        "TYPE", "USE_SOURCE_PERMISSIONS",
+        "add_executable", "ament_auto_add_executable", "ament_auto_package", "rclcpp_components_register_node",
+        "rclcpp_components_register_nodes",
     }
 )  # fmt: skip
+_INSTALL_FOLDERS: Final = MappingProxyType(
+    {
+        "CMAKE_INSTALL_LIBDIR": "lib",
+        "CMAKE_INSTALL_BINDIR": "bin",
+        "CMAKE_INSTALL_DATADIR": "share",
+        "CMAKE_INSTALL_DATAROOTDIR": "share",
+    }
+)
 
 
 class Script(NamedTuple):
@@ -48,11 +61,14 @@ class Script(NamedTuple):
 
 
 class CMakeProject(NamedTuple):
-    """What is installed as executables, the folders of Python packages, and what could not be read."""
+    """What is installed as executables and in the share folder, the folders of Python packages, and what could not be read."""
 
     scripts: tuple[Script, ...] = ()
     python_roots: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
+    shared: tuple[Shared, ...] = ()
+    all_shared: bool = True
+    targets: tuple[CMakeTarget, ...] = ()
 
 
 def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
@@ -61,7 +77,12 @@ def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
     reader.read(folder, 0)
     reader.finish()
     return CMakeProject(
-        tuple(dict.fromkeys(reader.scripts)), tuple(dict.fromkeys(reader.python_roots)), tuple(reader.findings)
+        tuple(dict.fromkeys(reader.scripts)),
+        tuple(dict.fromkeys(reader.python_roots)),
+        tuple(reader.findings),
+        tuple(dict.fromkeys(reader.shared)),
+        reader.all_shared and not reader.findings,
+        reader.targets.found(),
     )
 
 
@@ -84,6 +105,9 @@ class _Reader:
         }
         self._functions: dict[str, tuple[list[str], list[Command]]] = {}
         self.scripts: list[Script] = []
+        self.shared: list[Shared] = []
+        self.all_shared = True
+        self.targets = Targets(package)
         self.python_roots: list[str] = []
         self.findings: list[Finding] = []
 
@@ -143,6 +167,8 @@ class _Reader:
                 self._set(arguments[0], [_component(arguments[1], arguments[2])])
             case "install" | "catkin_install_python" if arguments:
                 self._install(arguments, command)
+            case name if name in _TARGET_COMMANDS and arguments:
+                self._target(arguments, command)
             case "ament_python_install_package" if arguments:
                 self._python_package(arguments)
             case "add_subdirectory" if arguments:
@@ -265,7 +291,7 @@ class _Reader:
             return self._folder
         if name in {"CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR", f"{self._package}_SOURCE_DIR"}:
             return self._top
-        return {"CMAKE_INSTALL_LIBDIR": "lib", "CMAKE_INSTALL_BINDIR": "bin"}.get(name, "")
+        return _INSTALL_FOLDERS.get(name, "")
 
     def _inside(self, path: str) -> str | None:
         return self._files.inside(path, self._folder)
@@ -290,17 +316,16 @@ class _Reader:
 
     def _install(self, arguments: list[str], command: Command) -> None:
         what, *rest = arguments
+        if what == "TARGETS":
+            self.targets.install(rest)
         if what not in {"PROGRAMS", "FILES", "DIRECTORY"}:
             return
-        paths: list[str] = []
-        options: dict[str, list[str]] = {}
-        into = paths
-        for argument in rest:
-            if argument in _INSTALL_WORDS:
-                into = options.setdefault(argument, [])
-            else:
-                into.append(argument)
+        paths, options = by_option(rest)
         destination = next(iter(options.get("DESTINATION", [])), "").strip("/")
+        into = below_share(destination, self._package)
+        if into is not None:
+            for path in paths:
+                self._share(what, path, into, options, command)
         if destination != f"lib/{self._package}" and not destination.startswith(f"lib/{self._package}/"):
             return
         executable = "OWNER_EXECUTE" in options.get("PERMISSIONS", []) + options.get("FILE_PERMISSIONS", [])
@@ -329,6 +354,31 @@ class _Reader:
             if start is not None:
                 found = self._files.below(start, matching=matching, unwanted=unwanted, executable=not all_of_them)
                 self.scripts += [Script(name, full, place) for name, full in found]
+
+    def _share(self, what: str, path: str, into: str, options: dict[str, list[str]], command: Command) -> None:
+        full = self._inside(path)
+        if full is None or (not path and what != "DIRECTORY"):  # outside, or made by the build
+            self.all_shared = False
+        else:
+            self.shared.append(shared(what, path, full, into, options, self._place(command)))
+
+    def _target(self, arguments: list[str], command: Command) -> None:
+        place = self._place(command)
+        match command.name:
+            case "add_executable":
+                self.targets.program(arguments, place, installed=False)
+            case "ament_auto_add_executable":
+                self.targets.program(arguments, place, installed=True)
+            case "ament_auto_package":
+                for path in (
+                    arguments[arguments.index("INSTALL_TO_SHARE") + 1 :] if "INSTALL_TO_SHARE" in arguments else ()
+                ):
+                    self._share("DIRECTORY", path, "", {}, command)
+            case _:
+                self.targets.register(arguments, place, one=command.name == "rclcpp_components_register_node")
+
+    def _place(self, command: Command) -> Place:
+        return Place(self._file, command.line)
 
     def _python_package(self, arguments: list[str]) -> None:
         """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER])`: imported from the folder that holds it."""

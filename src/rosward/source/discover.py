@@ -24,7 +24,7 @@ from rosward.source.packages import Described, describe, is_build_script
 from rosward.source.setup_py import read_setup_py
 from rosward.source.text import PYTHON_LIMIT, place_name, read_bytes
 from rosward.source.walk import DESCRIPTIONS, Tree, walk
-from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Workspace
+from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Target, Workspace
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -81,7 +81,18 @@ def discover(
             if path not in known
         ),
         findings=tuple(sorted(dict.fromkeys([*findings, *doubts]), key=lambda f: (f.place, f.code, f.message))),
+        targets=_targets(described),
     )
+
+
+def _targets(described: list[tuple[Package, Described]]) -> tuple[Target, ...]:
+    """The programs and components that CMake builds."""
+    found = [
+        Target(package, target.name, target.kind, target.place, target.plugin)
+        for package, description in described
+        for target in description.cmake.targets
+    ]
+    return tuple(sorted(found, key=lambda t: (t.package.relative, t.name, t.kind.value, t.plugin, t.place)))
 
 
 def _common_folder(starts: list[str]) -> Path:

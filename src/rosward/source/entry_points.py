@@ -43,6 +43,8 @@ class Declared(NamedTuple):
 
     `scripts` are files, relative to the package, that are installed as they are. `package_dir` maps a Python package
     (`""` for all) to its folder, as setuptools means it. `name` is empty where it is not said, or not readable.
+    `data_files` are where a file is installed, as `share/demo/launch/a.launch.py`, and the file, relative to the package;
+    `all_data` tells whether these are all.
     """
 
     name: str = ""
@@ -50,6 +52,8 @@ class Declared(NamedTuple):
     scripts: tuple[tuple[str, Place], ...] = ()
     package_dir: tuple[tuple[str, str], ...] = ()
     findings: tuple[Finding, ...] = ()
+    data_files: tuple[tuple[str, str, Place], ...] = ()
+    all_data: bool = True
 
     def __or__(self, other: object) -> Declared:
         """Both together; what `self` says of name and folders comes first."""
@@ -62,6 +66,8 @@ class Declared(NamedTuple):
             self.scripts + other.scripts,
             self.package_dir + other.package_dir,
             self.findings + other.findings,
+            self.data_files + other.data_files,
+            self.all_data and other.all_data,
         )
 
 

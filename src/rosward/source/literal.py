@@ -14,6 +14,7 @@ import ast
 import itertools
 import os.path
 import string
+from collections.abc import Callable
 from typing import Any, Final, final
 
 _SIZE_LIMIT: Final = 10_000
@@ -57,11 +58,15 @@ UNKNOWN: Final = Unknown()
 class Scope:
     """The names that are known so far, and how many more steps may be taken; inner scopes share the steps."""
 
-    __slots__ = ("_fuel", "_names", "_outer")
+    __slots__ = ("_fuel", "_names", "_outer", "glob")
 
-    def __init__(self, names: dict[str, Any], outer: Scope | None = None) -> None:
+    def __init__(
+        self, names: dict[str, Any], outer: Scope | None = None, *, glob: Callable[[str, bool], Any] | None = None
+    ) -> None:
         self._names = names
         self._outer = outer
+        self.glob: Callable[[str, bool], Any] | None = outer.glob if outer is not None else glob
+        """What `glob.glob(pattern, recursive=…)` gives, where that can be told."""
         self._fuel: list[int] = outer._fuel if outer is not None else [200_000]
 
     def inner(self) -> Scope:
@@ -296,6 +301,9 @@ def _call(node: ast.Call, scope: Scope) -> Any:
         and all(isinstance(part, str) for part in arguments)
     ):
         return os.path.join(*arguments).replace(os.sep, "/")  # noqa: PTH118
+    if dotted in {"glob", "iglob", "glob.glob", "glob.iglob"} and scope.glob is not None and len(arguments) == 1:
+        known = isinstance(arguments[0], str) and keywords.keys() <= {"recursive"} and UNKNOWN not in keywords.values()
+        return scope.glob(arguments[0], bool(keywords.get("recursive", False))) if known else UNKNOWN
     if isinstance(node.func, ast.Attribute):
         return _method(evaluate(node.func.value, scope), node.func.attr, arguments, keywords)
     return UNKNOWN

@@ -14,10 +14,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.source.cmake import CMakeProject, read_cmake
+from rosward.source.cmake_install import below_share
 from rosward.source.entry_points import Declared, read_pyproject, read_setup_cfg
+from rosward.source.location import Place
 from rosward.source.manifest import Manifest, read_manifest
 from rosward.source.text import place_name, read_bytes
-from rosward.source.workspace import Package
+from rosward.source.workspace import Package, Shared
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
@@ -68,8 +70,28 @@ def describe(folder: str, names: Collection[str], root: Path, read_setup: SetupR
     roots += cmake.python_roots
     relative = place_name(folder, root)
     inside = tuple(Path(r) for r in dict.fromkeys(roots) if r == folder or r.startswith(folder + os.sep))
-    package = Package(manifest.name, Path(folder), relative, manifest.build_type, manifest.depends, inside)
+    shared, whole = (
+        (_data(folder, manifest.name, declared), declared.all_data)
+        if builds_python
+        else (cmake.shared, cmake.all_shared)
+    )
+    if "package.xml" in names:
+        shared += (Shared("package.xml", file("package.xml")[0], Place(file("package.xml")[1])),)
+    package = Package(
+        manifest.name, Path(folder), relative, manifest.build_type, manifest.depends, inside, shared, whole
+    )
     return Described(package, declared, cmake, (*findings, *declared.findings, *cmake.findings))
+
+
+def _data(folder: str, package: str, declared: Declared) -> tuple[Shared, ...]:
+    """The `data_files` that go to the share folder of the package."""
+    found: list[Shared] = []
+    for destination, source, place in declared.data_files:
+        target = below_share(destination, package)
+        path = os.path.normpath(os.path.join(folder, source))  # noqa: PTH118
+        if target is not None and path.startswith(folder + os.sep):
+            found.append(Shared(target, path, place))
+    return tuple(dict.fromkeys(found))
 
 
 def _root(folder: str, package: str, where: str) -> str:

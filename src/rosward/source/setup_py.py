@@ -11,12 +11,14 @@ cannot be told becomes a finding (RW008), not silence.
 from __future__ import annotations
 
 import ast
+import os
 import sys
 import warnings
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.findings import Finding
 from rosward.source.entry_points import DESCRIPTION_LIMIT, Declared, entry_points, text_lines
+from rosward.source.glob import glob
 from rosward.source.literal import UNKNOWN, Scope, bind, evaluate
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
@@ -42,7 +44,7 @@ def read_setup_py(path: str, file: str) -> Declared:
         message = f"The setup.py is not Python {sys.version_info[0]}: {error}."
         return Declared(findings=(Finding("RW008", message, Place(file, line)),))
     try:
-        return _Script(file).read(tree)
+        return _Script(path, file).read(tree)
     except RecursionError:
         return Declared(findings=(Finding("RW008", "The setup.py is nested too deeply.", Place(file)),))
 
@@ -50,9 +52,10 @@ def read_setup_py(path: str, file: str) -> Declared:
 class _Script:
     """One `setup.py` in the course of being read."""
 
-    def __init__(self, file: str) -> None:
+    def __init__(self, path: str, file: str) -> None:
         self._file = file
-        self._scope = Scope({"__name__": "__main__"})
+        self._folder = os.path.dirname(path)  # noqa: PTH120
+        self._scope = Scope({"__name__": "__main__"}, glob=self._glob)
         self._lines: dict[str, int] = {}
         self._findings: list[Finding] = []
 
@@ -66,6 +69,10 @@ class _Script:
         for call in self._calls(tree.body):
             result |= self._setup(call)
         return result._replace(findings=result.findings + tuple(self._findings))
+
+    def _glob(self, pattern: str, recursive: bool) -> Any:
+        found = glob(self._folder, pattern, recursive=recursive)
+        return UNKNOWN if found is None else found
 
     def _calls(self, body: list[ast.stmt]) -> Iterator[ast.Call]:
         """The calls of `setup` in the order of the text, with the names bound that stand before them."""
@@ -139,6 +146,7 @@ class _Script:
         if not isinstance(folders, dict):
             self._doubt("package_dir", line)
             folders = {}
+        data = list(self._data_files(*keywords.get("data_files", ([], 0))))
         points, findings = entry_points(self._commands(*keywords.get("entry_points", ({}, 0))))
         self._findings += findings
         return Declared(
@@ -146,7 +154,24 @@ class _Script:
             points,
             tuple(self._texts("scripts", *keywords.get("scripts", ([], 0)))),
             tuple((k, v) for k, v in folders.items() if isinstance(k, str) and isinstance(v, str)),
+            data_files=tuple(each for each in data if each is not None),
+            all_data=None not in data,
         )
+
+    def _data_files(self, value: Any, line: int) -> Iterator[tuple[str, str, Place] | None]:
+        """Where each file is installed, and the file; None for what cannot be told."""
+        for entry in value if isinstance(value, list | tuple) else [UNKNOWN]:
+            match entry:
+                case (str() as folder, list() | tuple() as files):
+                    for file in files:
+                        if isinstance(file, str):
+                            where = self._lines.get(file) or self._lines.get(folder, line)
+                            target = f"{folder.rstrip('/')}/{file.rpartition('/')[2]}"
+                            yield target, file, Place(self._file, where)
+                        else:
+                            yield None
+                case _:
+                    yield None
 
     def _commands(self, value: Any, line: int) -> Iterator[tuple[str, Place]]:
         if isinstance(value, str):  # the form of an INI file

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, NamedTuple, final
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,13 +20,26 @@ if TYPE_CHECKING:
     from rosward.source.location import Place
 
 
+class Shared(NamedTuple):
+    """What the build puts below the share folder of a package: `target` (relative to it, `launch` or `config/a.yaml`) is the file or folder `source`.
+
+    Of a folder that is not `whole`, only what fits a pattern is installed.
+    """
+
+    target: str
+    source: str
+    place: Place
+    whole: bool = True
+
+
 @final
 @dataclass(frozen=True, slots=True, eq=False)
 class Package:
     """A folder with a `package.xml`, or, without one, with a `setup.py` (then `build_type` is `python`).
 
     `depends` are the packages that it names for building or running. `python_roots` are the folders from which, by its
-    build description, its modules are imported.
+    build description, its modules are imported. `shared` is what stands in its share folder once it is installed;
+    without `all_shared`, the build description says more that cannot be told without running it.
     """
 
     name: str
@@ -35,6 +48,8 @@ class Package:
     build_type: str
     depends: frozenset[str] = frozenset()
     python_roots: tuple[Path, ...] = ()
+    shared: tuple[Shared, ...] = ()
+    all_shared: bool = True
 
     def __repr__(self) -> str:
         return f"<package {self.name} at {self.relative}>"
@@ -87,6 +102,29 @@ class Executable:
     function: str | None = None
 
 
+class TargetKind(enum.Enum):
+    """What CMake builds."""
+
+    EXECUTABLE = "executable"
+    COMPONENT = "component"
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A program or a component that CMake builds of `package`; its source is not Python.
+
+    `name` is that of the executable, or of the library that has the component. `plugin` is the class of a component, also of an executable that
+    is made of one by `rclcpp_components_register_node(… EXECUTABLE name)`.
+    """
+
+    package: Package
+    name: str
+    kind: TargetKind
+    place: Place
+    plugin: str = ""
+
+
 class SkipReason(enum.Enum):
     """Why a folder or file was left out."""
 
@@ -120,3 +158,4 @@ class Workspace:
     interface_files: tuple[SourceFile, ...] = ()
     skipped: tuple[Skipped, ...] = ()
     findings: tuple[Finding, ...] = ()
+    targets: tuple[Target, ...] = ()

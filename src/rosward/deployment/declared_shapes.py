@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does the file of a declared interface say? The records that `declared_read` makes of it and `declared` executes.
+
+executables: {relay: {node: relay, subscriptions: [{name: '${param:input}', type: std_msgs/msg/String, qos: 10}]}}
+->  Program('topic_tools', 'relay', nodes=(NodeShape('relay', …, Group(endpoints=(Endpoint('subscription', '${param:input}', …),))),))
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from rosward.ros.distro import ClientLibrary, Distro
+from rosward.ros.entities import Qos
+from rosward.source.location import Place
+
+Scalar = bool | int | float | str
+
+
+class Condition(NamedTuple):
+    """One condition: the text `subject` (a template, `${param:x}` …) compared by `test`: is, not, in, set, installed.
+
+    `installed` asks for a package of the machine that it runs on, which is never known.
+    `values` are what it is compared with; for `set`, the parameter or option `subject` is given at all (or, with False, is not).
+    """
+
+    subject: str
+    test: str
+    values: tuple[Scalar, ...]
+
+
+class Loop(NamedTuple):
+    """`variable` takes each of some items, by `source`.
+
+    They are the parameters of a `family`, the `words` of a parameter, the elements of a `list`, the names `below` a prefix, or `values`.
+    """
+
+    variable: str
+    source: str
+    of: str
+    values: tuple[str, ...] = ()
+
+
+class Window(NamedTuple):
+    """The distributions in which something is so."""
+
+    since: Distro | None = None
+    until: Distro | None = None
+
+    def has(self, distro: Distro) -> bool:
+        """Whether the distribution is one of them."""
+        after = self.since is None or distro.has(self.since)
+        return after and (self.until is None or self.until.has(distro))
+
+
+class Endpoint(NamedTuple):
+    """One endpoint; `name` and `type` are templates."""
+
+    kind: str
+    name: str
+    type: str
+    qos: Qos | None
+    when: tuple[Condition, ...]
+    window: Window
+    place: Place
+
+
+class DeclaredParameter(NamedTuple):
+    """A parameter and its default: None where it has none."""
+
+    name: str
+    type: str | None
+    default: Scalar | tuple[Scalar, ...] | None
+    place: Place
+    window: Window = Window()
+
+
+class Include(NamedTuple):
+    """Another group by its name, `name` or `package/name`, with variables."""
+
+    name: str
+    variables: tuple[tuple[str, str], ...]
+    place: Place
+
+
+class Group(NamedTuple):
+    """Endpoints and parameters that exist together, under conditions or for each of several items.
+
+    `cases`: for the value of `switch` the group of that value, else `otherwise`. `open` says what cannot be said: the interface has more than this.
+    """
+
+    when: tuple[Condition, ...] = ()
+    window: Window = Window()
+    loops: tuple[Loop, ...] = ()
+    parameters: tuple[DeclaredParameter, ...] = ()
+    endpoints: tuple[Endpoint, ...] = ()
+    includes: tuple[Include, ...] = ()
+    groups: tuple[Group, ...] = ()
+    switch: str | None = None
+    cases: tuple[tuple[str, Group], ...] = ()
+    otherwise: Group | None = None
+    open: str | None = None
+
+
+class NodeShape(NamedTuple):
+    """One node. `arguments` are its own command-line words, which its code gives it; `options` those of its constructor."""
+
+    name: str
+    namespace: str | None
+    lifecycle: bool
+    global_arguments: bool
+    options: tuple[tuple[str, bool], ...]
+    arguments: tuple[str, ...]
+    client_library: ClientLibrary
+    group: Group
+    place: Place
+
+
+class Program(NamedTuple):
+    """An executable or component: its nodes, and the program of rosward that reads what no notation can say (`reader`)."""
+
+    package: str
+    name: str
+    kind: str
+    source: str
+    nodes: tuple[NodeShape, ...]
+    reader: str | None
+    open: str | None
+    place: Place
+
+
+class Package(NamedTuple):
+    """One file: the programs of a package and its named groups."""
+
+    name: str
+    executables: dict[str, Program]
+    components: dict[str, Program]
+    interfaces: dict[str, Group]

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which program is behind what a launch file starts?
+
+    Started(package='demo', executable='talker')         the console script of the workspace: interpreted
+    Started(package='rviz2', executable='rviz2')         a declared interface
+    Started(package='acme', executable='driver')         a node of unknown interface (RW314)
+    Started(command=('python3', 'scripts/x.py'))         the script of the workspace: interpreted
+
+A component belongs to the process of its container.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, final
+
+from rosward.deployment.started import Started, StartKind
+from rosward.domain.choice import options, reasons_of
+from rosward.domain.text import pattern
+from rosward.domain.values import Const, Value
+from rosward.findings import Finding
+from rosward.models.configuration import Configuration
+from rosward.processes import Entry
+from rosward.source.workspace import Executable, ExecutableKind
+
+if TYPE_CHECKING:
+    from rosward.deployment.declared_shapes import Program
+    from rosward.source.workspace import Target
+
+
+class Launched(NamedTuple):
+    """One program of a process. Exactly one of `entry` (interpreted), `program` (declared) and `unknown` (why its interface is not known) is set.
+
+    `process` is what the programs of one process share: a component's is that of its container.
+    """
+
+    process: str
+    package: str | None
+    executable: str | None
+    started: Started
+    configuration: Configuration
+    conditional: bool
+    entry: Entry | None = None
+    program: Program | None = None
+    unknown: str | None = None
+
+
+class Declared(Protocol):
+    """The declared interfaces, as this module asks for them (`deployment/declared.py`)."""
+
+    def executable(self, package: str, name: str) -> Program | None:
+        """The declaration of an executable."""
+
+    def component(self, package: str, plugin: str) -> Program | None:
+        """The declaration of a component."""
+
+
+class FileOf(Protocol):
+    """Where files and packages are, as this module asks for them (`deployment/files.py`)."""
+
+    def find(self, path: Value) -> str | None:
+        """The file behind a path."""
+
+    def has_package(self, package: str) -> bool:
+        """Whether a package is among the sources."""
+
+
+_INERT: Final = frozenset(
+    {
+        "echo",
+        "sleep",
+        "mkdir",
+        "rm",
+        "cp",
+        "mv",
+        "chmod",
+        "cat",
+        "touch",
+        "true",
+        "false",
+        "test",
+        "printf",
+        "ls",
+        "killall",
+        "pkill",
+        "kill",
+    }
+)
+
+
+@final
+class Programs:
+    """Every program that a launch file can start: of the workspace, and declared."""
+
+    def __init__(
+        self,
+        executables: Iterable[Executable],
+        targets: Iterable[Target],
+        declared: Declared,
+        related: frozenset[str],
+        file_of: FileOf,
+    ) -> None:
+        self._executables: dict[tuple[str, str], Executable] = {}
+        for executable in executables:
+            self._executables.setdefault((executable.package.name, executable.name), executable)
+        self._targets = {(t.package.name, t.name): t for t in targets}
+        self._plugins = {(t.package.name, t.plugin): t for t in targets if t.plugin}
+        self._declared = declared
+        self._related = related
+        self._file_of = file_of
+        self.findings: dict[Finding, None] = {}
+
+    def resolve(self, started: Sequence[Started]) -> list[Launched]:
+        """The programs of one system, in the order in which they are started, each process with a label of its own."""
+        labels: dict[str, int] = {}
+        containers: dict[str, str] = {}
+        found: list[Launched] = []
+        for each in sorted(started, key=lambda s: s.kind is StartKind.COMPONENT):  # containers first
+            for package, executable, conditional in _alternatives(each):
+                launched = self._one(each, package, executable, conditional)
+                if launched is None:
+                    continue
+                if each.kind is StartKind.COMPONENT:
+                    process = self._container(each, containers) or _numbered(launched.process, labels)
+                else:
+                    process = _numbered(launched.process, labels)
+                if each.kind is StartKind.CONTAINER:
+                    containers.setdefault(_full_name(each), process)
+                found.append(launched._replace(process=process))
+        return found
+
+    def _container(self, component: Started, containers: Mapping[str, str]) -> str | None:
+        """The process of a component's container: a relative target is that of the end of a full name."""
+        target = pattern(component.container) if component.container is not None else ""
+        for name, process in containers.items():
+            if name == target or name.rpartition("/")[2] == target.strip("/"):
+                return process
+        self.findings[
+            Finding(
+                "RW318",
+                f"component {_shown(component.plugin)} is loaded into {target or 'a container'}, which nothing starts",
+                component.place,
+            )
+        ] = None
+        return None
+
+    def _one(self, each: Started, package: str | None, executable: str | None, conditional: bool) -> Launched | None:
+        made = Launched("", package, executable, each, each.configuration, conditional or each.conditional)
+        if each.kind is StartKind.COMPONENT:
+            return self._component(made)
+        if package is None:
+            return self._command(made)
+        if executable is None:
+            return self._nameless(made)
+        made = made._replace(process=f"{package}/{executable}")
+        known = self._executables.get((package, executable))
+        if known is not None and known.file is not None:
+            return made._replace(entry=entry_of(known))
+        program = self._declared.executable(package, executable)
+        if program is not None:
+            return made._replace(program=program)
+        return made._replace(unknown=self._why(package, executable, known))
+
+    def _why(self, package: str, executable: str, known: Executable | None) -> str:
+        if known is not None:
+            return "its source file is not among the sources"
+        if (package, executable) in self._targets:
+            return "it is written in C++, which is not analysed"
+        if self._file_of.has_package(package):
+            return f"the package {package} has no executable of that name"
+        return f"the package {package} is neither among the sources nor declared"
+
+    def _component(self, made: Launched) -> Launched:
+        plugin = _shown(made.started.plugin)
+        made = made._replace(process=f"{made.package or 'unknown'}/{plugin}", executable=plugin)
+        program = self._declared.component(made.package or "", plugin)
+        if program is not None:
+            return made._replace(program=program)
+        inside = self._file_of.has_package(made.package or "")
+        why = (
+            "it is written in C++, which is not analysed"
+            if inside
+            else f"the package {made.package} is neither among the sources nor declared"
+        )
+        return made._replace(unknown=why)
+
+    def _nameless(self, made: Launched) -> Launched:
+        value = made.started.executable
+        reasons = "; ".join(map(str, reasons_of(value))) if value is not None else ""
+        return made._replace(
+            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known: {reasons}"
+        )
+
+    def _command(self, made: Launched) -> Launched | None:
+        """A process that is no node of a package: a script of the workspace, or something of its own."""
+        words = made.started.command
+        for word in (made.started.executable, *words[:3]):
+            file = self._file_of.find(word) if word is not None else None
+            if file is not None and file in self._related:
+                stem = file.rpartition("/")[2].removesuffix(".py")
+                entry = Entry(file, "__main__", "", (), None, None, file)
+                return made._replace(process=file, executable=stem, entry=entry)
+        if made.started.kind is not StartKind.PROCESS:
+            shown = _shown(made.started.executable)
+            return made._replace(
+                process=shown, unknown="no package is named for it, and no file of the sources is behind its path"
+            )
+        shown = " ".join(pattern(w) for w in words)
+        program = shown.split()[0].rpartition("/")[2] if shown.split() else ""
+        if program not in _INERT:
+            self.findings[
+                Finding("RW319", f"`{shown[:200]}` is started, whose interface is not known", made.started.place)
+            ] = None
+        return None
+
+
+def entry_of(executable: Executable) -> Entry:
+    """How an executable of the workspace starts; its file is known."""
+    package, label = executable.package.name, f"{executable.package.name}/{executable.name}"
+    file = executable.file.relative if executable.file is not None else ""
+    if executable.kind is ExecutableKind.CONSOLE_SCRIPT:
+        return Entry(file, executable.module or "", executable.function or "main", (), package, executable.name, label)
+    return Entry(file, "__main__", "", (), package, executable.name, label)
+
+
+def _alternatives(each: Started) -> list[tuple[str | None, str | None, bool]]:
+    """The package and executable that may be meant: several, each conditional, where that is not decided."""
+    packages = _texts(each.package)
+    executables = _texts(each.executable)
+    several = len(packages) * len(executables) > 1
+    return [(p, e, several) for p in packages for e in executables]
+
+
+def _texts(value: Value | None) -> list[str | None]:
+    found = (
+        [o.value if isinstance(o, Const) and isinstance(o.value, str) else None for o in options(value)]
+        if value is not None
+        else [None]
+    )
+    return list(dict.fromkeys(found))
+
+
+def _full_name(container: Started) -> str:
+    name = _shown(container.name)
+    space = pattern(container.namespace) if container.namespace is not None else ""
+    return f"{space.rstrip('/')}/{name}"
+
+
+def _shown(value: Value | None) -> str:
+    return pattern(value) if value is not None else "unknown"
+
+
+def _numbered(label: str, labels: dict[str, int]) -> str:
+    count = labels[label] = labels.get(label, 0) + 1
+    return label if count == 1 else f"{label}#{count}"

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What PushRosNamespace, SetRemap and SetParameter have set, and where a group forgets it.
+
+push 'a'; group(push 'b'; node) ; node      ->  /a/b, then /a
+SetRemap x:=y; group(SetRemap p:=q); node   ->  the node has p:=q too
+
+launch_ros keeps the three as launch configurations, the latter two as lists. A group copies the names, not the lists: what is added
+to a list inside stays if the list was there before. `RosState.lists` are those lists; a scope holds positions in it.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple, final
+
+from rosward.domain.values import Value
+from rosward.source.location import Place
+
+NO_LIST: Final = -1
+
+
+class Remap(NamedTuple):
+    """One SetRemap."""
+
+    source: Value
+    target: Value
+
+
+class GlobalParameter(NamedTuple):
+    """One SetParameter, evaluated."""
+
+    name: Value
+    value: Value
+    place: Place
+
+
+class GlobalFile(NamedTuple):
+    """One SetParametersFromFile; `node` limits it to nodes of that name."""
+
+    path: Value
+    place: Place
+    node: Value | None = None
+
+
+Entry = Remap | GlobalParameter | GlobalFile
+
+
+class RosScope(NamedTuple):
+    """One scope: the pushed namespace (None: none), and which lists of remap rules and parameters it sees."""
+
+    namespace: Value | None = None
+    remaps: int = NO_LIST
+    parameters: int = NO_LIST
+
+
+@final
+class RosState(NamedTuple):
+    """All scopes, the current one last, and the lists that they share. Changed by making a new one."""
+
+    scopes: tuple[RosScope, ...] = (RosScope(),)
+    lists: tuple[tuple[Entry, ...], ...] = ()
+
+    @property
+    def namespace(self) -> Value | None:
+        """The namespace that is pushed now."""
+        return self.scopes[-1].namespace
+
+    @property
+    def remaps(self) -> tuple[Remap, ...]:
+        """The remap rules of SetRemap that hold now."""
+        return tuple(e for e in self._list(self.scopes[-1].remaps) if isinstance(e, Remap))
+
+    @property
+    def parameters(self) -> tuple[GlobalParameter | GlobalFile, ...]:
+        """The parameters and parameter files for all nodes that hold now."""
+        return tuple(e for e in self._list(self.scopes[-1].parameters) if not isinstance(e, Remap))
+
+    def _list(self, position: int) -> tuple[Entry, ...]:
+        return () if position == NO_LIST else self.lists[position]
+
+    def pushed(self) -> RosState:
+        """A new scope that sees what the current one sees."""
+        return self._replace(scopes=(*self.scopes, self.scopes[-1]))
+
+    def popped(self) -> RosState:
+        """Without the current scope; what it added to lists of outer scopes stays."""
+        return self._replace(scopes=self.scopes[:-1]) if len(self.scopes) > 1 else self
+
+    def cleared(self) -> RosState:
+        """Nothing is set in the current scope."""
+        return self._replace(scopes=(*self.scopes[:-1], RosScope()))
+
+    def with_namespace(self, namespace: Value | None) -> RosState:
+        """Another pushed namespace, already joined with what was pushed before."""
+        return self._replace(scopes=(*self.scopes[:-1], self.scopes[-1]._replace(namespace=namespace)))
+
+    def added(self, entry: Entry) -> RosState:
+        """One more rule or parameter at the end of the list that the current scope sees."""
+        scope = self.scopes[-1]
+        position = scope.remaps if isinstance(entry, Remap) else scope.parameters
+        if position != NO_LIST:
+            lists = (*self.lists[:position], (*self.lists[position], entry), *self.lists[position + 1 :])
+            return self._replace(lists=lists)
+        position = len(self.lists)
+        scope = scope._replace(remaps=position) if isinstance(entry, Remap) else scope._replace(parameters=position)
+        return RosState((*self.scopes[:-1], scope), (*self.lists, (entry,)))

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is in the graph of a program whose interface nobody knows: a node, with what every node has, and a finding (RW314).
+
+Node(package='acme', executable='driver', name='lidar')  ->  /lidar, of unknown interface
+"""
+
+from __future__ import annotations
+
+from rosward.deployment.resolve import Launched
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import NONE, Const, Unknown
+from rosward.findings import Finding
+from rosward.models.effects import EffectLog, NodeEffect
+
+_ADDRESS = 1
+
+
+def undeclared(launched: Launched) -> EffectLog:
+    """The effects of such a program. Its name, where the launch file gives none, is not known either."""
+    log = EffectLog(launched.configuration)
+    place = launched.started.place
+    label = f"{launched.package}/{launched.executable}"
+    unnamed = Unknown((Reason(Cause.MODULE, label, place),), "str")
+    component = launched.started.plugin is not None
+    effect = NodeEffect(
+        address=_ADDRESS,
+        name=unnamed,
+        namespace=NONE,
+        options=(("client_library", Const("rclcpp")),),
+        words=(),
+        global_words=launched.configuration.words,
+        cls=Unknown(()),
+        place=place,
+        late=False,
+        assumed=True,
+    )
+    log.nodes[effect] = None
+    what = "component" if component else "node"
+    log.findings[Finding("RW314", f"the interface of the {what} {label} is not known: {launched.unknown}", place)] = (
+        None
+    )
+    return log

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
+"""launch.actions.unregister_event_handler."""
+
+from launch.actions import UnregisterEventHandler as UnregisterEventHandler

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: Apache-2.0
+"""launch.launch_introspector.
+
+Read from launch 3.7.0, with what humble had before it.
+"""
+
+class LaunchIntrospector:
+    def format_launch_description(self, launch_description) -> str: ...

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""launch.some_substitutions_type: a name for annotations.
+
+Read from launch 3.7.0, with what humble had before it.
+"""
+
+from typing import Any
+
+SomeSubstitutionsType = Any
+SomeSubstitutionsType_types_tuple = ()

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""launch.substitution: text that is known when the launch file is executed.
+
+Read from launch 3.7.0, with what humble had before it.
+"""
+
+from _rosward.launch import perform
+
+
+class Substitution:
+    def describe(self) -> str: ...
+    def perform(self, context): return perform(self)

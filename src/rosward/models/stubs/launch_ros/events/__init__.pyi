@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: Apache-2.0
+"""launch_ros.events.
+
+Read from launch_ros 0.28.0, with what humble had before it.
+"""
+
+from launch_ros.events import lifecycle as lifecycle
+
+
+def matches_node_name(node_name): ...

@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: Apache-2.0
+"""nav2_common: what the launch files of Nav2 share.
+
+Read from nav2_common 1.3.
+"""

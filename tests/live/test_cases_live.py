@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Promise: every program of `tests/cases` has, under the real rclpy, the graph that rosward says it has.
+
+Each is run twice: once spinning returns, once it is interrupted as by Ctrl-C. All that the real graph shows must be covered, and what
+is not conditional must be there where the main body came to its end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final, NamedTuple
+
+import pytest
+
+pytest.importorskip("rclpy")
+
+from casefile import Case, read_cases  # noqa: E402
+
+import rosward  # noqa: E402
+
+from .agreement import judge  # noqa: E402
+from .casebook import programs_of, runnable  # noqa: E402
+from .harness import RealRclpy  # noqa: E402
+
+CASES: Final = [case for file in sorted((Path(__file__).parents[1] / "cases").glob("*.md")) for case in read_cases(file)]
+LEAST: Final = 150
+"""How many programs have to run at least, besides the generated ones."""
+
+NOT_RUN: Final = {
+    "entities: Types by their names": "no wheel of rosidl_runtime_py",
+    "entities: Types from a star import": "acme_interfaces does not exist",
+    "entities: The transform listener": "no wheel of tf2_ros",
+    "entities: message_filters": "no wheel of message_filters",
+    "found: A star import of an unknown package does not hide builtins": "no wheel of vnpy",
+    "found: A plugin that is given its node by a framework that is not known": "no wheel of qt_gui",
+    "found: An action server and a transform listener in functions that nothing calls": "no wheel of tf2_ros",
+    "paper: The motivating example": "solar_interfaces is not public",
+    "inputs: The content of a file": "reads a file outside of the project",
+    "partial: A class whose parameters nobody gives": "nothing gives the arguments that it needs",
+}
+"""Cases that cannot run here, and why."""
+
+FAILS: Final = {
+    "found: Topic and type in the order of ROS 1": "TypeError",
+    "found: A topic whose default is empty": "InvalidTopicNameException",
+    "invalid: A node name with a slash": "InvalidNodeNameException",
+    "invalid: Assigning to a property of Node": "AttributeError",
+}
+"""Cases about programs that fail, and how the real ones do."""
+
+
+class Input(NamedTuple):
+    """What a case needs from outside; the program is the same as far as names are known."""
+
+    arguments: tuple[str, ...] = ()
+    environment: tuple[tuple[str, str], ...] = ()
+
+
+INPUTS: Final = {
+    "inputs: An environment variable": Input(environment=(("ROBOT", "r1"),)),
+    "inputs: argparse": Input(arguments=("walle",)),
+    "inputs: The command line": Input(arguments=("7",)),
+    "loops: A loop of unknown length": Input(arguments=("--ros-args", "-p", "count:=2")),
+    "parameters: A parameter without a default": Input(arguments=("--ros-args", "-p", "robot:=r1")),
+}
+KNOWN: Final[dict[str, str]] = {}
+"""Cases in which rosward is wrong, and what is."""
+
+
+@pytest.fixture(scope="module")
+def real() -> Iterator[RealRclpy]:
+    with RealRclpy() as server:
+        yield server
+
+
+def _case(case: Case) -> object:
+    marks = []
+    if case.name in NOT_RUN:
+        marks.append(pytest.mark.skip(reason=NOT_RUN[case.name]))
+    if case.name in KNOWN:
+        marks.append(pytest.mark.xfail(reason=KNOWN[case.name], strict=True))
+    return pytest.param(case, marks=marks, id=case.name)
+
+
+@pytest.mark.parametrize("case", [_case(case) for case in CASES])
+def test_case(case: Case, real: RealRclpy, tmp_path: Path) -> None:
+    """What runs is what is written beside the program."""
+    files = runnable(case.files)
+    for name, text in files.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    given = INPUTS.get(case.name, Input())
+    programs = [p._replace(**given._asdict()) for p in programs_of(files, tmp_path)]
+    assert programs
+    for program in programs:
+        real.send(program)
+        real.send(program._replace(interrupt=True))
+    result = rosward.extract(tmp_path, distro="kilted")
+    seen = [(real.receive(), real.receive()) for _ in programs]
+    returned, interrupted = [first for first, _ in seen], [second for _, second in seen]
+    for run in returned:
+        assert run.end.split(":")[0] == FAILS.get(case.name, "normal"), run.output
+    assert judge(result, returned).uncovered == ()
+    assert judge(result, interrupted).uncovered == ()
+    assert judge(result, returned).missing == ()
+
+
+def test_enough_programs() -> None:
+    """The tables speak of cases that exist, and enough of the cases run."""
+    names = {case.name for case in CASES}
+    assert not ({*NOT_RUN, *FAILS, *INPUTS, *KNOWN} - names)
+    assert len(names - set(NOT_RUN)) >= LEAST

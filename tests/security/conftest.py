@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the DDS comes from, a domain for each test, and how much was tried in all.
+
+What a machine lacks skips the tests that need it, with a reason. `ROSWARD_TESTS_REQUIRE="dds rclpy"` turns that into a
+failure: so `.ci/run` calls them. `ROSWARD_LIVE_PYTHON` is a Python that has rclpy, where it is not the one of the tests.
+"""
+
+from __future__ import annotations
+
+import itertools
+import os
+import random
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+import pytest
+
+from .cyclone import Cyclone, Unavailable
+from .keystore import Keystore, has_openssl
+
+TALLY: Final = pytest.StashKey["Counter[str]"]()
+_DOMAINS: Final = range(1, 100)  # beyond, the ports of DDS meet those that the system gives to anyone
+
+
+def lacking(what: str, why: str) -> None:
+    """Skip, or fail where this has to be there."""
+    required = os.environ.get("ROSWARD_TESTS_REQUIRE", "").split()
+    if what in required:
+        pytest.fail(f"{what} is required here: {why}", pytrace=False)
+    pytest.skip(why)
+
+
+@pytest.fixture(scope="session")
+def dds() -> Cyclone:
+    if not has_openssl():
+        lacking("dds", "no openssl command")
+    try:
+        return Cyclone()
+    except Unavailable as missing:
+        lacking("dds", f"no Cyclone DDS with security: {missing}")
+        raise
+
+
+@pytest.fixture(scope="session")
+def live_python() -> str:
+    """A Python with the real rclpy."""
+    python = os.environ.get("ROSWARD_LIVE_PYTHON", sys.executable)
+    found = subprocess.run([python, "-c", "import rclpy, test_msgs"], capture_output=True, check=False, timeout=60)
+    if found.returncode:
+        lacking("rclpy", f"no rclpy in {python}")
+    return python
+
+
+@pytest.fixture(scope="session")
+def domains() -> Iterator[int]:
+    """Domain ids, from somewhere in their range, since other tests may run on the machine."""
+    start = random.randrange(len(_DOMAINS))
+    return itertools.cycle([*_DOMAINS[start:], *_DOMAINS[:start]])
+
+
+@pytest.fixture
+def domain(domains: Iterator[int]) -> int:
+    """A domain id for one test."""
+    return next(domains)
+
+
+@pytest.fixture
+def keystore(tmp_path: Path, domain: int, dds: Cyclone) -> Keystore:
+    assert dds
+    return Keystore(tmp_path / "keystore", domain)
+
+
+@pytest.fixture
+def tally(pytestconfig: pytest.Config) -> Counter[str]:
+    """What the terminal tells at the end."""
+    return pytestconfig.stash.setdefault(TALLY, Counter())
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    counted = config.stash.get(TALLY, Counter())
+    if counted:
+        terminalreporter.write_line(", ".join(f"{number} {what}" for what, number in counted.items()))
