@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final, final
 
@@ -12,6 +12,7 @@ from rosward.findings import Finding
 from rosward.frontends.python_module import FrontendError, lower_module
 from rosward.ir.program import Module
 from rosward.source.imports import ImportResolver
+from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
 from rosward.source.text import read_source
@@ -24,15 +25,17 @@ _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null"
 class SourceTree:
     """Implements `engine.library.Sources` for a workspace."""
 
-    def __init__(self, workspace: Workspace) -> None:
+    def __init__(self, workspace: Workspace, underlays: Sequence[Path] = ()) -> None:
         self.workspace = workspace
+        self.files = Installed(workspace, underlays)
         self.findings: dict[Finding, None] = {}
         self.files_read = 0
         self.lines_read = 0
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
-        self._files: dict[str, SourceFile] = {f.relative: f for f in workspace.files}
+        self._files: dict[str, SourceFile] = {f.relative: f for f in (*workspace.launch_files, *workspace.files)}
+        self._launch = {f.relative for f in workspace.launch_files}
         self._packages = {p.name for p in workspace.packages} | {
             (f.module or "").partition(".")[0] for f in workspace.files
         }
@@ -87,3 +90,13 @@ class SourceTree:
     def belongs(self, name: str) -> bool:
         """Whether the first part of a dotted name is a package of the workspace."""
         return name.partition(".")[0] in self._packages
+
+    def shared(self, file: str) -> tuple[str, str] | None:
+        """The package and the path in it of a launch file, and of Python files in launch folders: they are installed into share/."""
+        source = self._files.get(file)
+        if source is None or (file not in self._launch and "launch" not in file.split("/")[:-1]):
+            return None
+        if source.package is None:
+            return "", file
+        folder = source.package.relative
+        return source.package.name, file.removeprefix(f"{folder}/") if folder not in ("", ".") else file

@@ -188,7 +188,9 @@ def compare(run: Run, folder: Path) -> None:
 
 def ours(run: Run, folder: Path) -> tuple[list[str], list[Given], bool]:
     """The words with each text written to a file, what we read of them, and whether anything is refused."""
-    words, rows, refused = [], [], False
+    words: list[str] = []
+    rows: list[Given] = []
+    refused = False
     for number, (flag, word) in enumerate(zip(run.words[::2], run.words[1::2], strict=True)):
         if flag == "--params-file":
             path = folder / f"{number}.yaml"

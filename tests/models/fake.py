@@ -31,10 +31,12 @@ from rosward.models import (
     containers_list,
     containers_set,
     operators,
+    std_files,
     strings,
 )
 from rosward.models.builtin_constructors import type_of
 from rosward.models.builtin_functions import is_subclass
+from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction
 from rosward.source.location import Place
 
@@ -46,6 +48,7 @@ NATIVES: dict[str, NativeFunction] = {
     **containers_dict.NATIVES,
     **containers_list.NATIVES,
     **containers_set.NATIVES,
+    **std_files.NATIVES,
     **strings.NATIVES,
 }
 REASON = Reason(Cause.PARAMETER, "p", Place("demo.py", 1))
@@ -61,6 +64,7 @@ class FakeMachine:
         self.escaped: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}
         self.place = Place("demo.py", 1)
+        self.files: Files = NoFiles()
 
     def function(self, name: str, python: Callable[..., Value]) -> Value:
         value = Native(name)

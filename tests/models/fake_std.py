@@ -30,6 +30,7 @@ from rosward.models import (
     std_arguments,
     std_data,
     std_enum,
+    std_files,
     std_functional,
     std_named_tuples,
     std_numbers,
@@ -39,6 +40,7 @@ from rosward.models import (
     std_records,
     std_text,
 )
+from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction
 from rosward.source.location import Place
 
@@ -46,6 +48,7 @@ TABLES = (
     std_arguments.NATIVES,
     std_data.NATIVES,
     std_enum.NATIVES,
+    std_files.NATIVES,
     std_functional.NATIVES,
     std_named_tuples.NATIVES,
     std_numbers.NATIVES,
@@ -81,6 +84,7 @@ class FakeMachine:
         self.scheduled: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}
         self.place = Place("demo.py", 1)
+        self.files: Files = NoFiles()
 
     # What natives use
 

@@ -40,6 +40,7 @@ _NOT_ALLOWED: Final = -13  # DDS_RETCODE_NOT_ALLOWED_BY_SECURITY
 _RELIABLE, _TRANSIENT_LOCAL, _SECOND = 1, 1, 1_000_000_000
 _PUBLICATIONS, _SUBSCRIPTIONS = 0x7FFF0003, 0x7FFF0004  # pseudo handles of the built-in topics
 _AT_ONCE: Final = 64
+_MOMENT: Final = 0.1
 _PLUGIN_FILES: Final = (
     ("auth", "authentication", "auth"),
     ("crypto", "crypto", "crypto"),
@@ -281,23 +282,32 @@ class Participant:
             return False
         return True
 
-    def watch(self, until: Callable[[dict[bytes, set[Endpoint]]], bool], seconds: float) -> dict[bytes, set[Endpoint]]:
-        """The endpoints of the other participants of the domain, by participant, until that is enough or time is up."""
+    def watch(self, until: Callable[[set[Endpoint]], bool], seconds: float) -> set[Endpoint]:
+        """The endpoints of the one other participant of which `until` holds; empty where time is up before.
+
+        Once it holds, nothing new may come in for a moment.
+        """
         call = self._library.call
         readers = {
             "write": call("dds_create_reader", self._handle, _PUBLICATIONS, None, None),
             "read": call("dds_create_reader", self._handle, _SUBSCRIPTIONS, None, None),
         }
         seen: dict[bytes, set[Endpoint]] = {}
-        end = time.monotonic() + seconds
-        while not until(seen) and time.monotonic() < end:
+        now = quiet_since = time.monotonic()
+        end = now + seconds
+        while now < end:
             for way, reader in readers.items():
                 for sample in _taken(self._library, reader):
                     remote = c.cast(sample, c.POINTER(_RemoteEndpoint)).contents
                     endpoint = Endpoint(way, remote.topic.decode(), remote.type.decode())
                     seen.setdefault(bytes(remote.participant), set()).add(endpoint)
+                    quiet_since = now
+            for endpoints in seen.values():
+                if until(endpoints) and now - quiet_since > _MOMENT:
+                    return endpoints
             time.sleep(0.01)
-        return seen
+            now = time.monotonic()
+        return set()
 
 
 def _taken(library: Cyclone, reader: int) -> Iterator[int]:

@@ -3,8 +3,9 @@
 
     python host.py program.py [--ros-args …]
 
-In place of spinning, the node gets a publisher and a subscription of one more topic, `MARK`. Discovery keeps the order
-of each, so that who has seen both has seen all that the program made before. The end of standard input ends it.
+In place of spinning, the node gets a publisher and a subscription of one more topic, `MARK`, and a line is written.
+Discovery tells of writers, and of readers, in the order in which they were made: who begins to watch after that line
+and has seen both marks has seen everything. The end of standard input ends it.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ MARK: Final = "/everything_is_made"
 def _stay(node: Any, *_: Any, **__: Any) -> None:
     message = importlib.import_module("std_msgs.msg").String
     ends = node.create_publisher(message, MARK, 1), node.create_subscription(message, MARK, print, 1)
+    print(MARK, flush=True)
     sys.stdin.read()
     del ends
 

@@ -128,10 +128,11 @@ def _comparison(condition: Condition, scene: Scene) -> Verdict:
     """LaunchConfigurationEquals: false where the configuration is not set; None as the expected text is true then."""
     name = scene.text(condition.arguments[0]) if condition.arguments else Unknown(())
     expected = scene.text(condition.arguments[1]) if len(condition.arguments) > 1 else None
-    if not isinstance(name, Const):
+    plain = plain_text(name)
+    if plain is None:
         return Verdict(why=_reasons(name))
-    scene.asked.add(str(name.value))
-    held = scene.context.held(str(name.value))
+    scene.asked.add(plain)
+    held = scene.context.held(plain)
     verdicts: list[Verdict] = []
     if held is None or held.value is None or not held.sure:
         verdicts.append(YES if expected is None else NO)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import enum
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import Final, NamedTuple, final
 
 from rosward.deployment.substitution_text import (
@@ -67,15 +67,20 @@ class Refusals:
     """What launch would refuse in one file."""
 
     def __init__(self) -> None:
-        self.findings: list[Finding] = []
+        self._found: list[Finding] = []
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """All of it, in the order of the file."""
+        return tuple(sorted(self._found, key=lambda each: (each.place.line, each.place.column)))
 
     def add(self, message: str, place: Place) -> None:
         """An exception of launch, at `place`."""
-        if len(self.findings) < _REFUSAL_LIMIT:
-            self.findings.append(Finding("RW320", message, place))
-        elif len(self.findings) == _REFUSAL_LIMIT:
+        if len(self._found) < _REFUSAL_LIMIT:
+            self._found.append(Finding("RW320", message, place))
+        elif len(self._found) == _REFUSAL_LIMIT:
             message = f"launch refuses more than {_REFUSAL_LIMIT} things in this file; the rest is not listed."
-            self.findings.append(Finding("RW320", message, place))
+            self._found.append(Finding("RW320", message, place))
 
     def template(self, text: str, place: Place) -> Template:
         """The substitutions in `text`; unknown text where launch refuses it."""
@@ -128,10 +133,9 @@ class Element:
         """The attribute as it is, whatever its type."""
         self._read.add(name)
         found = self._attributes.get(name)
-        if found is None and name in self._groups:
+        if found is None and name in self._groups and self.format is Format.YAML:
             self._seen.add(name)
-            if self.format is Format.YAML:
-                self.refuse(f"{name!r} of <{self.tag}> is a list of mappings where launch expects a value.")
+            self.refuse(f"{name!r} of <{self.tag}> is a list of mappings where launch expects a value.")
         return found
 
     def text(self, name: str) -> str | None:
@@ -148,7 +152,12 @@ class Element:
     def template(self, name: str) -> Template | None:
         """An attribute that is text with substitutions."""
         text = self.text(name)
-        return None if text is None else self._refusals.template(text, self._attributes[name].place)
+        if text is None:
+            return None
+        attribute = self._attributes[name]
+        if not text and attribute.value != "":  # a list, or nothing at all: refused above
+            return unknown_text(name, attribute.place)
+        return self._refusals.template(text, attribute.place)
 
     def required(self, name: str) -> Template:
         """An attribute without which launch refuses the element: then unknown text."""
@@ -196,10 +205,11 @@ class Element:
     def seconds(self, name: str) -> None:
         """An attribute that launch compares with zero before any substitution is performed."""
         found = self.attribute(name)
-        if found is not None and (isinstance(found.value, tuple) or not _is_duration(found.text)):
-            self.refuse(
-                f"{name!r} of <{self.tag}> is not a number from zero up; it takes no substitution.", found.place
-            )
+        if found is None:
+            return
+        typed = self.format is Format.XML or isinstance(found.value, float)
+        if not (typed and _is_duration(found.text)):
+            self.refuse(f"{name!r} of <{self.tag}> is not a float from zero up; it takes no substitution.", found.place)
 
     def elements(self, name: str) -> tuple[Element, ...]:
         """The nested elements of that tag."""
@@ -244,10 +254,10 @@ class Element:
         for name in names:
             self.template(name)
 
-    def finish(self, allowed: Collection[str] = ()) -> None:
+    def finish(self) -> None:
         """Tell of what nobody asked for."""
         for name, attribute in self._attributes.items():
-            if name not in self._read and name not in allowed:
+            if name not in self._read:
                 self.refuse(f"Unexpected attribute {name!r} of <{self.tag}>.", attribute.place)
         for tag, group in self._groups.items():
             if tag not in self._seen:

@@ -39,7 +39,7 @@ def read_xml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
             raise UnreadableError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
     except UnreadableError as error:
         return Description((), file), (Finding("RW310", str(error), Place(file, error.line, error.column)),)
-    return Description(read_description(root), file), tuple(refusals.findings)
+    return Description(read_description(root), file), refusals.findings
 
 
 class _Open(NamedTuple):

@@ -43,7 +43,7 @@ def read_yaml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     except UnreadableError as error:
         message = f"The YAML launch file cannot be read. {error}"
         return Description((), file), (Finding("RW310", message, Place(file, error.line, error.column)),)
-    return Description(read_description(root), file), tuple(refusals.findings)
+    return Description(read_description(root), file), refusals.findings
 
 
 @final

@@ -102,7 +102,7 @@ def _dirname(scene: Scene, substitution: Substitution) -> Value:
     return folder_of(_current(scene, substitution))
 
 
-def _log_dir(scene: Scene, substitution: Substitution) -> Value:
+def _log_dir(_: Scene, substitution: Substitution) -> Value:
     return Unknown((Reason(Cause.RANDOM, "folder of the log files", substitution.place),), "str")
 
 

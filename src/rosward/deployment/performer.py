@@ -37,6 +37,9 @@ class Performer(Protocol):
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
 
+    def given(self) -> Sequence[str]:
+        """The launch arguments that the user gave, as words `name:=value` of the command line."""
+
 
 class PythonCode(Protocol):
     """Python of launch files, run by the engine. Every call can ask `performer` in its course."""

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.heap import Alternatives
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     NONE,

@@ -15,7 +15,7 @@ from typing import Final
 
 from rosward.deployment.markup import Attribute, Element, Format, Native, Scalar
 from rosward.deployment.markup_values import text_value
-from rosward.deployment.substitution_text import plain_text
+from rosward.deployment.substitution_text import plain_text, unknown_text
 from rosward.deployment.tree import (
     Literal,
     ParameterData,
@@ -51,15 +51,14 @@ def read_parameters(element: Element) -> tuple[ParameterSource, ...]:
             if substitutions is not None:
                 param.refuse("'allow_substs' of <param> goes with 'from' only.")
             entries: _Entries = []
-            _read(param, (), entries)
+            _read(param, name, entries)
             found.append(ParameterTable(tuple(entries), param.place))
         else:
             param.refuse("<param> has neither 'name' nor 'from'.")
     return tuple(found)
 
 
-def _read(param: Element, prefix: Template, entries: _Entries) -> None:
-    name = (*prefix, *param.required("name"))
+def _read(param: Element, name: Template, entries: _Entries) -> None:
     kind = param.text("type")
     value = param.attribute("value")
     nested = param.elements("param")
@@ -70,7 +69,7 @@ def _read(param: Element, prefix: Template, entries: _Entries) -> None:
     if nested and (value is not None or kind is not None):
         param.refuse("<param> has nested parameters; launch takes neither 'value' nor 'type' beside them.")
     for each in nested:
-        _read(each, (*name, Const(".")), entries)
+        _read(each, (*name, Const("."), *each.required("name")), entries)
     param.finish()
 
 
@@ -89,7 +88,7 @@ def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterDa
     value = attribute.value if param.format is Format.YAML else _from_xml(param, attribute.text, kind)
     if value is None:
         param.refuse("The value of <param> is nothing that a parameter can be.", attribute.place)
-        return Typed(param.parsed(attribute.text), kind)
+        return Typed(param.parsed(attribute.text) if attribute.text else unknown_text("value", param.place), kind)
     is_list = kind is not None and kind.startswith("List[")
     inner = kind[5:-1] if kind is not None and is_list else kind
     if not isinstance(value, tuple):

@@ -112,10 +112,13 @@ class Condition(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Action:
-    """One entry of a launch description; `place` is where it is written."""
+    """One entry of a launch description; `place` is where it is written. `identity` is the object of the launch file that it was read
+    from, where there is one: event handlers name it as their target.
+    """
 
     place: Place
     condition: Condition | None = None
+    identity: Value | None = None
 
 
 class NodeKind(enum.Enum):

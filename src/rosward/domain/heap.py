@@ -6,11 +6,17 @@ self.items.append(x)    heap[a] = heap[a].with_items(items + (x,))
 
 from __future__ import annotations
 
-from typing import Final, final
+from typing import Final, NamedTuple, final
 
 from rosward.domain.values import Value
 
 NO_ATTRS: Final[dict[str, Value]] = {}
+
+
+class Alternatives(NamedTuple):
+    """The payload of a list of unknown length: its elements in order, and whether each is surely there. Any write to the list drops it."""
+
+    elements: tuple[tuple[Value, bool], ...]
 
 
 @final
@@ -59,6 +65,8 @@ class Obj:
         copy = Obj.__new__(Obj)
         for name in Obj.__slots__:
             setattr(copy, name, changes[name] if name in changes else getattr(self, name))
+        if copy.payload.__class__ is Alternatives and "payload" not in changes and ("items" in changes or "rest" in changes):
+            copy.payload = None
         return copy
 
     def with_attr(self, name: str, value: Value) -> Obj:

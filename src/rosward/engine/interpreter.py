@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from rosward.engine.library import Library
     from rosward.ir.program import Code
     from rosward.models.effects import EffectLog
+    from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
 _MAX_SEQUENCE: Final = 6
@@ -296,6 +297,11 @@ class Interpreter:
             if not frame.stub:
                 return Place(frame.code.file, frame.line, frame.column)
         return Place("", 0)
+
+    @property
+    def files(self) -> Files:
+        """The files of the analysed packages."""
+        return self.library.sources.files
 
     @property
     def via(self) -> str | None:

@@ -23,6 +23,7 @@ from rosward.frontends.python_module import lower_module
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.effects import EffectLog
+from rosward.models.file_paths import Files
 from rosward.models.native import NativeFunction
 from rosward.source.location import Place
 
@@ -44,6 +45,10 @@ class Found(NamedTuple):
 class Sources(Protocol):
     """The files of the analysis, as the engine sees them."""
 
+    @property
+    def files(self) -> Files:
+        """What is installed into the share folders of packages, as data."""
+
     def find(self, name: str, level: int, importer: str) -> Found | None:
         """The module of a name as written in the file `importer`."""
 
@@ -55,6 +60,12 @@ class Sources(Protocol):
 
     def belongs(self, name: str) -> bool:
         """Whether the first part of a dotted name is a package of the analysis."""
+
+    def shared(self, file: str) -> tuple[str, str] | None:
+        """The package and the path in it of a file that is installed into the package's share folder; None for any other.
+
+        The package is '' for a launch file outside of packages; its path is then that below the folder of all sources.
+        """
 
 
 @final
@@ -110,7 +121,11 @@ class Library:
         return self._node
 
     def file_value(self, _machine: object, module: ModuleValue) -> Value:
-        """`__file__`: the folder in which the sources will be installed is not known, the file's own name is."""
+        """`__file__`: of a launch file in the share folder of its package; else only the file's own name is known."""
+        shared = self.sources.shared(module.file)
+        if shared is not None:
+            cause = Cause.SHARE if shared[0] else Cause.SOURCES
+            return make((Hole((Reason(cause, shared[0], Place(module.file)),)), "/" + shared[1]))
         reason = Reason(Cause.FILE, "place of installation", Place(module.file))
         return make((Hole((reason,)), "/" + module.file.rpartition("/")[2]))
 
@@ -132,8 +147,10 @@ class Library:
         found = self.sources.find(name, level, file)
         if level:
             return found
-        # The client library itself is modelled, never read. Any other library that stands among the sources is read, unless it is only a guess.
-        model = self._model(name) if found is None or found.guess or top == _CLIENT_LIBRARY else None
+        # The client library itself is modelled, never read. Any other library that stands among the sources is read, unless it is only a
+        # guess, or a folder without a file of its own: an installed package goes before that (the folder `launch` of a package, say).
+        weak = found is None or found.guess or not found.file
+        model = self._model(name) if weak or top == _CLIENT_LIBRARY else None
         if model is not None:
             return model
         return None if found is not None and found.guess and top in sys.stdlib_module_names else found

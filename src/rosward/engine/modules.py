@@ -97,8 +97,8 @@ def _is_interface_module(name: str) -> bool:
     return len(parts) > 1 and parts[1] in ("msg", "srv", "action")
 
 
-def run_module(machine: Interpreter, module: ModuleValue, name: str) -> bool:
-    """Run the top level of a module; False where it does not come to its end."""
+def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int = 0) -> bool:
+    """Run the top level of a module; False where it does not come to its end. `turn` tells apart that a file is run again."""
     package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
     attrs: dict[str, Value] = {
         "__name__": Const(name),
@@ -111,7 +111,7 @@ def run_module(machine: Interpreter, module: ModuleValue, name: str) -> bool:
     if lowered is None:
         return True
     code = lowered.code
-    context = machine.context("module", module.file)
+    context = machine.context("module", module.file, turn)
     frame = Frame(code, [UNBOUND] * code.registers, (), module, context, machine.library.is_model_file(code.file))
     frame.cells = tuple(machine.new_cells(code, context))
     frames, machine.frames = machine.frames, [frame]

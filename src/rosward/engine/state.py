@@ -11,8 +11,8 @@ from collections.abc import Callable
 from typing import Final, final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj
-from rosward.domain.values import UNBOUND, Value
+from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.values import UNBOUND, Ref, Value
 
 Heap = dict[int, Obj]
 Merge = Callable[[Value, Value], Value]
@@ -101,7 +101,7 @@ def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -
 
 
 def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
-    if left.items == right.items and left.rest == right.rest:
+    if left.items == right.items and left.rest == right.rest and left.payload == right.payload:
         return result
     if (
         left.items is not None
@@ -114,10 +114,38 @@ def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
             return result
         return result.replace(items=items)
     ours, theirs = element(left), element(right)
+    ways = _alternatives(left, right)
+    payload = left.payload if ways is None and left.payload.__class__ is not Alternatives else ways
     if left.items is None and (theirs is None or (ours is not None and merge(ours, theirs) == ours)):
-        return result
+        return result if payload == left.payload else result.replace(payload=payload)
     both = merge(ours if ours is not None else UNBOUND, theirs if theirs is not None else UNBOUND)
-    return result.replace(items=None, rest=None if both is UNBOUND else both)
+    return result.replace(items=None, rest=None if both is UNBOUND else both, payload=payload)
+
+
+_MOST_ALTERNATIVES: Final = 200
+
+
+def _alternatives(left: Obj, right: Obj) -> Alternatives | None:
+    """Which elements two lists of objects have in common, and which may be there; None where that is not known or not worth it."""
+    ours, theirs = _told(left), _told(right)
+    if ours is None or theirs is None:
+        return None
+    found = dict(ours)
+    for value, sure in theirs.items():
+        found[value] = sure and found.get(value, False)
+    for value in ours.keys() - theirs.keys():
+        found[value] = False
+    return Alternatives(tuple(found.items())) if len(found) <= _MOST_ALTERNATIVES else None
+
+
+def _told(obj: Obj) -> dict[Value, bool] | None:
+    """The elements of a list that are told apart, and whether each is surely there."""
+    if obj.kind != "list":
+        return None
+    if obj.items is not None:
+        told = dict.fromkeys(obj.items, True)
+        return told if len(told) == len(obj.items) and all(v.__class__ is Ref for v in told) else None
+    return dict(obj.payload.elements) if isinstance(obj.payload, Alternatives) else None
 
 
 def element(obj: Obj) -> Value | None:

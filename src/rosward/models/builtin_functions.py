@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builtin functions of single values; those of iterables, of attributes and the types stand in modules of their own.
 
-abs(-1), round(x, 2), isinstance(x, str), open('/etc/robot.yaml'), input(), eval('[1, 2]')
+abs(-1), round(x, 2), isinstance(x, str), input(), eval('[1, 2]'); open() is in std_files.py
 """
 
 from __future__ import annotations
@@ -11,9 +11,8 @@ import builtins
 from collections.abc import Callable
 from typing import Final
 
-from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, NONE, Class, Const, Native, Tuple, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Native, Tuple, Unknown, Value
 from rosward.models.builtin_constructors import is_callable
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import (
@@ -116,12 +115,6 @@ def _input(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.INPUT, "input", "str")
 
 
-def _open(call: NativeCall) -> Value:
-    """A file: whatever is read from it is unknown because of its content."""
-    name = call.arg(0, "file", EMPTY) or EMPTY
-    return call.machine.unknown(Cause.FILE, pattern(name))
-
-
 def _identity(call: NativeCall) -> Value:
     """id and hash."""
     return call.machine.unknown(Cause.RANDOM, call.name.rpartition(".")[2], "int")
@@ -176,7 +169,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "builtins.callable": native(_callable, 1),
     "builtins.print": native(_print),
     "builtins.input": native(_input),
-    "builtins.open": native(_open),
     "builtins.id": native(_identity),
     "builtins.hash": native(_identity),
     "builtins.repr": native(_repr, 1),

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj
+from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Ref, Slice, Tuple, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
@@ -57,6 +57,33 @@ def add_to_rest(machine: Machine, ref: Ref, values: Iterable[Value]) -> None:
     write(machine, ref, None, None if joined is UNBOUND else joined)
 
 
+def told(machine: Machine, value: Value) -> tuple[tuple[Value, bool], ...] | None:
+    """The elements of a list or tuple of objects in order, and whether each is surely there; None where they are not told apart."""
+    items: tuple[Value, ...] | None = None
+    if isinstance(value, Tuple):
+        items = value.items
+    elif isinstance(value, Ref) and machine.obj(value).kind == "list":
+        obj = machine.obj(value)
+        if obj.items is None:
+            return obj.payload.elements if isinstance(obj.payload, Alternatives) else None
+        items = obj.items
+    if items is None or not all(isinstance(i, Ref) for i in items):
+        return None
+    return tuple((i, True) for i in items)
+
+
+def keep_told(machine: Machine, ref: Ref, parts: Iterable[tuple[tuple[Value, bool], ...] | None]) -> None:
+    """A list of unknown length was made of `parts`: where the elements of all are told apart, they stay so."""
+    found: dict[Value, bool] = {}
+    for part in parts:
+        if part is None or any(value in found for value, _ in part):
+            return
+        found.update(part)
+    obj = machine.obj(ref)
+    if obj.items is None and len(found) <= MAX_ITEMS:
+        machine.update(ref, obj.replace(payload=Alternatives(tuple(found.items()))))
+
+
 def _receiver(call: NativeCall) -> Ref | None:
     first = call.args[0] if call.args else None
     return first if isinstance(first, Ref) and call.machine.obj(first).kind in ("list", "set") else None
@@ -72,7 +99,9 @@ def _append(call: NativeCall) -> Value:
     if ref is not None:
         items = call.machine.obj(ref).items
         if items is None:
+            before = told(call.machine, ref)
             add_to_rest(call.machine, ref, (value,))
+            keep_told(call.machine, ref, (before, told(call.machine, Tuple((value,)))))
         else:
             write(call.machine, ref, (*items, value))
     return NONE
@@ -83,10 +112,12 @@ def _extend(call: NativeCall) -> Value:
     known, rest = call.machine.iterate(call.args[1])
     if ref is not None:
         items = call.machine.obj(ref).items
+        parts = told(call.machine, ref), told(call.machine, call.args[1])
         if items is None:
             add_to_rest(call.machine, ref, (*known, *(() if rest is None else (rest,))))
         else:
             write(call.machine, ref, (*items, *known), rest)
+        keep_told(call.machine, ref, parts)
     return NONE
 
 

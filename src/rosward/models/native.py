@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.unknown import Cause, Reason
     from rosward.domain.values import Ref, Unknown, Value
+    from rosward.models.file_paths import Files
     from rosward.source.location import Place
 
 
@@ -97,6 +98,10 @@ class Machine(Protocol):
 
     def die(self, error: str, message: str) -> Value:
         """This path raises the builtin exception `error` here; returns `Unbound`."""
+
+    @property
+    def files(self) -> Files:
+        """The files of the analysed packages."""
 
     @property
     def place(self) -> Place:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Data that stands in the program as text, and data in files: `json`, `yaml`.
 
-json.loads('{"topic": "/scan"}')      a dict with 'topic': '/scan'
-yaml.safe_load(open('config.yaml'))   unknown because of "content of a file: config.yaml"
+json.loads('{"topic": "/scan"}')          a dict with 'topic': '/scan'
+yaml.safe_load(open(share + '/a.yaml'))   what is in the file, if it is one of the analysed packages
+yaml.safe_load(open('/etc/a.yaml'))       unknown because of "content of a file: /etc/a.yaml"
 """
 
 from __future__ import annotations
@@ -11,15 +12,20 @@ import json
 from collections.abc import Callable
 from typing import Final
 
+import yaml
+
 from rosward.domain.choice import lift, reasons_of
 from rosward.domain.text import origins_of, pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.std_support import NotKnown, from_plain, text_of, to_plain, unknown_from
+from rosward.models.std_support import MAX_DEPTH, NotKnown, from_plain, text_of, to_plain, unknown_from
 
-MAX_TEXT: Final = 100_000
+MAX_TEXT: Final = 1_000_000
 _MAX_ALIASES: Final = 100
+_MAX_MERGED: Final = 12  # aliases, where mappings are merged: each may double what there is
+_MAX_EVENTS: Final = 50_000
+_LOADER: Final = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def _json(text: str) -> object:
@@ -27,28 +33,37 @@ def _json(text: str) -> object:
 
 
 def _yaml(text: str) -> object:
-    import yaml  # it takes a while to load, and few programs come here
-
-    aliases = text.count("*")
-    if aliases > _MAX_ALIASES or (aliases > 5 and "<<" in text):
-        raise NotKnown
     try:
-        return yaml.safe_load(text)
+        _bound(text)
+        return yaml.load(text, Loader=_LOADER)
+    except yaml.constructor.ConstructorError as error:  # a tag: a loader of the program may know it
+        raise NotKnown from error
     except yaml.YAMLError as error:
         raise ValueError(str(error).partition("\n")[0]) from error
+
+
+def _bound(text: str) -> None:
+    """Raises NotKnown for what is too large, too deep, or grows with its aliases."""
+    depth = aliases = 0
+    for number, event in enumerate(yaml.parse(text, Loader=_LOADER)):
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        aliases += isinstance(event, yaml.AliasEvent)
+        if number > _MAX_EVENTS or depth > MAX_DEPTH or aliases > (_MAX_MERGED if "<<" in text else _MAX_ALIASES):
+            raise NotKnown
 
 
 def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Value:
     """The data in a text; of a file, nothing is known but which."""
 
-    def one(option: Value) -> Value:
+    def one(value: Value) -> Value:
+        option = _left_in(call, value) or value
         plain = (
             option.value.decode("utf-8", "replace")
             if isinstance(option, Const) and isinstance(option.value, bytes)
             else text_of(option)
         )
         if plain is None:
-            return _of_file(call, option)
+            return _of_file(call, value)
         if len(plain) > MAX_TEXT:
             return call.machine.unknown(Cause.LIMIT, f"{call.name} of a long text")
         try:
@@ -61,6 +76,12 @@ def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Va
             return call.machine.unknown(Cause.LIMIT, f"nesting in {call.name}")
 
     return lift(one, source)
+
+
+def _left_in(call: NativeCall, source: Value) -> Const | None:
+    """What is still to be read of a file of the sources that `open` gave (stubs/_opened.pyi)."""
+    left = call.machine.obj(source).attrs.get("_left") if isinstance(source, Ref) else None
+    return left if isinstance(left, Const) and isinstance(left.value, str) else None
 
 
 def _of_file(call: NativeCall, source: Value) -> Value:
@@ -94,8 +115,6 @@ def _all_documents(call: NativeCall) -> Value:
 
 def _dumps(call: NativeCall) -> Value:
     """json.dumps / yaml.dump of what is known; else an unknown text. Written to a file: None."""
-    import yaml
-
     try:
         value, origins = to_plain(call.machine, call.args[0])
         options = {k: to_plain(call.machine, v)[0] for k, v in call.keywords.items()}

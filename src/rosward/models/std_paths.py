@@ -270,10 +270,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "os.path.commonpath": _common,
     "os.path.commonprefix": _common,
     "os.path.isabs": _isabs,
-    **{
-        f"os.path.{name}": _file("bool")
-        for name in ("exists", "lexists", "isfile", "isdir", "islink", "ismount", "samefile")
-    },
+    **{f"os.path.{name}": _file("bool") for name in ("islink", "ismount", "samefile")},
     "os.path.getsize": _file("int"),
     **{f"os.path.{name}": _file("float") for name in ("getmtime", "getctime", "getatime")},
     "os.fspath": _fspath,

@@ -99,7 +99,7 @@ def _input(cause: Cause, hint: str, subject: str = "") -> NativeFunction:
     return read
 
 
-_FILES_AS_LIST: Final = ("os.listdir", "os.scandir", "os.walk", "glob.glob", "glob.iglob", "fnmatch.filter")
+_FILES_AS_LIST: Final = ("os.scandir", "os.walk", "fnmatch.filter")
 
 
 def _listing(call: NativeCall) -> Value:

@@ -15,6 +15,7 @@ from rosward.outputs.network_json import network_json
 from rosward.outputs.permissions import permissions
 from rosward.outputs.policy import policies, policy_xml
 from rosward.outputs.report import report_html
+from rosward.outputs.starts import starts_text
 from rosward.outputs.svg import graph_svg
 
 
@@ -48,6 +49,7 @@ def _texts(
         yield "policy.xml", policy_xml(network, unknown=unknown)
         for path, text in policies(network, unknown=unknown).items():
             yield f"policies{_below(path)}/policy.xml", text
+        yield "enclaves.txt", starts_text(network)
     if "permissions" in formats and network.nodes:
         for path, text in permissions(network, unknown=unknown).items():
             yield f"permissions{_below(path)}/permissions.xml", text

@@ -15,6 +15,8 @@ def _splitext(path): ...
 def _absolute(path): ...
 @native
 def _expanduser(path): ...
+@native
+def _read_text(path): ...
 
 class PurePath:
     """A path; all kinds are POSIX paths here."""
@@ -120,7 +122,7 @@ class Path(PurePath):
     def open(self, mode='r', buffering=-1, encoding=None, errors=None, newline=None):
         return open(self._text, mode)
     def read_text(self, encoding=None, errors=None):
-        return unknown('file', self._text, 'str')
+        return _read_text(self._text)
     def read_bytes(self):
         return unknown('file', self._text, 'bytes')
     def write_text(self, data, encoding=None, errors=None, newline=None) -> int: ...

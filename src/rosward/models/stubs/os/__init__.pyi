@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`os`: the environment, paths, and programs that are started (also models/std_process.py)."""
 from _rosward import default, either, environment, unknown
+from _rosward.launch import set_variable, variable
 from os import path as path
 
 class _Environ:
@@ -8,11 +9,17 @@ class _Environ:
     def __init__(self):
         self._set = {}
     def __getitem__(self, key):
+        launched = variable(key)
+        if launched is not None:
+            return launched
         if key in self._set:
             return self._set[key]
         given = environment(key)
         return unknown('environment', key, 'str') if given is None else given
     def get(self, key, default=None):
+        launched = variable(key)
+        if launched is not None:
+            return launched
         if key in self._set:
             return self._set[key]
         given = environment(key)
@@ -25,8 +32,10 @@ class _Environ:
         return self.get(key, *default)
     def __setitem__(self, key, value):
         self._set[key] = value
+        set_variable(key, value)
     def __delitem__(self, key):
         self._set.pop(key, None)
+        set_variable(key, None)
     def __contains__(self, key):
         if key in self._set or environment(key) is not None:
             return True

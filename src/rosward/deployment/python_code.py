@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python of launch files, interpreted: `generate_launch_description()` and everything that launch calls later.
+
+    def generate_launch_description():                      read(file, performer)      ->  Description((Declare(…), Opaque(…)))
+        return LaunchDescription([DeclareLaunchArgument('n'), OpaqueFunction(function=setup)])
+    def setup(context): return [Node(…)]                    actions(setup, …)          ->  (StartNode(…),)
+
+Nothing is executed: the engine runs the code abstractly, in one interpreter for all launch files of a system, so that modules keep what
+they hold. Each run of a file and each call has a context of its own, as launch runs a file anew with each include.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.deployment.python_actions import Actions
+from rosward.deployment.python_context import PerformedContext
+from rosward.deployment.python_expression import Expressions
+from rosward.deployment.python_objects import Objects
+from rosward.deployment.tree import Description, Unread
+from rosward.domain.choice import join_all, options
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    TRUE,
+    UNBOUND,
+    BoundMethod,
+    Const,
+    Function,
+    Hole,
+    ModuleValue,
+    Partial,
+    Ref,
+    Text,
+    Unknown,
+    Value,
+)
+from rosward.engine import modules
+from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.frame import Frame
+from rosward.engine.interpreter import Interpreter
+from rosward.findings import Finding
+from rosward.frontends.python_module import lower_module
+from rosward.models.effects import EffectLog
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.deployment.performer import Performer
+    from rosward.deployment.tree import Action
+    from rosward.engine.library import Library
+
+_GENERATE: Final = "generate_launch_description"
+_DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
+
+
+@final
+class LaunchPython:
+    """Implements `performer.PythonCode` for one launched system."""
+
+    def __init__(self, library: Library, budget: Budget | None = None) -> None:
+        self._budget = budget or Budget()
+        self._log = EffectLog()
+        self._machine = Interpreter(library, self._budget, self._log)
+        self._objects = Objects(self._machine)
+        self._read = Actions(self._objects)
+        self._context = PerformedContext(self._read.texts, self.test)
+        self._log.launch = self._context
+        self._expressions = Expressions(self._machine)
+        self._root = lower_module("", "").code
+        self._turns = 0
+        self._argv = False
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What the engine had to tell so far: a call that fails is a launch that fails."""
+        told = (f._replace(code="RW320") if f.code == "RW209" else f for f in self._log.findings)
+        return tuple(dict.fromkeys(told))
+
+    def read(self, file: str, performer: Performer) -> Description:
+        """Run a Python launch file (named as in the workspace) and give the entities of its generate_launch_description()."""
+        try:
+            with self._running(performer) as turn:
+                return Description(self._description(file, turn), file)
+        except LimitReachedError as limit:
+            self._limit(limit, Place(file))
+            return Description((Unread(place=Place(file), why=limit.what),), file)
+
+    def _description(self, file: str, turn: int) -> tuple[Action, ...]:
+        machine, place = self._machine, Place(file)
+        if machine.library.module(file) is None:
+            self._tell("RW310", "the file cannot be read", place)
+            return (Unread(place=place, why="the launch file cannot be read"),)
+        name = file.rpartition("/")[2].removesuffix(".py")
+        module = ModuleValue(machine.place_key(("launch", file, turn)), name, file)
+        if not modules.run_module(machine, module, name, turn):
+            self._tell("RW320", "this launch file raises an exception when it is loaded", place)
+            return ()
+        generate = modules.attribute(machine, module, _GENERATE)
+        if isinstance(generate, Unknown) and _GENERATE not in machine.at(module.address).attrs:
+            self._tell("RW310", f"this launch file has no function {_GENERATE}", place)
+            return ()
+        value = machine.call(generate, ())
+        here = _place_of(generate) or place
+        if value is UNBOUND:
+            self._tell("RW320", f"{_GENERATE}() raises an exception", here)
+            return ()
+        for option in options(value):
+            if not self._objects.is_a(option, _DESCRIPTION) and not isinstance(option, Unknown):
+                self._tell("RW320", f"{_GENERATE}() does not return a LaunchDescription", here)
+        if len(options(value)) > 1 and all(self._objects.is_a(o, _DESCRIPTION) for o in options(value)):
+            # An early return: what all descriptions have in common is surely there.
+            value = join_all(machine.load_attr(o, "entities") for o in options(value))
+        return self._read.entities(value, here)
+
+    def actions(
+        self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], performer: Performer, *, context: bool
+    ) -> tuple[Action, ...]:
+        """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
+        place = _place_of(function) or Place("", 0)
+        try:
+            with self._running(performer):
+                given = (self._launch_context(), *args) if context else tuple(args)
+                value = self._machine.call(function, given, kwargs)
+                if value is UNBOUND:
+                    self._tell("RW320", "this function raises an exception", place)
+                    return ()
+                return self._read.entities(value, place)
+        except LimitReachedError as limit:
+            self._limit(limit, place)
+            return (Unread(place=place, why=limit.what),)
+
+    def perform(self, substitution: Value, performer: Performer) -> Value:
+        """`substitution.perform(context)` of a class of the analysed sources; also one of several substitutions: a text."""
+        try:
+            with self._running(performer):
+                return join_all(self._perform(o) for o in options(substitution))
+        except LimitReachedError as limit:
+            self._limit(limit, Place("", 0))
+            return self._machine.unknown(Cause.LIMIT, limit.what, "str")
+
+    def _perform(self, value: Value) -> Value:
+        if isinstance(value, Ref) and self._objects.overrides(value, "perform"):
+            found = self._machine.call_method(value, "perform", (self._launch_context(),))
+            if found is UNBOUND:
+                self._tell("RW320", "perform() raises an exception", self._objects.place(value))
+        else:
+            found = NONE if value == NONE else self._context.perform(value)
+        return _as_text(found) if _as_text(found) is not None else self._machine.unknown(Cause.CALL, "perform", "str")  # type: ignore[return-value]
+
+    def test(self, condition: Value, performer: Performer) -> Value:
+        """`condition.evaluate(context)` of a class of the analysed sources, or a call of a function: a bool."""
+        try:
+            with self._running(performer):
+                return join_all(self._test(o) for o in options(condition))
+        except LimitReachedError as limit:
+            self._limit(limit, Place("", 0))
+            return self._machine.unknown(Cause.LIMIT, limit.what, "bool")
+
+    def _test(self, value: Value) -> Value:
+        machine = self._machine
+        if value == NONE:
+            return TRUE
+        if isinstance(value, Unknown):
+            return Unknown(value.reasons, "bool")
+        if isinstance(value, Ref) and self._objects.overrides(value, "evaluate"):
+            found = machine.call_method(value, "evaluate", (self._launch_context(),))
+        elif isinstance(value, Ref) and not self._objects.overrides(value, "__call__"):
+            return self._context.evaluate(value)
+        else:
+            found = machine.call(value, (self._launch_context(),))
+        if found is UNBOUND:
+            self._tell("RW320", "this condition raises an exception", _place_of(value) or machine.place)
+            return machine.unknown(Cause.ERROR, "condition", "bool")
+        truth = machine.truth(found)
+        if truth is None:
+            reasons = found.reasons if isinstance(found, Unknown) else machine.unknown(Cause.CALL, "condition").reasons
+            return Unknown(reasons, "bool")
+        return Const(truth, found.origins) if isinstance(found, Const) else Const(truth)
+
+    def evaluate(self, expression: Value, modules: Sequence[str], performer: Performer) -> Value:
+        """The str() of a Python expression, as PythonExpression has it: a text. The names of `modules` and of math are there."""
+        try:
+            with self._running(performer) as turn:
+                return self._expressions.evaluate(expression, tuple(modules), turn)
+        except LimitReachedError as limit:
+            self._limit(limit, Place("", 0))
+            return self._machine.unknown(Cause.LIMIT, limit.what, "str")
+
+    # Running
+
+    @contextmanager
+    def _running(self, performer: Performer) -> Iterator[int]:
+        """A call from outside: it may come while another one waits for the answer to a question of its own."""
+        machine = self._machine
+        self._turns += 1
+        root = Frame(self._root, [], (), machine.library.nowhere, machine.context("launch", self._turns), stub=True)
+        frames, catchers = machine.frames, machine.catchers
+        machine.frames, machine.catchers = [*frames, root], []
+        self._context.performers.append(performer)
+        limits = machine.step_limit, machine.deadline
+        if not frames:
+            machine.step_limit = machine.steps + self._budget.steps
+            machine.deadline = time.process_time() + self._budget.seconds
+        try:
+            self._give_arguments(performer)
+            yield self._turns
+        finally:
+            self._context.performers.pop()
+            machine.frames, machine.catchers = frames, catchers
+            if frames:
+                machine.step_limit, machine.deadline = limits
+
+    def _give_arguments(self, performer: Performer) -> None:
+        """`sys.argv` is that of `ros2 launch FILE name:=value …`."""
+        if self._argv:
+            return
+        self._argv = True
+        machine = self._machine
+        program = machine.unknown(Cause.ARGUMENT, "sys.argv", "str")
+        file = Text((Hole(program.reasons), ".launch.py"))
+        words = (program, Const("launch"), file, *map(Const, performer.given()))
+        machine.store_attr(machine.load_module("sys"), "argv", machine.new_list(words))
+
+    def _launch_context(self) -> Value:
+        machine = self._machine
+        cls = machine.load_attr(machine.load_module("launch.launch_context"), "LaunchContext")
+        return machine.allocate(Obj("instance", cls), "context")
+
+    def _limit(self, limit: LimitReachedError, place: Place) -> None:
+        where = limit.place if limit.place.file else place
+        self._tell("RW201", f"{limit.what}: what is launched after this is missing", where)
+
+    def _tell(self, code: str, message: str, place: Place) -> None:
+        self._objects.tell(code, message, place)
+
+
+def _place_of(function: Value) -> Place | None:
+    """Where a function is defined."""
+    if isinstance(function, Function):
+        return Place(function.code.file, function.code.line)
+    if isinstance(function, (BoundMethod, Partial)):
+        return _place_of(function.function)
+    return None
+
+
+def _as_text(value: Value) -> Value | None:
+    """A value that is a text (each alternative of it), else None."""
+    found = [o for o in options(value)]
+    if all(isinstance(o, Text) or (isinstance(o, Const) and isinstance(o.value, str)) for o in found):
+        return value
+    if all(isinstance(o, (Text, Unknown)) or (isinstance(o, Const) and isinstance(o.value, str)) for o in found):
+        return join_all(Unknown(o.reasons, "str") if isinstance(o, Unknown) else o for o in found)
+    return None
+
+

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is the text of a Python expression that launch evaluates?
+
+    PythonExpression(["'", LaunchConfiguration('mode'), "' == 'sim'"])   with mode:=sim: "'sim' == 'sim'"  ->  'True'
+
+The expression is lowered and interpreted like any other program; what it may name are the modules that are given, and what is in math.
+"""
+
+from __future__ import annotations
+
+import ast
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.domain.choice import lift, reasons_of
+from rosward.domain.heap import Obj
+from rosward.domain.text import make, origins_of, parts_of
+from rosward.domain.unknown import Cause, Origins
+from rosward.domain.values import UNBOUND, Const, ModuleValue, Native, Text, Unknown, Value
+from rosward.engine.frame import Frame
+from rosward.frontends.python_module import FrontendError, lower_module
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+    from rosward.ir.program import Code
+
+_RESULT: Final = "result"
+_LONGEST: Final = 20_000
+_STR: Final = Native("builtins.str")
+
+
+@final
+class Expressions:
+    """Evaluates expressions in an interpreter."""
+
+    def __init__(self, machine: Interpreter) -> None:
+        self._machine = machine
+
+    def evaluate(self, expression: Value, modules: tuple[str, ...], turn: int) -> Value:
+        """The str() of the value; unknown where the text is not wholly known, or is no expression."""
+        return lift(lambda text: self._one(text, modules, turn), expression)
+
+    def _one(self, text: Value, modules: tuple[str, ...], turn: int) -> Value:
+        machine = self._machine
+        if not isinstance(text, Const) or not isinstance(text.value, str):
+            reasons = reasons_of(text) or machine.unknown(Cause.OPERATION, "expression").reasons
+            return Unknown(reasons, "str")
+        source = text.value.lstrip(" \t")
+        if len(source) > _LONGEST or not _is_expression(source):
+            return machine.unknown(Cause.ERROR, f"{text.value[:80]!r} is no Python expression", "str")
+        program = [f"import {m}" for m in modules if all(p.isidentifier() for p in m.split("."))]
+        if "math" in modules:
+            program.insert(0, "from math import *")
+        try:
+            lowered = lower_module("\n".join([*program, f"{_RESULT} = (\n{source}\n)"]), "")
+        except FrontendError as error:
+            return machine.unknown(Cause.ERROR, f"{text.value[:80]!r}: {error.message}", "str")
+        address = machine.place_key(("expression", turn, text.value))
+        module = ModuleValue(address, "expression", "")
+        value = self._run(lowered.code, module, turn)
+        if value is UNBOUND:
+            return machine.unknown(Cause.ERROR, f"{text.value[:80]!r} fails", "str")
+        return _marked(machine.call(_STR, (value,)), text.origins)
+
+    def _run(self, code: Code, module: ModuleValue, turn: int) -> Value:
+        machine = self._machine
+        machine.put(module.address, Obj("module", Native("builtins.module"), attrs={}))
+        context = machine.context("expression", turn, id(code))
+        frame = Frame(code, [UNBOUND] * code.registers, (), module, context, stub=True)
+        frame.cells = tuple(machine.new_cells(code, context))
+        frames = machine.frames
+        machine.frames = [*frames, frame]
+        try:
+            alive = machine.run(code.ops, frame)
+        finally:
+            machine.frames = frames
+        return machine.at(module.address).attrs.get(_RESULT, UNBOUND) if alive else UNBOUND
+
+
+def _is_expression(source: str) -> bool:
+    try:
+        ast.parse(source, mode="eval")
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return True
+
+
+def _marked(value: Value, origins: Origins) -> Value:
+    """A text that was computed from others."""
+
+    def one(option: Value) -> Value:
+        if isinstance(option, (Const, Text)):
+            return make(parts_of(option), origins_of(option) | origins)
+        return option
+
+    return lift(one, value)

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A file of the analysed packages that `open` has opened to be read as text (models/std_files.py)."""
+from _rosward import unknown
+
+class TextFile:
+    """`_left` is what is still to be read."""
+    closed = False
+    mode = 'r'
+    encoding = 'utf-8'
+    def __init__(self, text, name):
+        self._whole = text
+        self._left = text
+        self.name = name
+    def read(self, size=-1):
+        if size is None or size < 0:
+            text = self._left
+            self._left = ''
+            return text
+        self._left = unknown('file', self.name, 'str')
+        return unknown('file', self.name, 'str')
+    def readlines(self, hint=-1):
+        return self.read().splitlines(True)
+    def readline(self, size=-1):
+        lines = self._left.splitlines(True)
+        self._left = ''.join(lines[1:])
+        return lines[0] if lines else ''
+    def __iter__(self):
+        return iter(self.readlines())
+    def __enter__(self):
+        return self
+    def __exit__(self, kind, value, trace): ...
+    def close(self): ...
+    def flush(self): ...
+    def seek(self, offset, whence=0):
+        self._left = self._whole if offset == 0 and whence == 0 else unknown('file', self.name, 'str')
+        return offset
+    def tell(self) -> int: ...
+    def fileno(self) -> int: ...
+    def readable(self):
+        return True
+    def writable(self):
+        return False
+    def seekable(self):
+        return True
