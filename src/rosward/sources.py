@@ -50,7 +50,7 @@ class SourceTree:
     def module(self, file: str) -> Module | None:
         """The lowered file; None where it cannot be read."""
         if file not in self._modules:
-            source = self._files.get(file)
+            source = self._files.get(file) or self.files.file(file)
             self._modules[file] = None if source is None else self._lower(source.path, file)
         return self._modules[file]
 

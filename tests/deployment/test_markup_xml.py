@@ -199,7 +199,6 @@ CASES = {
             <param name="flag" value="1" type="bool"/>
             <param name="words" value="[a, '1']" type="list_of_str"/>
             <param name="whole" value="[1, $(var x)]" type="list_of_int"/>
-            <param name="all" value="$(var x)" type="list_of_float"/>
             <param name="any" value="3" type="yaml"/>
           </node>
         </launch>
@@ -212,8 +211,7 @@ CASES = {
             6: flag = True
             7: words = ['a', '1']
             8: whole = several[1, typed[$(var <x>)] as int]
-            9: all = typed[$(var <x>)] as List[float]
-            10: any = 3
+            9: any = 3
         """,
     ),
     "nested parameters and files, in order": (
@@ -248,6 +246,8 @@ CASES = {
           <include/>
           <node pkg="demo" exec="a"><param/><param name="a"/><param name="b" value="1" type="double"/></node>
           <node pkg="demo" exec="a"><param name="b" value="{c: d}"/><param name="c" value="a" type="int"/></node>
+          <node pkg="demo" exec="a"><param name="b" value="$(var x)" type="list_of_int"/><param name="c" value="[1, a]"/></node>
+          <group scoped="5"><timer period="soon"/></group>
         </launch>
         """,
         """
@@ -262,6 +262,11 @@ CASES = {
         9: StartNode package=demo executable=a
             9: b = typed[{c: d}]
             9: c = 'a'
+        10: StartNode package=demo executable=a
+            10: b = typed[$(var <x>)] as List[int]
+            10: c = [1, 'a']
+        11: Group
+            11: Timer period=soon
         RW320 2: Unexpected attribute 'nmae' of <node>.
         RW320 2: Unexpected attribute 'node-name' of <node>.
         RW320 2: Unexpected nested tag <parma> in <node>.
@@ -280,6 +285,10 @@ CASES = {
         RW320 8: launch knows no type 'double' of a parameter.
         RW320 9: The value of <param> is nothing that a parameter can be.
         RW320 9: 'a' in <param> is no int.
+        RW320 10: The value of <param> is no list, as List[int] asks for.
+        RW320 10: The list in <param> has elements of several types.
+        RW320 11: 'scoped' of <group> is of type int, where launch takes true or false.
+        RW320 11: 'period' of <timer> is no number.
         """,
     ),
     "a tag that is not known may start anything": (

@@ -93,8 +93,11 @@ class Stubs:
     def _import(
         self, name: str, _globals: object = None, _locals: object = None, names: Any = (), _level: int = 0
     ) -> Any:
-        if name == "_rosward":
+        if name.partition(".")[0] == "_rosward":
             return types.SimpleNamespace(
+                environment=lambda _name: None,
+                variable=lambda _name: None,
+                set_variable=lambda _name, _value: None,
                 native=self._native,
                 unknown=lambda cause, subject, hint="": Unknown(f"?{subject}") if cause and hint is not None else None,
                 default=lambda _kind, name, value: Default(name, value),

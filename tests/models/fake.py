@@ -160,6 +160,9 @@ class FakeMachine:
     def spin(self) -> None:
         raise AssertionError
 
+    def variables(self, *, local: bool) -> Value:
+        return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
+
     def report(self, code: str, message: str) -> None:  # noqa: ARG002
         self.findings.append(code)
 

@@ -208,6 +208,9 @@ class FakeMachine:
     def spin(self) -> None:
         self.scheduled.clear()
 
+    def variables(self, *, local: bool) -> Value:
+        return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
+
     def report(self, code: str, message: str) -> None:
         self.findings.append((code, message))
 

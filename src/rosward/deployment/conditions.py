@@ -120,7 +120,8 @@ def _names(template: Template) -> str:
         for s in template
         if isinstance(s, Substitution) and s.kind == "var" and s.arguments and s.arguments[0]
     ]
-    found = [f"the launch configuration '{n.value}'" for n in names if isinstance(n, Const)]
+    plain = [text for n in names if not isinstance(n, Substitution) and (text := plain_text(n)) is not None]
+    found = [f"the launch configuration '{name}'" for name in plain]
     return ", ".join(found) or "a value with several alternatives"
 
 

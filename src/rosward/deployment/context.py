@@ -175,12 +175,12 @@ class Context:
 
     def join(self, other: Saved) -> None:
         """What holds where either this state or the other one is real."""
-        self._configurations = _joined_scopes(self._configurations, other.configurations)
-        self._environment = _joined_scopes(self._environment, other.environment)
+        self._configurations = _joined_scopes(other.configurations, self._configurations)
+        self._environment = _joined_scopes(other.environment, self._environment)
         depth = max(len(s.scopes) for s in (*other.alternatives, *self.alternatives))
         states = (_as_deep(state, depth) for state in (*other.alternatives, *self.alternatives))
         self.alternatives = self._bounded(states)
-        self.files = tuple(dict.fromkeys((*self.files, *other.files)))[:MAX_ALTERNATIVES]
+        self.files = tuple(dict.fromkeys((*other.files, *self.files)))[:MAX_ALTERNATIVES]
 
 
 def _as_deep(state: RosState, depth: int) -> RosState:

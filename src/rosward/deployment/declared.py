@@ -21,7 +21,7 @@ from rosward.deployment.declared_items import expansions, type_value
 from rosward.deployment.declared_programs import READERS
 from rosward.deployment.declared_read import read_package
 from rosward.deployment.declared_shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
-from rosward.deployment.declared_text import Parameters, Scope, as_value, expand
+from rosward.deployment.declared_text import Parameters, Scope, as_value, expand, joined
 from rosward.domain.choice import lift, options
 from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
@@ -40,7 +40,7 @@ MODELS: Final = Path(__file__).parent.parent / "models" / "nodes"
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]+")
 _LARGEST_FILE: Final = 2_000_000
 _MOST_ENDPOINTS: Final = 2_000
-_DEEPEST_INCLUDE: Final = 12
+_DEEPEST_INCLUDE: Final = 16
 _SIM_TIME: Final = DeclaredParameter("use_sim_time", "bool", False, Place(""))
 
 
@@ -148,7 +148,7 @@ class _Execution:
                 if main is None:
                     main = inner
                     self._read(inner, address, certain=certain)
-                self._contents(shape.group, inner, address, 0, certain=certain)
+                self._contents(shape.group, inner, address, (self._program.package,), certain=certain)
         if self._program.open:
             self._open(self._program.open)
         if not self._program.nodes and self._program.reader:
@@ -198,8 +198,11 @@ class _Execution:
         self._declare(_SIM_TIME, effect.address, scope)
         return scope
 
-    def _contents(self, group: Group, scope: Scope, address: int, depth: int, *, certain: bool) -> None:
-        """What stands in a group, whose conditions hold (or, where it is not `certain`, may hold)."""
+    def _contents(self, group: Group, scope: Scope, address: int, way: tuple[str, ...], *, certain: bool) -> None:
+        """What stands in a group, whose conditions hold (or, where it is not `certain`, may hold).
+
+        `way`: the packages of the groups around it, its own last.
+        """
         for parameter in group.parameters:
             if parameter.window.has(self._distro):
                 self._declare(parameter, address, scope)
@@ -207,11 +210,12 @@ class _Execution:
             self._endpoint(endpoint, scope, address, certain=certain)
         if group.open is not None:
             self._open(group.open)
-        inner: list[tuple[Group, Scope, bool]] = [(g, scope, certain) for g in group.groups]
+        here = way[-1]
+        inner = [(g, scope, certain, here) for g in group.groups]
         for include in group.includes:
-            package, slash, name = include.name.rpartition("/")
-            found = self._declarations.interface(package if slash else self._program.package, name)
-            if found is None or depth > _DEEPEST_INCLUDE:
+            package, _, name = include.name.rpartition("/")
+            found = self._declarations.interface(package or here, name)
+            if found is None or len(way) > _DEEPEST_INCLUDE:
                 self._log.findings[
                     Finding("RW324", f"The interface {include.name} that is included is not declared.", include.place)
                 ] = None
@@ -219,11 +223,11 @@ class _Execution:
             bound = scope
             for variable, template in include.variables:
                 bound = bound.bound(variable, expand(template, scope))
-            inner.append((found, bound, certain))
-        inner += [(g, scope, certain and sure) for g, sure in self._cases(group, scope)]
-        for each, outer, sure in inner:
+            inner.append((found, bound, certain, package or here))
+        inner += [(g, scope, certain and sure, here) for g, sure in self._cases(group, scope)]
+        for each, outer, sure, home in inner:
             for bound, holds in expansions(each, outer, self._distro):
-                self._contents(each, bound, address, depth + 1, certain=sure and holds)
+                self._contents(each, bound, address, (*way, home), certain=sure and holds)
 
     @staticmethod
     def _cases(group: Group, scope: Scope) -> list[tuple[Group, bool]]:
@@ -297,6 +301,13 @@ class _Execution:
     def _open(self, reason: str) -> None:
         message = f"The interface of {self._program.package}/{self._program.name} is not wholly known: {reason}."
         self._log.findings[Finding("RW314", message, self._place)] = None
+
+
+def qualified(namespace: Value, name: Value) -> Value:
+    """The full name of a node, as a value."""
+    if isinstance(namespace, Const) and namespace.value == "/":
+        return joined(Const("/", namespace.origins), name)
+    return joined(joined(namespace, Const("/")), name)
 
 
 def _resolved(topic: Value, rules: Sequence[names.RemapRule], name: str, namespace: str) -> Value:

@@ -5,8 +5,9 @@
     '${param:input}/relayed'   with an unknown input  Text(hole, '/relayed'), and the reason
 
 `${param:NAME}` is a parameter, `${argument:1}` a word of the program's own arguments, `${argument:--flag}` the word behind that flag,
-`${resolved:NAME}` the full name of a topic behind the remap rules, `${expanded:NAME}` before them, `${parent:NAME}` the name without its last part, `${random}` what is
-made when it runs, `${namespace}` the namespace of the node (empty for the root), `${NAME}` a variable. They may stand within each other.
+`${resolved:NAME}` the full name of a topic behind the remap rules, `${expanded:NAME}` before them, `${parent:NAME}` the name without its
+last part, `${random}` what is made when it runs, `${namespace}` the namespace of the (first) node, empty for the root, `${node}` and
+`${node_name}` its full name and its name, `${NAME}` a variable. They may stand within each other.
 """
 
 from __future__ import annotations

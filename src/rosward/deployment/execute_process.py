@@ -43,7 +43,7 @@ def start_process(action: StartProcess, scene: Scene, at: At) -> list[Started | 
     words = [scene.text(word) for word in action.command]
     lines = _shell_lines(words) if action.shell else [tuple(words)]
     at = at.maybe("a command line with several alternatives") if len(lines) > 1 else at
-    return [_process(line, action, scene, at) for line in lines if line]
+    return [_process(line, words, action, scene, at) for line in lines if line]
 
 
 def _shell_lines(words: Sequence[Value]) -> list[tuple[Value, ...]]:
@@ -76,7 +76,10 @@ def _restored(word: str, holes: Sequence[Hole]) -> list[str | Hole]:
     return [holes[int(part)] if index % 2 else part for index, part in enumerate(word.split("\0"))]
 
 
-def _process(words: Sequence[Value], action: StartProcess, scene: Scene, at: At) -> Started | Launch:
+def _process(
+    words: Sequence[Value], command: Sequence[Value], action: StartProcess, scene: Scene, at: At
+) -> Started | Launch:
+    """`words` are those that the program gets, `command` those that the launch file gives."""
     program = plain_text(basename(words[0])) if len(options(words[0])) == 1 else None
     verb = plain_text(words[1]) if len(words) > 1 else None
     kind, package, rest = StartKind.PROCESS, None, tuple(words[1:])
@@ -97,7 +100,7 @@ def _process(words: Sequence[Value], action: StartProcess, scene: Scene, at: At)
         configuration=Configuration(words=rest, environment=given),
         package=package,
         executable=executable,
-        command=tuple(words),
+        command=tuple(command),
         conditional=at.conditional,
         why=at.why,
         event=at.event,

@@ -11,10 +11,10 @@ converted to the type that is asked for; YAML has types, which are checked. What
 from __future__ import annotations
 
 import enum
-import re
 from collections.abc import Mapping
 from typing import Final, NamedTuple, final
 
+from rosward.deployment.markup_values import Native, text_value
 from rosward.deployment.substitution_text import (
     UNKNOWN,
     SubstitutionError,
@@ -30,12 +30,6 @@ from rosward.source.location import Place
 ELEMENT_LIMIT: Final = 50_000
 DEPTH_LIMIT: Final = 60
 _REFUSAL_LIMIT: Final = 500
-_TRUE: Final = re.compile(r"yes|Yes|YES|true|True|TRUE|on|On|ON|1")
-_FALSE: Final = re.compile(r"no|No|NO|false|False|FALSE|off|Off|OFF|0")
-
-Scalar = str | bool | int | float
-Native = Scalar | tuple[Scalar, ...] | None
-"""A value as YAML types it; None for what no attribute can be (nothing, a date, a list of lists, a mapping)."""
 
 
 class Format(enum.Enum):
@@ -43,15 +37,6 @@ class Format(enum.Enum):
 
     XML = "xml"
     YAML = "yaml"
-
-
-class UnreadableError(Exception):
-    """The file is no launch file at all; the message says why."""
-
-    def __init__(self, message: str, line: int = 1, column: int = 1) -> None:
-        super().__init__(message)
-        self.line = line
-        self.column = column
 
 
 class Attribute(NamedTuple):
@@ -145,7 +130,8 @@ class Element:
             return None
         if self.format is Format.YAML and not isinstance(found.value, str):
             self.refuse(
-                f"{name!r} of <{self.tag}> is {_told(found)}, where launch takes only text: quote it.", found.place
+                f"{name!r} of <{self.tag}> is {_told(found.value)}, where launch takes only text: quote it.",
+                found.place,
             )
         return found.text
 
@@ -183,13 +169,19 @@ class Element:
         found = self.attribute(name)
         if found is None:
             return None
-        if isinstance(found.value, bool):
-            return found.value
-        if self.format is Format.XML and (_TRUE.fullmatch(found.text) or _FALSE.fullmatch(found.text)):
-            return _TRUE.fullmatch(found.text) is not None
-        if not isinstance(found.value, str):
-            self.refuse(f"{name!r} of <{self.tag}> is {_told(found)}, where launch takes true or false.", found.place)
+        value = found.value
+        if self.format is Format.XML:
+            value = text_value({"0": "false", "1": "true"}.get(found.text, found.text))
+        if isinstance(value, bool):
+            return value
+        if not isinstance(value, str):
+            self.refuse(f"{name!r} of <{self.tag}> is {_told(value)}, where launch takes true or false.", found.place)
         return found.text
+
+    def switch(self, name: str) -> bool | Template | None:
+        """An attribute that is true or false, or text with substitutions that becomes so."""
+        found = self.flag(name)
+        return self.parsed(found) if isinstance(found, str) else found
 
     def number(self, name: str, kind: type[int] | type[float] = float) -> Template | None:
         """An attribute that is a number, or text with substitutions that becomes one."""
@@ -198,7 +190,7 @@ class Element:
             return None
         if self.format is Format.YAML and not isinstance(found.value, (str, kind)):
             self.refuse(
-                f"{name!r} of <{self.tag}> is {_told(found)}, where launch takes a {kind.__name__}.", found.place
+                f"{name!r} of <{self.tag}> is {_told(found.value)}, where launch takes a {kind.__name__}.", found.place
             )
         return self._refusals.template(found.text, found.place)
 
@@ -273,8 +265,7 @@ def _is_duration(text: str) -> bool:
         return False
 
 
-def _told(attribute: Attribute) -> str:
-    value = attribute.value
+def _told(value: Native) -> str:
     if value is None:
         return "empty or a structure"
     return "a list" if isinstance(value, tuple) else f"of type {type(value).__name__}"

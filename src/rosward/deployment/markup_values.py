@@ -13,7 +13,9 @@ from typing import Final, final
 import yaml
 from yaml.constructor import SafeConstructor
 
-from rosward.deployment.markup import Native, Scalar, UnreadableError
+Scalar = str | bool | int | float
+Native = Scalar | tuple[Scalar, ...] | None
+"""A value as YAML types it; None for what no attribute can be (nothing, a date, a list of lists, a mapping)."""
 
 _EVENT_LIMIT: Final = 60_000
 _DEPTH_LIMIT: Final = 150
@@ -22,6 +24,15 @@ _NUMBER_LIMIT: Final = 4_000
 _PREFIX: Final = "tag:yaml.org,2002:"
 _NUMBERS: Final = frozenset({_PREFIX + "int", _PREFIX + "float"})
 _STRUCTURES: Final = frozenset(_PREFIX + each for each in ("seq", "map", "set", "omap", "pairs"))
+
+
+class UnreadableError(Exception):
+    """The file is no launch file at all, or a value no YAML; the message says why."""
+
+    def __init__(self, message: str, line: int = 1, column: int = 1) -> None:
+        super().__init__(message)
+        self.line = line
+        self.column = column
 
 
 def compose(text: str) -> yaml.Node | None:

@@ -18,8 +18,8 @@ from rosward.deployment.markup import (
     Element,
     Format,
     Refusals,
-    UnreadableError,
 )
+from rosward.deployment.markup_values import UnreadableError
 from rosward.deployment.tags import read_description
 from rosward.deployment.tree import Description
 from rosward.findings import Finding

@@ -21,9 +21,8 @@ from rosward.deployment.markup import (
     Element,
     Format,
     Refusals,
-    UnreadableError,
 )
-from rosward.deployment.markup_values import Values, compose
+from rosward.deployment.markup_values import UnreadableError, Values, compose
 from rosward.deployment.tags import read_description
 from rosward.deployment.tree import Description
 from rosward.findings import Finding

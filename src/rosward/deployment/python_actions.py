@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Objects of `launch.actions` and `launch_ros.actions`, as actions of the tree.
 
-    LaunchDescription([Node(package='demo', executable='talker'), timer if late else node])
-    ->  StartNode(package=(Const('demo'),), …), Maybe((Timer(…), StartNode(…)))
+LaunchDescription([Node(package='demo', executable='talker'), timer if late else node])
+->  StartNode(package=(Const('demo'),), …), Maybe((Timer(…), StartNode(…)))
 """
 
 from __future__ import annotations
@@ -188,7 +188,9 @@ class Actions:
     def _set_configuration(self, ref: Ref, given: Given) -> tuple[Action, ...]:
         place = given["place"]
         value = self.texts.optional(self.objects.field(ref, "value"), place)
-        return (SetConfiguration(name=self.texts.template(self.objects.field(ref, "name"), place), value=value, **given),)
+        return (
+            SetConfiguration(name=self.texts.template(self.objects.field(ref, "name"), place), value=value, **given),
+        )
 
     def _environ(self, ref: Ref, given: Given) -> tuple[Action, ...]:
         place = given["place"]
@@ -295,7 +297,9 @@ class Actions:
         return (ForEach(values=text, count=count, function=function, index_name=index, **given),)
 
     def _push_namespace(self, ref: Ref, given: Given) -> tuple[Action, ...]:
-        return (PushNamespace(namespace=self.texts.template(self.objects.field(ref, "namespace"), given["place"]), **given),)
+        return (
+            PushNamespace(namespace=self.texts.template(self.objects.field(ref, "namespace"), given["place"]), **given),
+        )
 
     def _set_remap(self, ref: Ref, given: Given) -> tuple[Action, ...]:
         source = self.texts.template(self.objects.field(ref, "source"), given["place"])

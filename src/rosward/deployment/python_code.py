@@ -23,7 +23,7 @@ from rosward.deployment.python_objects import Objects
 from rosward.deployment.tree import Description, Unread
 from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
-from rosward.domain.unknown import Cause
+from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import (
     NONE,
     TRUE,
@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from rosward.deployment.performer import Performer
     from rosward.deployment.tree import Action
     from rosward.engine.library import Library
+    from rosward.ir.program import Code
 
 _GENERATE: Final = "generate_launch_description"
 _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
@@ -70,9 +71,9 @@ class LaunchPython:
         self._context = PerformedContext(self._read.texts, self.test)
         self._log.launch = self._context
         self._expressions = Expressions(self._machine)
-        self._root = lower_module("", "").code
+        self._roots: dict[str, Code] = {}
         self._turns = 0
-        self._argv = False
+        self._started: Performer | None = None  # the execution whose command line sys.argv is
 
     @property
     def findings(self) -> Sequence[Finding]:
@@ -83,7 +84,10 @@ class LaunchPython:
     def read(self, file: str, performer: Performer) -> Description:
         """Run a Python launch file (named as in the workspace) and give the entities of its generate_launch_description()."""
         try:
-            with self._running(performer) as turn:
+            with self._running(performer, Place(file)) as turn:
+                if self._started is not performer:
+                    self._started = performer
+                    self._give_arguments(performer.given(), file)
                 return Description(self._description(file, turn), file)
         except LimitReachedError as limit:
             self._limit(limit, Place(file))
@@ -117,12 +121,18 @@ class LaunchPython:
         return self._read.entities(value, here)
 
     def actions(
-        self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], performer: Performer, *, context: bool
+        self,
+        function: Value,
+        args: Sequence[Value],
+        kwargs: Mapping[str, Value],
+        performer: Performer,
+        *,
+        context: bool,
     ) -> tuple[Action, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
         place = _place_of(function) or Place("", 0)
         try:
-            with self._running(performer):
+            with self._running(performer, place):
                 given = (self._launch_context(), *args) if context else tuple(args)
                 value = self._machine.call(function, given, kwargs)
                 if value is UNBOUND:
@@ -193,11 +203,15 @@ class LaunchPython:
     # Running
 
     @contextmanager
-    def _running(self, performer: Performer) -> Iterator[int]:
-        """A call from outside: it may come while another one waits for the answer to a question of its own."""
+    def _running(self, performer: Performer, place: Place) -> Iterator[int]:
+        """A call from outside, for what stands at `place`: it may come while another one waits for the answer to its own question."""
         machine = self._machine
         self._turns += 1
-        root = Frame(self._root, [], (), machine.library.nowhere, machine.context("launch", self._turns), stub=True)
+        if place.file not in self._roots:
+            self._roots[place.file] = lower_module("", place.file).code
+        context = machine.context("launch", self._turns)
+        root = Frame(self._roots[place.file], [], (), machine.library.nowhere, context, stub=False)
+        root.line, root.column = place.line, place.column
         frames, catchers = machine.frames, machine.catchers
         machine.frames, machine.catchers = [*frames, root], []
         self._context.performers.append(performer)
@@ -206,7 +220,6 @@ class LaunchPython:
             machine.step_limit = machine.steps + self._budget.steps
             machine.deadline = time.process_time() + self._budget.seconds
         try:
-            self._give_arguments(performer)
             yield self._turns
         finally:
             self._context.performers.pop()
@@ -214,15 +227,14 @@ class LaunchPython:
             if frames:
                 machine.step_limit, machine.deadline = limits
 
-    def _give_arguments(self, performer: Performer) -> None:
-        """`sys.argv` is that of `ros2 launch FILE name:=value …`."""
-        if self._argv:
-            return
-        self._argv = True
+    def _give_arguments(self, given: Sequence[str], file: str) -> None:
+        """`sys.argv` is that of `ros2 launch PACKAGE FILE name:=value …` with the first file that an execution reads."""
         machine = self._machine
-        program = machine.unknown(Cause.ARGUMENT, "sys.argv", "str")
-        file = Text((Hole(program.reasons), ".launch.py"))
-        words = (program, Const("launch"), file, *map(Const, performer.given()))
+        prefix = Hole(machine.unknown(Cause.ARGUMENT, "sys.argv").reasons)
+        package, path = machine.library.sources.shared(file) or ("", file)
+        where = (Const(package), Const(path.rpartition("/")[2])) if package else (Const(path),)
+        arguments = (Const(w, frozenset({_origin(w)})) for w in given)
+        words = (Text((prefix, "/bin/ros2")), Const("launch"), *where, *arguments)
         machine.store_attr(machine.load_module("sys"), "argv", machine.new_list(words))
 
     def _launch_context(self) -> Value:
@@ -247,13 +259,15 @@ def _place_of(function: Value) -> Place | None:
     return None
 
 
+def _origin(word: str) -> Origin:
+    return Origin("launch argument", word.partition(":=")[0], settled=True, given=True)
+
+
 def _as_text(value: Value) -> Value | None:
     """A value that is a text (each alternative of it), else None."""
-    found = [o for o in options(value)]
+    found = list(options(value))
     if all(isinstance(o, Text) or (isinstance(o, Const) and isinstance(o.value, str)) for o in found):
         return value
     if all(isinstance(o, (Text, Unknown)) or (isinstance(o, Const) and isinstance(o.value, str)) for o in found):
         return join_all(Unknown(o.reasons, "str") if isinstance(o, Unknown) else o for o in found)
     return None
-
-

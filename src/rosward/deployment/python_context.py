@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The launch context as Python code of launch files sees it: it turns heap objects into templates and asks the execution.
 
-    LaunchConfiguration('x').perform(context)   ->  performer.text((Substitution('var', ((Const('x'),),)),))
+LaunchConfiguration('x').perform(context)   ->  performer.text((Substitution('var', ((Const('x'),),)),))
 """
 
 from __future__ import annotations
@@ -113,4 +113,3 @@ class PerformedContext:
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
         self.performer.set_variable(name, value)
-

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Event handlers of launch: which event they wait for, and what they do then.
 
-    OnProcessExit(target_action=spawner, on_exit=[node])     'process-exit', the list
+OnProcessExit(target_action=spawner, on_exit=[node])     'process-exit', the list
 """
 
 from __future__ import annotations

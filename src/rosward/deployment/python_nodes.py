@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The actions that start something: nodes, containers, components, processes.
 
-    ComposableNodeContainer(name='c', namespace='', …, composable_node_descriptions=[ComposableNode(package='demo', plugin='demo::Talker')])
-    ->  StartNode(kind=CONTAINER, …, components=(Component(package=(Const('demo'),), …),))
+ComposableNodeContainer(name='c', namespace='', …, composable_node_descriptions=[ComposableNode(package='demo', plugin='demo::Talker')])
+->  StartNode(kind=CONTAINER, …, components=(Component(package=(Const('demo'),), …),))
 """
 
 from __future__ import annotations

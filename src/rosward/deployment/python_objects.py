@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What an object on the heap of the interpreter is, as far as launch is concerned: its class, what it was given, its elements.
 
-    talker = Talker(name='t')       kind: 'launch_ros.actions.Node', also where Talker is a class of the launch file that derives from it
-    nodes = [a]; if unknown: nodes.append(b)        elements: a for sure, b perhaps
+talker = Talker(name='t')       kind: 'launch_ros.actions.Node', also where Talker is a class of the launch file that derives from it
+nodes = [a]; if unknown: nodes.append(b)        elements: a for sure, b perhaps
 """
 
 from __future__ import annotations

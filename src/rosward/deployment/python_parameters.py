@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The `parameters=[…]` of nodes as launch_ros reads them: what is text for YAML, what is a value, what is a path.
 
-    [{'rate': 10, 'frame': LaunchConfiguration('frame'), 'a': {'b': 'true'}}, 'params.yaml']
-    ->  ParameterTable(rate: Literal(10), frame: Typed(var frame), a.b: Literal('true')), ParameterFile('params.yaml')
+[{'rate': 10, 'frame': LaunchConfiguration('frame'), 'a': {'b': 'true'}}, 'params.yaml']
+->  ParameterTable(rate: Literal(10), frame: Typed(var frame), a.b: Literal('true')), ParameterFile('params.yaml')
 """
 
 from __future__ import annotations
@@ -104,7 +104,9 @@ class Parameters:
         obj = self.objects.machine.obj(ref)
         whole = obj.rest is None and depth < _DEEPEST
         for key, value in obj.entries.items() if depth < _DEEPEST else ():
-            name = (*prefix, Const("."), *self.texts.template(key, place)) if prefix else self.texts.template(key, place)
+            name = (
+                (*prefix, Const("."), *self.texts.template(key, place)) if prefix else self.texts.template(key, place)
+            )
             if self.objects.is_dict(value) and key not in obj.maybe:
                 assert isinstance(value, Ref)
                 whole = self._flatten(value, name, place, entries, depth + 1) and whole
@@ -193,9 +195,7 @@ class Parameters:
 
 def _is_plain(value: Value) -> bool:
     """Whether a value (each alternative of it) is a bool, a number, a text, or unknown."""
-    return all(
-        isinstance(o, (Text, Unknown)) or (isinstance(o, Const) and o.value is not None) for o in options(value)
-    )
+    return all(isinstance(o, (Text, Unknown)) or (isinstance(o, Const) and o.value is not None) for o in options(value))
 
 
 def _plain_array(items: list[Value]) -> ParameterData:

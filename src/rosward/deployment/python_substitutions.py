@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Objects of `launch.substitutions` and `launch.conditions`, as templates and conditions of the tree.
 
-    ['talker_', LaunchConfiguration('id')]      (Const('talker_'), Substitution('var', ((Const('id'),),)))
-    IfCondition(LaunchConfiguration('gui'))     Condition('if', ((Substitution('var', …),),))
+['talker_', LaunchConfiguration('id')]      (Const('talker_'), Substitution('var', ((Const('id'),),)))
+IfCondition(LaunchConfiguration('gui'))     Condition('if', ((Substitution('var', …),),))
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import Final, NamedTuple, final
 
 from rosward.deployment.python_objects import Objects
 from rosward.deployment.tree import Condition, Substitution, Template

@@ -6,7 +6,7 @@ scene.text((Const('talker_'), Substitution('var', ((Const('id'),),))))   ->   Co
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Final, Protocol, final
 
 from rosward.deployment.context import Context
@@ -21,6 +21,7 @@ from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.findings import Finding
+from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
 MAX_DEPTH: Final = 60
@@ -68,8 +69,11 @@ class Findings:
 class Scene:
     """The point of execution. It is the `Performer` that Python code of launch files asks."""
 
-    def __init__(self, files: LaunchFiles, python: PythonCode, findings: Findings, generated: Generated) -> None:
+    def __init__(
+        self, files: LaunchFiles, python: PythonCode, findings: Findings, generated: Generated, distro: Distro
+    ) -> None:
         self.files = files
+        self.distro = distro
         self.python = python
         self.findings = findings
         self.generated = generated
@@ -78,6 +82,10 @@ class Scene:
         """The variables of the loop whose body is executed."""
         self.asked: set[str] = set()
         """Names of launch configurations that were declared or read."""
+        self.asked_all = False
+        """Whether Python code has read them all."""
+        self.words: tuple[str, ...] = ()
+        """The arguments of the command line."""
         self._depth = 0
 
     def fails(self, what: str, place: Place) -> None:
@@ -102,6 +110,7 @@ class Scene:
 
     def configurations(self) -> Mapping[str, Value]:
         """All launch configurations that are or may be set."""
+        self.asked_all = True
         return self.context.configurations()
 
     def set_configuration(self, name: str, value: Value | None) -> None:
@@ -117,6 +126,10 @@ class Scene:
         """Set an environment variable; None removes it."""
         self.context.set_variable(name, value)
 
+    def given(self) -> Sequence[str]:
+        """The launch arguments that the user gave, as words `name:=value` of the command line."""
+        return self.words
+
     def _perform(self, substitution: Substitution) -> Value:
         perform = _SUBSTITUTIONS.get(substitution.kind)
         if perform is None or self._depth >= MAX_DEPTH:
@@ -124,6 +137,8 @@ class Scene:
         if len(substitution.arguments) < _LEAST.get(substitution.kind, 1):
             self.fails(f"the substitution '{substitution.kind}' lacks an argument", substitution.place)
             return Unknown((Reason(Cause.ERROR, substitution.kind, substitution.place),), "str")
+        if substitution.kind in _SINCE_IRON and not self.distro.has(Distro.IRON):
+            self.fails(f"{self.distro.value} has no substitution '{substitution.kind}'", substitution.place)
         self._depth += 1
         try:
             return perform(self, substitution)
@@ -184,3 +199,5 @@ _LEAST: Final[dict[str, int]] = {
     **dict.fromkeys(("equals", "not-equals", "exec-in-pkg", "if"), 2),
 }
 """How many arguments a substitution needs, where it is not one."""
+
+_SINCE_IRON: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))

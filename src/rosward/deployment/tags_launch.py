@@ -40,7 +40,7 @@ _NUMBERS_OF_A_PROCESS: Final = ("respawn_delay", "sigkill_timeout", "sigterm_tim
 def command_words(element: Element, text: str) -> tuple[Template, ...]:
     """The words of a command line; a substitution within a word is a part of it, whatever blanks its text will have.
 
-    A blank at the very start makes an empty word, as in launch.
+    Text of blanks only ends a word, even if none was begun: an empty one then, as in launch.
     """
     words: list[Template] = []
     word: list[Value | Substitution] = []
@@ -54,9 +54,8 @@ def command_words(element: Element, text: str) -> tuple[Template, ...]:
             element.refuse(f"{piece.value[:100]!r} is no command line: {error}.")
             tokens = piece.value.split()
         if not tokens:
-            if piece.value:
-                words.append(tuple(word))
-                word = []
+            words.append(tuple(word))
+            word = []
             continue
         if piece.value[0].isspace() and word:
             words.append(tuple(word))
@@ -159,11 +158,11 @@ def _unset_env(element: Element) -> Action:
 def _append_env(element: Element) -> Action:
     name, value = element.required("name"), element.required("value")
     separator = element.template("separator") or (Const(":"),)
-    prepend, condition, place = element.flag("prepend"), element.condition(), element.place
-    if not isinstance(prepend, str):
+    prepend, condition, place = element.switch("prepend"), element.condition(), element.place
+    if not isinstance(prepend, tuple):
         how = "prepend" if prepend else "append"
         return Environ(place=place, condition=condition, how=how, name=name, value=value, separator=separator)
-    test = (element.parsed(prepend),)
+    test = (prepend,)
     ways = tuple(
         Environ(
             place=place, condition=Condition(kind, test, place), how=how, name=name, value=value, separator=separator

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.markup import Element
-from rosward.deployment.substitution_text import unknown_text
+from rosward.deployment.markup import Element, Format
+from rosward.deployment.substitution_text import plain_text, unknown_text
 from rosward.deployment.tree import Action, ForEach, Group, Template, Timer
 
 Inner = Callable[[Iterable[Element]], tuple[Action, ...]]
@@ -36,14 +36,27 @@ def _kept(element: Element) -> tuple[tuple[Template, Template], ...]:
 
 
 def _timer(element: Element, inner: Inner) -> Action:
-    if element.tag == "timer":
-        element.flag("cancel_on_shutdown")
-    period = element.number("period")
-    if period is None:
+    element.switch("cancel_on_shutdown")
+    period, attribute = element.number("period"), element.attribute("period")
+    if period is None or attribute is None:
         element.refuse(f"<{element.tag}> has no attribute 'period', which launch requires.")
         period = unknown_text("period", element.place)
+    elif not _may_be_number(plain_text(period)):
+        element.refuse(f"'period' of <{element.tag}> is no number.")
+    elif element.tag == "ros_timer" and element.format is Format.YAML:
+        if plain_text(period) is not None and isinstance(attribute.value, str):
+            element.refuse("'period' of <ros_timer> is text, where launch takes a float.")
     actions = inner(element.children())
     return Timer(place=element.place, condition=element.condition(), period=period, actions=actions)
+
+
+def _may_be_number(text: str | None) -> bool:
+    if text is not None:
+        try:
+            float(text)
+        except ValueError:
+            return False
+    return True
 
 
 def _for_each(element: Element, inner: Inner) -> Action:

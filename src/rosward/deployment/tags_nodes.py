@@ -33,7 +33,7 @@ def _node(element: Element) -> Action:
 
 
 def _lifecycle_node(element: Element) -> Action:
-    element.flag("autostart")
+    element.switch("autostart")
     node = _started(element, NodeKind.LIFECYCLE, ())
     if node.name is None or node.namespace is None:
         element.refuse("<lifecycle_node> needs both 'name' and 'namespace'.")
@@ -87,7 +87,7 @@ def _components(element: Element) -> tuple[Component, ...]:
 
 def _component(element: Element) -> Component:
     if element.tag == "composable_lifecycle_node":
-        element.flag("autostart")
+        element.switch("autostart")
     name = element.template("name")
     if name is None:
         element.refuse(f"<{element.tag}> has no attribute 'name', which launch requires.")

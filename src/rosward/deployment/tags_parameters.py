@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.deployment.markup import Attribute, Element, Format, Native, Scalar
-from rosward.deployment.markup_values import text_value
+from rosward.deployment.markup import Attribute, Element, Format
+from rosward.deployment.markup_values import Native, Scalar, text_value
 from rosward.deployment.substitution_text import plain_text, unknown_text
 from rosward.deployment.tree import (
     Literal,
@@ -93,7 +93,7 @@ def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterDa
     inner = kind[5:-1] if kind is not None and is_list else kind
     if not isinstance(value, tuple):
         data = _scalar(param, value, inner)
-        if is_list and not isinstance(data, Typed):
+        if is_list:
             param.refuse(f"The value of <param> is no list, as {kind} asks for.", attribute.place)
         return Typed(data.text, kind) if is_list and isinstance(data, Typed) else data
     if kind is not None and not is_list:
@@ -101,8 +101,13 @@ def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterDa
         inner = None
     items = [_scalar(param, each, inner) for each in value]
     literals = [each.value for each in items if isinstance(each, Literal)]
-    if len({type(each.value) for each in literals if isinstance(each, Const)}) > 1:
+    types = {type(each.value) for each in literals if isinstance(each, Const)}
+    if len(types) > 1:
         param.refuse("The list in <param> has elements of several types.", attribute.place)
+    elif inner is not None and not types <= {_SCALARS[inner]}:
+        param.refuse(f"The list in <param> is no {kind}.", attribute.place)
+    elif not items and inner not in {None, "str"}:
+        param.refuse(f"The list in <param> is empty, which launch does not take as {kind}.", attribute.place)
     return Literal(Tuple(tuple(literals))) if len(literals) == len(items) else Several(tuple(items))
 
 

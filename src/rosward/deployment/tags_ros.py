@@ -47,7 +47,7 @@ def _set_parameters_from_file(element: Element) -> Action:
 
 
 def _set_use_sim_time(element: Element) -> Action:
-    if element.flag("value") is None:
+    if element.switch("value") is None:
         element.required("value")
     return Inert(place=element.place, condition=element.condition(), kind=element.tag)
 

@@ -14,9 +14,13 @@ from rosward.domain.text import common
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     UNBOUND,
+    BoundMethod,
     Choice,
+    Class,
     Const,
     External,
+    Function,
+    Native,
     Partial,
     Range,
     Slice,
@@ -30,8 +34,11 @@ from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
 MAX_NUMBERS: Final = 12
+MAX_CALLABLES: Final = 256
+"""Alternatives that can be called are given up later than others: with them goes what they would do."""
 MAX_REASONS: Final = 4
 _NOWHERE: Final = Place("", 0)
+_BEHAVIOUR: Final = "functions"
 
 
 def options(value: Value) -> tuple[Value, ...]:
@@ -89,7 +96,25 @@ def _bounded(values: tuple[Value, ...]) -> Value:
     if len(numbers) > MAX_NUMBERS:
         rest = [v for v in values if not (v.__class__ is Const and v.value.__class__ in (int, float))]
         return join_all([*rest, generalise(tuple(numbers))])
-    return generalise(values) if len(values) > MAX_OPTIONS else Choice(values)
+    if len(values) <= MAX_OPTIONS:
+        return Choice(values)
+    callables = [v for v in values if _acts(v)]
+    others = tuple([v for v in values if not _acts(v)])
+    if not callables or len(callables) > MAX_CALLABLES:
+        return generalise(values)
+    return join_all([*callables, generalise(others)]) if len(others) > MAX_OPTIONS else Choice(values)
+
+
+def _acts(value: Value) -> bool:
+    """Whether a value is a function, method or class of the program: with it goes what a call of it would do."""
+    if value.__class__ is BoundMethod or value.__class__ is Partial:
+        return value.function.__class__ is not Native
+    return value.__class__ is Function or value.__class__ is Class
+
+
+def lost_behaviour(value: Value) -> bool:
+    """Whether an unknown stands for functions of the program that were too many to keep apart."""
+    return value.__class__ is Unknown and any(r.cause is Cause.MANY and r.subject == _BEHAVIOUR for r in value.reasons)
 
 
 def _join_unknown(left: Unknown, right: Unknown) -> Unknown:
@@ -117,7 +142,9 @@ def reasons_of(value: Value) -> tuple[Reason, ...]:
 def generalise(values: tuple[Value, ...]) -> Value:
     """One value for too many: a text of what strings have in common, else Unknown; never more than the type is kept."""
     reasons = tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))[:MAX_REASONS]
-    if not reasons:
+    if any(map(_acts, values)):
+        reasons = tuple(dict.fromkeys((Reason(Cause.MANY, _BEHAVIOUR, _NOWHERE), *reasons)))[:MAX_REASONS]
+    elif not reasons:
         reasons = (Reason(Cause.MANY, "", _NOWHERE),)
     if all(_is_text(v) for v in values):
         return common(values, reasons)

@@ -65,7 +65,11 @@ class Obj:
         copy = Obj.__new__(Obj)
         for name in Obj.__slots__:
             setattr(copy, name, changes[name] if name in changes else getattr(self, name))
-        if copy.payload.__class__ is Alternatives and "payload" not in changes and ("items" in changes or "rest" in changes):
+        if (
+            copy.payload.__class__ is Alternatives
+            and "payload" not in changes
+            and ("items" in changes or "rest" in changes)
+        ):
             copy.payload = None
         return copy
 

@@ -8,6 +8,7 @@ topic = os.environ.get('TOPIC', '/scan')    # '/scan', from Origin('environment 
 from __future__ import annotations
 
 import enum
+from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from rosward.source.location import Place
@@ -37,6 +38,10 @@ class Cause(enum.Enum):
     ERROR = "expression that fails when it runs"
 
 
+FOLDERS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES))
+"""Unknown folders that are known for what they are: a text that begins with one of them is a path below it."""
+
+
 class Reason(NamedTuple):
     """One cause, of what (`topic`, `cv2.VideoCapture`), and where."""
 
@@ -61,6 +66,14 @@ class Origin(NamedTuple):
     name: str
     settled: bool = False
     given: bool = False
+
+
+def derived(reasons: Iterable[Reason]) -> tuple[Reason, ...]:
+    """The reasons of what is computed from a value: a piece of the path of a folder, or another text made of it, is not that folder any more."""
+    return tuple(
+        Reason(Cause.OPERATION, f"path of {reason.subject}", reason.place) if reason.cause in FOLDERS else reason
+        for reason in reasons
+    )
 
 
 Origins = frozenset[Origin]

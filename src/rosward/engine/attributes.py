@@ -35,6 +35,9 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import modules
+from rosward.engine.escape import name_of
+from rosward.engine.namespaces import table_of
+from rosward.models.builtin_attributes import may_hide
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -54,6 +57,8 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     if cls is Ref:
         return _of_object(machine, value, name)  # type: ignore[arg-type]
     if cls is ModuleValue:
+        if name == "__dict__":
+            return table_of(machine, value.address)  # type: ignore[attr-defined]
         return modules.attribute(machine, value, name)  # type: ignore[arg-type]
     if cls is Class:
         return _of_class(machine, value, name)  # type: ignore[arg-type]
@@ -198,9 +203,7 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     if name == "__class__":
         return cls
     if name == "__dict__":
-        table = machine.new_dict({Const(k): v for k, v in obj.attrs.items()})
-        machine.update(table, machine.obj(table).replace(payload=ref))
-        return table
+        return table_of(machine, ref.address)
     fallback = lookup(machine, cls, "__getattr__")
     if fallback is not None:
         return machine.call(fallback, (ref, Const(name)))
@@ -225,7 +228,7 @@ def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
         base = outside[0]
         subject = f"{base.name}.{name}" if base.__class__ is External else name
         return machine.unknown(Cause.MODULE, subject)
-    if any(b.__class__ is Class and b.stub for b in cls.mro):
+    if any(b.__class__ is Class and may_hide(machine, b, name) for b in cls.mro):
         return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
@@ -255,7 +258,7 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     if name == "__bases__":
         return Tuple(cls.bases)
     if name == "__dict__":
-        return machine.new_dict({Const(k): v for k, v in machine.at(cls.address).attrs.items()})
+        return table_of(machine, cls.address)
     for base in cls.mro:
         if base.__class__ is External:
             return External(f"{base.name}.{name}")
@@ -298,19 +301,17 @@ def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
 
 
 def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
+    kept = machine.state.heap.get(machine.library.function_address(function))
+    found = kept.attrs.get(name) if kept is not None else None  # first: functools.wraps renames
+    if found is not None:
+        return found
     if name in ("__name__", "__qualname__"):
         return Const(function.code.name if name == "__name__" else function.code.qualname)
     if name == "__module__":
         return Const(function.module.name)
     if name == "__doc__":
-        return machine.unknown(Cause.OPERATION, "doc", "str")
-    kept = machine.state.heap.get(machine.library.function_address(function))
-    found = kept.attrs.get(name) if kept is not None else None
-    return (
-        found
-        if found is not None
-        else machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
-    )
+        return Const(function.code.doc)
+    return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
 
 
 def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
@@ -330,7 +331,7 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
             record = machine.state.heap.get(address) or Obj("instance", NONE)
             machine.put(address, record.with_attr(name, value))
         elif option.__class__ in (External, Unknown):
-            machine.escape((value,), "")
+            machine.escape((value,), name_of(option))
     return True
 
 

@@ -7,10 +7,9 @@ call trees do not explode; recursion beyond a few levels is solved by a fixpoint
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, NamedTuple, final
 
-from rosward.domain.choice import join, join_all, options, widen
+from rosward.domain.choice import join, join_all, lost_behaviour, options, widen
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
@@ -23,21 +22,20 @@ from rosward.domain.values import (
     Descriptor,
     External,
     Function,
-    ModuleValue,
     Native,
     Partial,
     Ref,
     Super,
-    Text,
-    Tuple,
     Unknown,
     Value,
 )
 from rosward.engine import attributes, classes, declared
+from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, BadCallError, bind_arguments
 from rosward.engine.budget import LimitReachedError
+from rosward.engine.escape import escape, name_of
 from rosward.engine.frame import Frame, Snapshot
-from rosward.engine.state import State, join_states
+from rosward.engine.state import EventKey, State, join_states
 from rosward.ir.ops import Argument
 from rosward.models.native import Items, NativeCall
 
@@ -52,13 +50,20 @@ Keywords = dict[str, Value]
 class Summary:
     """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
 
-    __slots__ = ("after", "before", "registers", "value")
+    __slots__ = ("after", "before", "registers", "value", "yields")
 
     def __init__(self, registers: list[Value], before: State) -> None:
         self.registers = registers
         self.before = before
         self.value: Value = UNBOUND
+        self.yields: Value = UNBOUND  # what a generator yields, joined
         self.after: State | None = None
+
+    @property
+    def seen(self) -> tuple[object, ...]:
+        """What must not change any more."""
+        after = self.after.version if self.after is not None else -1
+        return (tuple(self.registers), self.before.version, self.value, self.yields, after)
 
 
 def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
@@ -140,31 +145,26 @@ def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywo
     if cls is Descriptor:
         return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
     if cls is Unknown:
-        escape(machine, (*args, *keywords.values()), "")
+        if lost_behaviour(function):
+            machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
+        escape(machine, (*args, *keywords.values()), name_of(function))
         return Unknown(function.reasons)  # type: ignore[attr-defined]
-    escape(machine, (*args, *keywords.values()), "")
+    escape(machine, (*args, *keywords.values()), name_of(function))
     return machine.unknown(Cause.ERROR, "call of something that is not callable")
 
 
 def _call_choice(machine: Interpreter, function: Choice, args: Arguments, keywords: Keywords) -> Value:
     """Each alternative from the same state, results and states joined."""
     callees = [o for o in function.options if o != NONE] or list(function.options)
-    if len(callees) == 1:
-        return call(machine, callees[0], args, keywords)
-    before = machine.state.copy()
-    after: State | None = None
-    value: Value = UNBOUND
-    for number, option in enumerate(callees):
-        if number:
-            machine.state = before.copy()
-        result = call(machine, option, args, keywords)
-        if result is UNBOUND:
-            continue
-        value = join(value, result)
-        after = machine.state if after is None else join_states(after, machine.state, machine.fresh_version)
-    if after is not None:
-        machine.state = after
-    return value
+
+    def one(option: Value) -> Value:
+        machine.choosing = True
+        try:
+            return call(machine, option, args, keywords)
+        finally:
+            machine.choosing = False
+
+    return each_apart(machine, callees, one) if len(callees) > 1 else call(machine, callees[0], args, keywords)
 
 
 def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
@@ -172,8 +172,8 @@ def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keyw
     method = attributes.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
     if method is not None:
         return call(machine, attributes.bind(machine, method, ref, obj.cls), args, keywords)
-    escape(machine, (*args, *keywords.values()), "")
     name = obj.cls.name if isinstance(obj.cls, (Class, External)) else obj.kind
+    escape(machine, (*args, *keywords.values()), name)
     return machine.unknown(Cause.CALL, name)
 
 
@@ -275,7 +275,8 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
     except BadCallError as error:
         # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
         if not declared.is_model(function) or function.module.name.startswith("rclpy."):
-            machine.report("RW209", f"this call of {code.qualname} raises TypeError: {error}")
+            raises = "may raise" if machine.choosing else "raises"
+            machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
         registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
     if function.effects:
@@ -295,7 +296,7 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
     code = function.code
     depth = sum(1 for f in machine.frames if f.code is code)
     if depth >= machine.budget.recursion or len(machine.frames) >= machine.budget.depth:
-        return _summarised(machine, function, registers), Items(())
+        return _summarised(machine, function, registers)
     key = (function, tuple(registers), machine.state.version)
     remembered = machine.memo.get(key)
     if remembered is not None:
@@ -319,6 +320,7 @@ def _run_body(
 ) -> tuple[Value, Items]:
     code = function.code
     machine.entered.add(id(code))
+    machine.choosing = False
     if context is None:
         context = (
             machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
@@ -326,8 +328,7 @@ def _run_body(
     full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
     frame = Frame(code, full, (), function.module, context, declared.is_model(function))
     frame.cells = (*machine.new_cells(code, context), *function.cells)
-    if caller is not None:
-        frame.uncertain = 0
+    frame.raised = machine.raised
     machine.frames.append(frame)
     machine.check_time()
     try:
@@ -342,13 +343,14 @@ def _run_body(
         machine.frames.pop()
     rest = None if frame.yield_rest is UNBOUND else frame.yield_rest
     items = Items(tuple(frame.yields), rest)
+    machine.yielded = frame.yielded
     if frame.exits.returned is None:
         return UNBOUND, items
     machine.state = frame.exits.returned.state
     return frame.exits.value, items
 
 
-def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
     """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
     key = (id(function.code), function.cells)
     summary = machine.summaries.get(key)
@@ -362,24 +364,20 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
         machine.provisional += 1  # what is computed from it now may not be its last word
         if summary.after is None:
-            return UNBOUND
+            return UNBOUND, Items(())
         machine.state = summary.after.copy()
-        return summary.value
+        return summary.value, _any_number(summary.yields)
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     summary = machine.summaries[key] = Summary(list(registers), machine.state.copy())
     context = machine.context("summary", id(function.code))
     try:
         for _ in range(machine.budget.fixpoint):
-            reads = machine.provisional
-            seen = (
-                summary.registers,
-                summary.before.version,
-                summary.value,
-                summary.after.version if summary.after else -1,
-            )
+            reads, seen = machine.provisional, summary.seen
             machine.state = summary.before.copy()
-            value, _items = _run_body(machine, function, list(summary.registers), machine.frames[-1], context)
+            value, items = _run_body(machine, function, list(summary.registers), machine.frames[-1], context)
+            for item in (*items.known, *(() if items.rest is None else (items.rest,))):
+                summary.yields = item if summary.yields is UNBOUND else widening(summary.yields, item)
             if value is not UNBOUND:
                 summary.value = widening(summary.value, value) if summary.value is not UNBOUND else value
                 summary.after = (
@@ -389,37 +387,52 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
                 )
             if machine.provisional == reads:
                 break  # nothing inside asked for the summary: this turn was exact
-            if seen == (
-                summary.registers,
-                summary.before.version,
-                summary.value,
-                summary.after.version if summary.after else -1,
-            ):
+            if seen == summary.seen:
                 break
         else:
             machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
     finally:
         del machine.summaries[key]
+    machine.yielded = None
     if summary.after is None:
-        return UNBOUND
+        return UNBOUND, _any_number(summary.yields)
     machine.state = summary.after
-    return summary.value
+    return summary.value, _any_number(summary.yields)
 
 
-def run_generator(machine: Interpreter, obj: Obj) -> tuple[Items, Value]:
-    """Run a suspended generator or coroutine to its end: what it yields, and what it returns."""
+def _any_number(value: Value) -> Items:
+    """Any number of an item; none where there is none."""
+    return Items((), None if value is UNBOUND else value)
+
+
+class Suspended(NamedTuple):
+    """What running a suspended call gave: what it yields, what it returns, what it surely did before its first item (None: it has none)."""
+
+    items: Items
+    value: Value
+    begun: frozenset[EventKey] | None = None
+
+
+def run_generator(machine: Interpreter, obj: Obj) -> Suspended:
+    """Run a suspended generator or coroutine to its end. The state behind it covers those at its yields: there its consumer works."""
     if obj.payload is None:
-        return Items(()), NONE
+        return Suspended(Items(()), NONE)
     assert isinstance(obj.payload, tuple)
     function, registers = obj.payload
     value, items = invoke(machine, function, list(registers))
+    yielded = machine.take_yielded()
+    begun = None
+    if yielded is not None:
+        begun, done = yielded.done, machine.state.done
+        machine.state = join_states(machine.state, yielded, machine.fresh_version)
+        machine.state.done = done
     if obj.many:
         items = (
             Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))]))
             if items.known
             else items
         )
-    return items, value
+    return Suspended(items, value, begun)
 
 
 def wait_for(machine: Interpreter, value: Value) -> Value:
@@ -429,44 +442,10 @@ def wait_for(machine: Interpreter, value: Value) -> Value:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":
-            return run_generator(machine, obj)[1]
+            return run_generator(machine, obj).value
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:
                 result = call(machine, method, (), {})
                 return wait_for(machine, result) if name == "__await__" and result != value else result
     return value if value.__class__ is Unknown else machine.unknown(Cause.CALL, "await")
-
-
-def escape(machine: Interpreter, values: Iterable[Value], library: str, depth: int = 0) -> None:
-    """Values reach code that is not known: whatever is callable may be called with anything, later, any number of times."""
-    for value in values:
-        for option in options(value):
-            kind = option.__class__
-            if kind in (Const, Text, Unknown, External, Native, ModuleValue):
-                continue
-            if kind in (Function, BoundMethod, Partial):
-                if not _is_library(option):
-                    machine.schedule_book.add(machine, option, None, "call by a library")
-            elif kind is Tuple and depth < 3:
-                escape(machine, option.items, library, depth + 1)  # type: ignore[attr-defined]
-            elif kind is Ref:
-                _escape_object(machine, option, library, depth)  # type: ignore[arg-type]
-
-
-def _is_library(value: Value) -> bool:
-    while value.__class__ in (BoundMethod, Partial):
-        value = value.function
-    return value.__class__ is not Function or declared.is_model(value)
-
-
-def _escape_object(machine: Interpreter, ref: Ref, library: str, depth: int) -> None:
-    obj = machine.obj(ref)
-    if obj.kind == "generator":
-        machine.schedule_book.add(machine, ref, (), "call by a library")
-    elif obj.kind == "instance":
-        if library and machine.log.is_node(ref.address):
-            machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
-    elif depth < 3:
-        values = [*(obj.items or ()), *obj.entries.values(), *([obj.rest] if obj.rest is not None else [])]
-        escape(machine, values[:100], library, depth + 1)

@@ -28,6 +28,8 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import attributes
+from rosward.engine.alternatives import each_apart
+from rosward.engine.escape import name_of
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
@@ -36,17 +38,52 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
+_MAX_COMBINATIONS: Final = 16
 _IMPLICIT_CLASSMETHODS: Final = ("__init_subclass__", "__class_getitem__")
 
 
 def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
-    """Run a class statement."""
-    bases, keywords = _bases(machine, op, frame)
+    """Run a class statement: a class for each combination of bases that it may have."""
+    written, keywords = _bases(machine, op, frame)
+    return each_apart(
+        machine, _combinations(machine, written), lambda bases: _make(machine, op, frame, bases, keywords)
+    )
+
+
+def _combinations(machine: Interpreter, written: list[Value]) -> list[Value]:
+    """The bases that a class may have, each combination a tuple: the first class, then those that differ from it."""
+    found: list[tuple[Value, ...]] = [()]
+    for base in written:
+        alternatives = _alternatives(base)
+        if len(found) * len(alternatives) > _MAX_COMBINATIONS:
+            machine.report("RW206", "a class with too many alternatives of bases: only the first is followed")
+            alternatives = alternatives[:1]
+        found = [(*bases, each) for bases in found for each in alternatives]
+    plain = Native("builtins.object")
+    return [Tuple(tuple(b for b in bases if b != plain)) for bases in found]
+
+
+def _alternatives(base: Value) -> list[Value]:
+    """What a base may be. Of `try: from a import B / except ImportError: B = object` it is the class that is known."""
+    if base.__class__ is not Choice:
+        return [base]
+    for wanted in (Class, External):
+        found: list[Value] = [o for o in options(base) if o.__class__ is wanted]
+        if found:
+            return found
+    return list(options(base))[:1]
+
+
+def _make(
+    machine: Interpreter, op: ops.MakeClass, frame: Frame, combination: Value, keywords: dict[str, Value]
+) -> Value:
+    assert isinstance(combination, Tuple)
+    bases = combination.items
     code = op.code
     place = Place(code.file, op.line, op.column)
-    # A class is one object for each place and chain of calls; the module's own classes are there once.
+    # A class is one object for each place, chain of calls and bases; the module's own classes are there once.
     address = machine.place_at(
-        ("class", frame.context, code.file, op.line, op.column), Obj("class", Native("builtins.type"))
+        ("class", frame.context, code.file, op.line, op.column, bases), Obj("class", Native("builtins.type"))
     )
     record = machine.at(address)
     if record.many and frame.code.kind is CodeKind.MODULE:
@@ -55,10 +92,12 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     body = Frame(code, [UNBOUND] * code.registers, (), frame.module, frame.context, frame.stub)
     captured = tuple([frame.cells[c] for c in op.captures])
     body.cells = (
-        *machine.new_cells(code, machine.context(frame.context, op.line, op.column, "class")),
+        *machine.new_cells(code, machine.context(frame.context, op.line, op.column, "class", bases)),
         *captured,
     )
     body.namespace = address
+    if not frame.stub:
+        machine.put(address, machine.at(address).with_attr("__doc__", Const(code.doc)))
     machine.frames.append(body)
     try:
         machine.run(code.ops, body)
@@ -77,7 +116,8 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     return cls
 
 
-def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[tuple[Value, ...], dict[str, Value]]:
+def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[Value], dict[str, Value]]:
+    """The base classes as written, and the keywords."""
     bases: list[Value] = []
     keywords: dict[str, Value] = {}
     for argument in op.arguments:
@@ -88,17 +128,11 @@ def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[tuple
             continue
         several = machine.iterate(value).known if argument.kind == "star" else (value,)
         for base in several:
-            if (
-                base.__class__ is Choice
-            ):  # `try: from a import B / except ImportError: B = object`: the class that is known
-                ours = [o for o in base.options if isinstance(o, Class)]
-                known: list[Value] = [*ours, *(o for o in base.options if isinstance(o, External))]
-                bases.append(known[0] if known else base.options[0])
-            elif base.__class__ in (Class, External, Native, Unknown):
+            if base.__class__ in (Class, External, Native, Unknown, Choice):
                 bases.append(base)
             else:
                 bases.append(machine.unknown(Cause.OPERATION, "base class"))
-    return tuple(b for b in bases if b != Native("builtins.object")), keywords
+    return bases, keywords
 
 
 def _seal(machine: Interpreter, cls: Class, body: Frame) -> None:
@@ -190,7 +224,7 @@ def _initialise(
             if found is not None and found is not UNBOUND:
                 return machine.call(BoundMethod(ref, found), args, keywords)
         elif base.__class__ in (External, Unknown):
-            machine.escape((*args, *keywords.values()), getattr(base, "name", ""))
+            machine.escape((*args, *keywords.values()), name_of(base))
             return ref
     return ref
 

@@ -2,17 +2,18 @@
 """Branches and loops: how a structured block maps a state to the states in which control leaves it.
 
 if unknown: x = 'a'            both ways are followed, and joined behind
-for n in ['a', 'b']: …         a known sequence is followed item by item
-while unknown: …               anything else runs until nothing changes, widening at the head
+while k < 3: k += 1            a known condition is followed turn by turn
+while unknown: …               anything else runs until nothing changes, widening at the head (`iteration.py` has the loops over items)
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import join, join_all, widen
+from rosward.domain.choice import join, widen
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Value
+from rosward.domain.values import UNBOUND, Value
 from rosward.engine.equality import truth
 from rosward.engine.exceptions import note
 from rosward.engine.frame import Frame, Snapshot, join_into
@@ -66,38 +67,7 @@ def continue_(machine: Interpreter, _op: ops.Continue, frame: Frame) -> bool:
     return False
 
 
-def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None:
-    """A loop over what a value yields."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
-    known, rest = machine.iterate(frame.registers[op.iterable])
-    saved, context = (frame.exits.broken, frame.exits.continued), frame.context
-    frame.exits.broken = frame.exits.continued = None
-    if not machine.loops:
-        machine.turns = 0
-    if len(known) > machine.budget.unroll or machine.turns + len(known) > machine.budget.turns:
-        rest = join_all([*known, *(() if rest is None else (rest,))])
-        known = ()
-    alive = True
-    machine.loops += 1
-    for number, item in enumerate(known):
-        machine.turns += 1
-        frame.context = machine.context(context, id(op), number)
-        frame.registers[op.item] = item
-        alive = _turn(machine, op.body, frame)
-        if not alive:
-            break
-        machine.check_time()
-    if alive and rest is not None:
-        frame.context = machine.context(context, id(op), "*")
-        alive = _until_stable(machine, op, frame, None, rest)
-    machine.loops -= 1
-    frame.context = context
-    if alive:
-        alive = machine.run(op.orelse, frame)
-    return _behind(machine, frame, alive, saved)
-
-
-def _behind(
+def behind(
     machine: Interpreter, frame: Frame, alive: bool, saved: tuple[Snapshot | None, Snapshot | None]
 ) -> bool | None:
     """Behind a loop: where it ended by itself, joined with where it was left by break."""
@@ -111,7 +81,7 @@ def _behind(
     return None if alive else False
 
 
-def _turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
+def turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
     """One turn of a loop's body; True where a next one can follow."""
     alive = machine.run(body, frame)
     continued = frame.exits.continued
@@ -148,9 +118,9 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
             break
         if decided is None or number >= limit or machine.turns >= machine.budget.turns:
             frame.context = machine.context(context, id(op), "*")
-            alive = _until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
+            alive = until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
             break
-        alive = _turn(machine, op.body, frame)
+        alive = turn(machine, op.body, frame)
         if not alive:
             break
         if machine.state.version == seen[0] and frame.registers == seen[1]:
@@ -169,11 +139,15 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
         machine.check_time()
     machine.loops -= 1
     frame.context = context
-    return _behind(machine, frame, alive, saved)
+    return behind(machine, frame, alive, saved)
 
 
-def _until_stable(
-    machine: Interpreter, op: ops.While | ops.ForEach, frame: Frame, registers: list[Value] | None, item: Value | None
+Feed = Callable[[], tuple[Value, Snapshot]]
+"""The next item of what a loop runs over, and where the loop ends instead."""
+
+
+def until_stable(
+    machine: Interpreter, op: ops.While | ops.ForEach, frame: Frame, registers: list[Value] | None, feed: Feed | None
 ) -> bool:
     """Any number of turns: joins the states at the head of the loop until they do not change, widening after a few.
 
@@ -193,7 +167,7 @@ def _until_stable(
     # Inside a loop that is followed to a fixpoint itself, each turn would be joined many times over: there it widens at once.
     patience = 0 if machine.fixpoints else machine.budget.widen_after
     machine.fixpoints += 1
-    for turn in range(machine.budget.fixpoint * 4):
+    for number in range(machine.budget.fixpoint * 4):
         machine.resume(frame, Snapshot(head.registers.copy(), head.state.copy()))
         note(machine)
         ended = None
@@ -205,13 +179,14 @@ def _until_stable(
                 ended = machine.snapshot(frame)
             alive = alive and decided is not False
         else:
-            assert item is not None
-            ended = machine.snapshot(frame)
+            assert feed is not None
+            item, ended = feed()
             frame.registers[op.item] = item
-        if not (alive and _turn(machine, op.body, frame)):
+            alive = item is not UNBOUND
+        if not (alive and turn(machine, op.body, frame)):
             break
         version, before = head.state.version, head.registers
-        merge = join if turn < patience else widening
+        merge = join if number < patience else widening
         head = join_into(machine, head, Snapshot(frame.registers, machine.state), merge)
         if head.state.version == version and head.registers is before:
             break

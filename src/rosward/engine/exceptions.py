@@ -31,6 +31,7 @@ _CANNOT_FAIL = (
     ops.Build,
     ops.NewCell,
     ops.Assume,
+    ops.Yield,  # notes itself
 )
 
 
@@ -42,10 +43,11 @@ class Catcher:
     and each change of the frame's registers since. `reached`: something in the body may fail. `raised` joins what is raised explicitly.
     """
 
-    __slots__ = ("frame", "noted", "raised", "reached", "snapshot")
+    __slots__ = ("frame", "handles", "noted", "raised", "reached", "snapshot")
 
-    def __init__(self, machine: Interpreter, frame: Frame) -> None:
+    def __init__(self, machine: Interpreter, frame: Frame, *, handles: bool = False) -> None:
         self.frame = frame
+        self.handles = handles  # it has `except`, not `finally` or `with` alone
         self.snapshot = machine.snapshot(frame)
         self.noted = self.snapshot.registers[: len(frame.code.variables)]
         self.raised: Value = UNBOUND
@@ -86,6 +88,11 @@ def note(machine: Interpreter) -> None:
         machine.catchers[-1].note()
 
 
+def may_have_left(machine: Interpreter, frame: Frame) -> bool:
+    """Whether an exception may have led to a handler of this very frame before."""
+    return any(c.frame is frame and c.handles and c.reached for c in machine.catchers)
+
+
 def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
     """Interpret a block inside a try: around each operation that may fail the state may reach the handlers."""
     catcher = machine.catchers[-1]
@@ -120,7 +127,7 @@ def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
     return False
 
 
-def _may_catch(machine: Interpreter, exception: Value, wanted: Value | None) -> bool | None:
+def may_catch(machine: Interpreter, exception: Value, wanted: Value | None) -> bool | None:
     """Whether a handler for `wanted` catches; None where it may."""
     if wanted is None:
         return True
@@ -136,7 +143,7 @@ def attempt(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
     if not op.final:
         return _handled(machine, op, frame)
     outer, catchers = frame.exits, machine.catchers
-    inner = frame.exits = Exits()
+    inner = frame.exits = Exits(outer)
     catcher = Catcher(machine, frame)
     machine.catchers = [*catchers, catcher]
     try:
@@ -182,7 +189,7 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
     """The body under its handlers, then the handlers, then `else`."""
     if not op.handlers:
         return (machine.run(op.body, frame) and machine.run(op.orelse, frame)) or False
-    catcher = Catcher(machine, frame)
+    catcher = Catcher(machine, frame, handles=True)
     catchers = machine.catchers
     machine.catchers = [*catchers, catcher]
     uncertain = frame.uncertain
@@ -213,7 +220,7 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
             after = join_into(machine, after, Snapshot(frame.registers, machine.state))
             if done is not None:
                 after.state.done = done  # an interrupt ends any program anywhere: it makes nothing conditional
-        left = [e for e in options(raised) if raised is not UNBOUND and _may_catch(machine, e, wanted) is not True]
+        left = [e for e in options(raised) if raised is not UNBOUND and may_catch(machine, e, wanted) is not True]
         raised = join_all(left) if left else UNBOUND
     frame.uncertain -= 1
     if raised is not UNBOUND:
@@ -247,7 +254,7 @@ def _bound(machine: Interpreter, raised: Value, wanted: Value | None) -> Value:
     instances = [
         e
         for e in options(raised)
-        if e.__class__ is not Native and e is not UNBOUND and _may_catch(machine, e, wanted) is not False
+        if e.__class__ is not Native and e is not UNBOUND and may_catch(machine, e, wanted) is not False
     ]
     return join_all([*instances, machine.unknown(Cause.LIVE, "exception")])
 
@@ -264,7 +271,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame) -> bool | Non
     if op.bind != ops.NO_REGISTER:
         frame.registers[op.bind] = entered
     outer, catchers = frame.exits, machine.catchers
-    inner = frame.exits = Exits()
+    inner = frame.exits = Exits(outer)
     catcher = Catcher(machine, frame)
     machine.catchers = [*catchers, catcher]
     try:

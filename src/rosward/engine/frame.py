@@ -38,13 +38,20 @@ def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot,
 class Exits:
     """Where abrupt control goes, joined: `broken` and `continued` for the innermost loop, `returned` (with `value`) for the function."""
 
-    __slots__ = ("broken", "continued", "returned", "value")
+    __slots__ = ("broken", "continued", "outer", "returned", "value")
 
-    def __init__(self) -> None:
+    def __init__(self, outer: Exits | None = None) -> None:
+        self.outer = outer  # those of the statement around, where this is a `finally` or `with`
         self.broken: Snapshot | None = None
         self.continued: Snapshot | None = None
         self.returned: Snapshot | None = None
         self.value: Value = UNBOUND
+
+    @property
+    def taken(self) -> bool:
+        """Whether some way has left already, so that what follows does not surely happen."""
+        here = self.broken is not None or self.continued is not None or self.returned is not None
+        return here or (self.outer is not None and self.outer.taken)
 
 
 @final
@@ -65,11 +72,13 @@ class Frame:
         "line",
         "module",
         "namespace",
+        "raised",
         "registers",
         "sequence",
         "stub",
         "uncertain",
         "yield_rest",
+        "yielded",
         "yields",
     )
 
@@ -88,5 +97,7 @@ class Frame:
         self.column = 1
         self.sequence = 0  # how many objects the current operation has made
         self.uncertain = 0
+        self.raised = 0  # how often something had been raised when the call began
         self.yields: list[Value] = []
         self.yield_rest: Value = UNBOUND
+        self.yielded: State | None = None  # the states at the yields so far, joined

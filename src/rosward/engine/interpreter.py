@@ -21,7 +21,18 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes, equality, exceptions, items, modules
+from rosward.engine import (
+    attributes,
+    calls,
+    classes,
+    equality,
+    escape,
+    exceptions,
+    items,
+    iteration,
+    modules,
+    namespaces,
+)
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.schedule import Schedule
@@ -56,11 +67,13 @@ class Interpreter:
         self.steps = 0
         self.step_limit = budget.steps
         self.deadline = time.process_time() + budget.seconds
+        self.choosing = False  # what is being called is one of several alternatives
         self.raised = 0
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began
+        self.yielded: State | None = None  # the states at the yields of the generator that was run last, joined
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, calls.Summary] = {}
         self.memo: dict[object, Value] = {}
@@ -87,6 +100,11 @@ class Interpreter:
             if table[op.__class__](self, op, frame) is False:
                 return False
         return True
+
+    def take_yielded(self) -> State | None:
+        """The states at the yields of the generator that was run last, joined; they are given once."""
+        taken, self.yielded = self.yielded, None
+        return taken
 
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
@@ -156,7 +174,8 @@ class Interpreter:
         if frame is None:
             return Ref(self.place_at((obj.kind, site), obj))
         # One operation may make several objects, but finitely many: it makes one for each alternative of its operands, and they come round.
-        key = (frame.context, frame.code.file, frame.line, frame.column, min(frame.sequence, _MAX_SEQUENCE), site)
+        number = min(frame.sequence, _MAX_SEQUENCE)
+        key = (frame.context, frame.code.file, frame.line, frame.column, number, site, obj.kind, obj.cls)
         frame.sequence += 1
         return Ref(self.place_at(key, obj))
 
@@ -246,7 +265,7 @@ class Interpreter:
 
     def iterate(self, value: Value) -> Items:
         """What iterating yields."""
-        return items.iterate(self, value)
+        return iteration.iterate(self, value)
 
     def truth(self, value: Value) -> bool | None:
         """The truth of a value, None for both."""
@@ -262,7 +281,7 @@ class Interpreter:
 
     def escape(self, values: Iterable[Value], library: str) -> None:
         """Values reach unknown code."""
-        calls.escape(self, values, library)
+        escape.escape(self, values, library)
 
     def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
         """A callback may run from now on."""
@@ -273,6 +292,11 @@ class Interpreter:
         self.schedule_book.spin(self)
         if self.catchers:
             self.catchers[-1].take(self, self.state)
+
+    def variables(self, *, local: bool) -> Value:
+        """What `locals()` or `globals()` gives here."""
+        found = namespaces.variables(self, local=local)
+        return self.unknown(Cause.LIVE, "variables", "dict") if found is None else found
 
     def report(self, code: str, message: str) -> None:
         """A finding at the current place."""

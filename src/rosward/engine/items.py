@@ -25,11 +25,11 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import attributes, calls, classes
+from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.state import element
 from rosward.ir import ops
 from rosward.models import operators
-from rosward.models.native import Items
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -82,7 +82,8 @@ def load(machine: Interpreter, value: Value, index: Value) -> Value:
     """value[index]."""
     cls = value.__class__
     if cls is Choice:
-        return join_all(load(machine, o, index) for o in value.options)  # type: ignore[attr-defined]
+        several = [o for o in value.options if o != NONE] or list(value.options)  # type: ignore[attr-defined]
+        return each_apart(machine, several, lambda option: load(machine, option, index))
     if cls is Ref:
         obj = machine.obj(value)  # type: ignore[arg-type]
         if obj.kind == "instance":
@@ -123,52 +124,6 @@ def delete(machine: Interpreter, target: Value, index: Value) -> None:
             method = attributes.method(machine, option, name)
             if method is not None:
                 calls.call(machine, method, (index,), {})
-
-
-def iterate(machine: Interpreter, value: Value) -> Items:
-    """What `for x in value` sees."""
-    cls = value.__class__
-    if cls is Choice:
-        return _iterate_choice(machine, value)  # type: ignore[arg-type]
-    if cls is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
-        if obj.kind == "generator":
-            return calls.run_generator(machine, obj)[0]
-        if obj.kind == "instance":
-            return _iterate_instance(machine, value)
-    if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
-        return machine.iterate(machine.call(Native("enum.iterate"), (value,)))
-    if cls in (External, Native, Function, Class):
-        return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
-    return operators.iterate(machine, value)
-
-
-def _iterate_choice(machine: Interpreter, value: Choice) -> Items:
-    """Item by item where all alternatives have one length, else any number of any item."""
-    all_items = [machine.iterate(o) for o in value.options if o != NONE]
-    if not all_items:
-        return Items(())
-    lengths = {len(i.known) for i in all_items if i.rest is None}
-    if len(lengths) == 1 and all(i.rest is None for i in all_items):
-        return Items(tuple(join_all(column) for column in zip(*(i.known for i in all_items), strict=True)))
-    elements = [e for i in all_items for e in (*i.known, *(() if i.rest is None else (i.rest,)))]
-    return Items((), join_all(elements)) if elements else Items(())
-
-
-def _iterate_instance(machine: Interpreter, value: Value) -> Items:
-    method = attributes.method(machine, value, "__iter__")
-    if method is not None:
-        iterator = calls.call(machine, method, (), {})
-        if iterator is UNBOUND:
-            return Items(())
-        if iterator != value:
-            return machine.iterate(iterator)
-    for name, arguments in (("__next__", ()), ("__getitem__", (machine.unknown(Cause.OPERATION, "index", "int"),))):
-        method = attributes.method(machine, value, name)
-        if method is not None:
-            item = calls.call(machine, method, arguments, {})
-            return Items(()) if item is UNBOUND else Items((), item)
-    return Items((), machine.unknown(Cause.OPERATION, "iteration"))
 
 
 def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:

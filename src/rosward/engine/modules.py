@@ -106,8 +106,10 @@ def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int =
         "__package__": Const(package),
         "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
     }
-    machine.put(module.address, Obj("module", Native("builtins.module"), attrs=attrs))
     lowered = machine.library.module(module.file)
+    if lowered is not None:
+        attrs["__doc__"] = Const(lowered.code.doc)
+    machine.put(module.address, Obj("module", Native("builtins.module"), attrs=attrs))
     if lowered is None:
         return True
     code = lowered.code

@@ -6,9 +6,11 @@ self.create_timer(1.0, self.tick)     tick runs wherever the program spins, and 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join, options, widen
+from rosward.domain.choice import join, options, reasons_of, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Function, Partial, Ref, Unknown, Value
 from rosward.engine.binding import ANY
@@ -20,6 +22,14 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+    from rosward.models.effects import EntityEffect
+
+
+def _fails(effect: EntityEffect) -> bool:
+    """Whether an entity is made of something that is not there: a name or a node that an attribute would have to hold."""
+    causes = {r.cause for r in reasons_of(effect.name)}
+    return effect.address is None or Cause.ERROR in causes
+
 
 _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 
@@ -58,9 +68,43 @@ class Schedule:
         for option in options(callback):
             key = (option, args)
             if key not in self.entries and option.__class__ is not Unknown:
-                self.entries[key] = Entry(
+                entry = self.entries[key] = Entry(
                     option, args, event, machine.place, machine.state.copy(), self._context(machine, option, event)
                 )
+                if event == "thread" and not self.running:
+                    self._start(machine, entry)
+
+    def _start(self, machine: Interpreter, entry: Entry) -> None:
+        """A thread runs from here on: what follows may see what it writes, and it what is written so far.
+
+        Where it finds an attribute missing that is set below, the program would fail: of that nothing is told.
+        """
+        before, findings, entities = machine.state, dict(machine.log.findings), frozenset(machine.log.entities)
+        machine.state = before.copy()
+        with self._alone(machine):
+            self._call(machine, entry)
+        machine.state = join_states(before, machine.state, machine.fresh_version)
+        machine.log.findings = findings
+        for effect in [e for e in machine.log.entities if e not in entities and _fails(e)]:
+            del machine.log.entities[effect]
+        if machine.catchers:
+            machine.catchers[-1].take(machine, machine.state)
+
+    @contextmanager
+    def _alone(self, machine: Interpreter) -> Iterator[None]:
+        """What is scheduled runs under no frame and no `try` of the main body."""
+        self.running = True
+        catchers, machine.catchers = machine.catchers, []
+        frames, machine.frames = machine.frames, []
+        loops, machine.loops = machine.loops, 0
+        fixpoints, machine.fixpoints = machine.fixpoints, 0
+        try:
+            yield
+        finally:
+            self.running = False
+            machine.frames = frames
+            machine.catchers = catchers
+            machine.loops, machine.fixpoints = loops, fixpoints
 
     def _context(self, machine: Interpreter, callback: Value, event: str) -> int:
         """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
@@ -75,15 +119,8 @@ class Schedule:
         """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be."""
         if self.running or self._settled == (len(self.entries), machine.state.version):
             return
-        self.running = True
-        catchers, machine.catchers = machine.catchers, []
-        frames, machine.frames = machine.frames, []
-        try:
+        with self._alone(machine):
             self._run(machine)
-        finally:
-            self.running = False
-            machine.frames = frames
-            machine.catchers = catchers
         self._settled = (len(self.entries), machine.state.version)
 
     def _run(self, machine: Interpreter) -> None:

@@ -13,8 +13,9 @@ from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
-from rosward.engine import attributes, calls, classes, control, equality, exceptions, items, modules
+from rosward.engine import attributes, calls, classes, control, equality, exceptions, items, iteration, modules
 from rosward.engine.frame import Frame
+from rosward.engine.state import join_states
 from rosward.ir import ops
 from rosward.models.strings import format_value
 
@@ -132,7 +133,8 @@ def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:
 
 
 def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    # All links of a chain `a + b + c` begin at one place: what each makes is told apart by its register.
+    frame.line, frame.column, frame.sequence = op.line, op.column, -8 * op.dst
     registers = frame.registers
     value = equality.binary(machine, op.operator, registers[op.left], registers[op.right], inplace=op.inplace)
     frame.registers[op.dst] = value
@@ -241,7 +243,18 @@ def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = frame.registers[op.src]
     known, rest = ((value,), None) if not op.many else machine.iterate(value)
-    if frame.uncertain or frame.yield_rest is not UNBOUND or len(frame.yields) > machine.budget.items:
+    unsure = (
+        frame.uncertain
+        or frame.exits.taken
+        or machine.raised != frame.raised
+        or exceptions.may_have_left(machine, frame)
+    )
+    exceptions.note(machine)
+    if frame.yielded is None:
+        frame.yielded = machine.state.copy()
+    elif frame.yielded.version != machine.state.version:
+        frame.yielded = join_states(frame.yielded, machine.state.copy(), machine.fresh_version)
+    if unsure or frame.yield_rest is not UNBOUND or len(frame.yields) > machine.budget.items:
         for item in known:
             frame.yield_rest = join(frame.yield_rest, item)
     else:
@@ -291,7 +304,7 @@ HANDLERS: Final[dict[type[ops.Op], Handler]] = {
     ops.Await: _await,
     ops.If: control.branch,
     ops.While: control.loop,
-    ops.ForEach: control.for_each,
+    ops.ForEach: iteration.for_each,
     ops.Try: exceptions.attempt,
     ops.With: exceptions.with_context,
     ops.Return: control.leave,

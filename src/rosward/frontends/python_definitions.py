@@ -41,6 +41,7 @@ def lower_code(
     is_stub: bool = False,
     annotations: dict[str, str] | None = None,
     returns: str | None = None,
+    doc: str | None = None,
 ) -> Code:
     """Lower one body."""
     body = Body(unit, scope, qualname, is_coroutine=is_coroutine)
@@ -76,6 +77,7 @@ def lower_code(
         is_stub=is_stub,
         annotations=annotations,
         returns=returns,
+        doc=doc,
     )
 
 
@@ -110,6 +112,7 @@ def _function(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         is_stub=_is_stub(node.body),
         annotations=annotations,
         returns=None if node.returns is None else annotation_text(node.returns),
+        doc=ast.get_docstring(node, clean=False),
     )
     dst = body.register()
     captures = _captures(body, code)
@@ -155,6 +158,7 @@ def _class(body: Body, node: ast.ClassDef) -> None:
         qualname=_qualified(body, node.name),
         line=node.lineno,
         is_stub=_is_stub(node.body),
+        doc=ast.get_docstring(node, clean=False),
     )
     dst = body.register()
     body.ops.append(MakeClass(node.lineno, node.col_offset + 1, dst, code, given, _captures(body, code)))

@@ -89,7 +89,15 @@ def _lower(tree: ast.Module, file: str, lines: int) -> Module:
             of.free_register = 0
         of.statements(tree.body)
 
-    code = lower_code(unit, symbols.by_node[tree], body, name="<module>", qualname="<module>", line=1)
+    code = lower_code(
+        unit,
+        symbols.by_node[tree],
+        body,
+        name="<module>",
+        qualname="<module>",
+        line=1,
+        doc=ast.get_docstring(tree, clean=False),
+    )
     return Module(file, code, frozenset(unit.imports), unit.has_main, lines)
 
 

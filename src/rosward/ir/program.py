@@ -56,12 +56,13 @@ class Code:
     `free` are the names captured from outside, in the order of `captures` of the operation that makes the function or class.
     Cell numbers count `cells` first, then `free`. `__class__` is a free cell of each method in which `super()` without
     arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.
-    `annotations` and `returns` keep annotations as source text. `is_stub`: the body is `...` alone.
+    `annotations` and `returns` keep annotations as source text, `doc` the docstring. `is_stub`: the body is `...` alone.
     """
 
     __slots__ = (
         "annotations",
         "cells",
+        "doc",
         "file",
         "free",
         "is_coroutine",
@@ -97,6 +98,7 @@ class Code:
         is_stub: bool = False,
         annotations: dict[str, str] | None = None,
         returns: str | None = None,
+        doc: str | None = None,
     ) -> None:
         self.kind = kind
         self.name = name
@@ -114,6 +116,7 @@ class Code:
         self.is_stub = is_stub
         self.annotations = annotations or {}
         self.returns = returns
+        self.doc = doc
 
 
 @final

@@ -50,6 +50,16 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
     return None
 
 
+def may_hide(machine: Machine, cls: Class, name: str) -> bool:
+    """Whether a class of a model may have an attribute that is not declared: unless it lists all such in `_rosward_hidden`."""
+    if not cls.stub:
+        return False
+    hidden = machine.obj(Ref(cls.address)).attrs.get("_rosward_hidden")
+    if not isinstance(hidden, Tuple):
+        return True
+    return Const(name) in hidden.items or name.startswith((f"_{cls.name.lstrip('_')}__", "_rosward"))
+
+
 def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
     """Whether instances have an attribute by their class; None where a base or `__getattr__` may."""
     if not isinstance(cls, Class):
@@ -60,7 +70,7 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
             attrs = machine.obj(Ref(base.address)).attrs
             if attrs.get(name, UNBOUND) is not UNBOUND:
                 return True
-            unknown = unknown or base.stub or "__getattr__" in attrs or "__getattribute__" in attrs
+            unknown = unknown or may_hide(machine, base, name) or "__getattr__" in attrs or "__getattribute__" in attrs
         elif isinstance(base, Native):
             found = getattr(builtins, base.name.removeprefix("builtins."), None)
             if isinstance(found, type) and hasattr(found, name):
@@ -71,7 +81,7 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
     return True if hasattr(object, name) else None if unknown else False
 
 
-def _names(machine: Machine, value: Value) -> list[str]:
+def attribute_names(machine: Machine, value: Value) -> list[str]:
     """The names of all attributes that we know of an instance, class or module."""
     if isinstance(value, (Class, ModuleValue)):
         places = [b.address for b in value.mro if isinstance(b, Class)] if isinstance(value, Class) else [value.address]
@@ -104,7 +114,7 @@ def _get_one(call: NativeCall, value: Value, name: Value) -> Value:
     unknown = unknown_from(machine, "getattr", "", name, value)
     if not isinstance(name, Text):
         return join_all((unknown, *default))
-    fitting = [n for n in _names(machine, value) if matches(name, n)][:MAX_MATCHES]
+    fitting = [n for n in attribute_names(machine, value) if matches(name, n)][:MAX_MATCHES]
     return join_all((*(machine.load_attr(value, n) for n in fitting), unknown, *default))
 
 

@@ -32,6 +32,7 @@ from rosward.domain.values import (
 from rosward.models import containers_dict
 from rosward.models.containers_list import new_tuple
 from rosward.models.containers_set import new_set
+from rosward.models.list_alternatives import keep_told, told
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import kind_of
 from rosward.models.plain import (
@@ -100,7 +101,9 @@ def _items(call: NativeCall) -> Items:
 
 
 def _list(call: NativeCall) -> Value:
-    return listed(call.machine, call.name, *_items(call))
+    made = listed(call.machine, call.name, *_items(call))
+    keep_told(call.machine, made, (told(call.machine, a) for a in call.args[:1]))
+    return made
 
 
 def _tuple(call: NativeCall) -> Value:

@@ -11,8 +11,10 @@ import builtins
 from collections.abc import Callable
 from typing import Final
 
+from rosward.domain.choice import options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Native, Tuple, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Native, Ref, Tuple, Unknown, Value
+from rosward.models.builtin_attributes import attribute_names
 from rosward.models.builtin_constructors import is_callable
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import (
@@ -34,7 +36,7 @@ _PURE: Final[dict[str, tuple[Callable[..., object], str]]] = {
     "bin": (bin, "str"), "hex": (hex, "str"), "oct": (oct, "str"), "pow": (pow, ""), "divmod": (divmod, ""),
 }  # fmt: skip
 _ABSOLUTE: Final = {"int": "int", "bool": "int", "float": "float"}
-_OPAQUE: Final = {"vars": "dict", "globals": "dict", "locals": "dict", "dir": "list", "memoryview": "", "help": ""}
+_OPAQUE: Final = {"memoryview": "", "help": ""}
 
 
 def _pure(call: NativeCall) -> Value:
@@ -142,6 +144,25 @@ def _opaque(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.LIVE, name, _OPAQUE[name])
 
 
+def _variables(call: NativeCall) -> Value:
+    """vars, globals and locals."""
+    if call.name.endswith("vars") and call.args:
+        return spread(lambda value: call.machine.load_attr(value, "__dict__"), call.args[0])
+    return call.machine.variables(local=not call.name.endswith("globals"))
+
+
+def _dir(call: NativeCall) -> Value:
+    """The names of the attributes of an object, where all of its classes are known."""
+    machine, names = call.machine, set(dir(object))
+    for option in options(call.args[0]) if call.args else (NONE,):
+        cls = machine.obj(option).cls if isinstance(option, Ref) else option
+        known = attribute_names(machine, option)
+        if not known or not isinstance(cls, Class) or not all(isinstance(b, (Class, Native)) for b in cls.mro):
+            return machine.unknown(Cause.LIVE, "dir", "list")
+        names.update(known)
+    return machine.new_list([Const(name) for name in sorted(names)])
+
+
 def _run_code(call: NativeCall) -> Value:
     """exec, compile and __import__."""
     name = call.name.rpartition(".")[2]
@@ -163,6 +184,8 @@ def _eval(call: NativeCall) -> Value:
 NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"builtins.{name}": native(_pure, 2 if name in ("pow", "divmod") else 1) for name in _PURE},
     **{f"builtins.{name}": native(_opaque) for name in _OPAQUE},
+    **{f"builtins.{name}": native(_variables) for name in ("vars", "globals", "locals")},
+    "builtins.dir": native(_dir),
     **{f"builtins.{name}": native(_run_code) for name in ("exec", "compile", "__import__")},
     "builtins.isinstance": native(_is_instance, 2),
     "builtins.issubclass": native(_is_subclass, 2),

@@ -111,6 +111,8 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
     for option in options(index):
         key = key_of(option)
         if key is None:
+            if isinstance(obj.payload, Ref):
+                machine.report("RW203", "an attribute or variable with a name that is not known is set")
             obj = _store_unknown(machine, obj, option, value)
         else:
             is_many = isinstance(key, Ref) and machine.obj(key).many

@@ -11,9 +11,10 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Obj
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Ref, Slice, Tuple, Value
+from rosward.models.list_alternatives import keep_told, told
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable, equal
 from rosward.models.plain import (
@@ -55,33 +56,6 @@ def add_to_rest(machine: Machine, ref: Ref, values: Iterable[Value]) -> None:
     obj = machine.obj(ref)
     joined = join_all([*(obj.items or ()), *(() if obj.rest is None else (obj.rest,)), *values])
     write(machine, ref, None, None if joined is UNBOUND else joined)
-
-
-def told(machine: Machine, value: Value) -> tuple[tuple[Value, bool], ...] | None:
-    """The elements of a list or tuple of objects in order, and whether each is surely there; None where they are not told apart."""
-    items: tuple[Value, ...] | None = None
-    if isinstance(value, Tuple):
-        items = value.items
-    elif isinstance(value, Ref) and machine.obj(value).kind == "list":
-        obj = machine.obj(value)
-        if obj.items is None:
-            return obj.payload.elements if isinstance(obj.payload, Alternatives) else None
-        items = obj.items
-    if items is None or not all(isinstance(i, Ref) for i in items):
-        return None
-    return tuple((i, True) for i in items)
-
-
-def keep_told(machine: Machine, ref: Ref, parts: Iterable[tuple[tuple[Value, bool], ...] | None]) -> None:
-    """A list of unknown length was made of `parts`: where the elements of all are told apart, they stay so."""
-    found: dict[Value, bool] = {}
-    for part in parts:
-        if part is None or any(value in found for value, _ in part):
-            return
-        found.update(part)
-    obj = machine.obj(ref)
-    if obj.items is None and len(found) <= MAX_ITEMS:
-        machine.update(ref, obj.replace(payload=Alternatives(tuple(found.items()))))
 
 
 def _receiver(call: NativeCall) -> Ref | None:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What Python code of a launch file can ask the launch that it runs in.
 
-    def setup(context):                                      # an OpaqueFunction
-        robot = context.launch_configurations['robot']       configuration('robot')
-        size = LaunchConfiguration('size').perform(context)  perform(the object)
+def setup(context):                                      # an OpaqueFunction
+    robot = context.launch_configurations['robot']       configuration('robot')
+    size = LaunchConfiguration('size').perform(context)  perform(the object)
 """
 
 from __future__ import annotations

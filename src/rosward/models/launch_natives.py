@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The module `_rosward.launch` that the models of launch import: objects that keep what they are given, and questions to the launch.
 
-    Node(package='demo', executable='talker')   the object keeps `launch.package`, `launch.executable` and the place of this call
-    context.launch_configurations['robot']      the value that the launch has now, where one is going on
+Node(package='demo', executable='talker')   the object keeps `launch.package`, `launch.executable` and the place of this call
+context.launch_configurations['robot']      the value that the launch has now, where one is going on
 """
 
 from __future__ import annotations
@@ -73,13 +73,11 @@ def _left_over(machine: Machine, obj: Obj, kwargs: Value) -> dict[str, Value]:
     """The keywords that nothing takes: a mistake, and those of early releases still say what was meant."""
     if not isinstance(kwargs, Ref):
         return {}
-    meant: dict[str, Value] = {}
-    for key, value in machine.obj(kwargs).entries.items():
-        name = text_of(key)
-        machine.report("RW320", f"{_class_name(obj)}() got an unexpected keyword argument '{name}'")
-        if name in _OLD:
-            meant[_OLD[name]] = value
-    return meant
+    given = {text_of(key): value for key, value in machine.obj(kwargs).entries.items()}
+    if given:
+        names = ", ".join(f"'{name}'" for name in given)
+        machine.report("RW320", f"{_class_name(obj)}() got unexpected keyword arguments: {names}")
+    return {_OLD[name]: value for name, value in given.items() if name in _OLD}
 
 
 def copied(machine: Machine, value: Value, path: tuple[object, ...]) -> Value:
@@ -202,9 +200,7 @@ def _set_configuration(call: NativeCall) -> Value:
     return NONE
 
 
-def _assign(
-    call: NativeCall, read: Callable[[str], Value | None], write: Callable[[str, Value | None], None]
-) -> None:
+def _assign(call: NativeCall, read: Callable[[str], Value | None], write: Callable[[str, Value | None], None]) -> None:
     name, value = call.args
     sure = not any(f.uncertain for f in host(call.machine).frames)
     for each in options(name):

@@ -93,6 +93,9 @@ class Machine(Protocol):
     def spin(self) -> None:
         """Everything that is scheduled may run here, in any order, any number of times."""
 
+    def variables(self, *, local: bool) -> Value:
+        """What `locals()` or `globals()` gives where the call stands: a dict."""
+
     def report(self, code: str, message: str) -> None:
         """A finding at the current place."""
 

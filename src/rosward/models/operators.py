@@ -29,6 +29,7 @@ from rosward.domain.values import (
 )
 from rosward.models import containers_dict
 from rosward.models.containers_set import FROZEN, combine, distinct
+from rosward.models.list_alternatives import keep_told, told
 from rosward.models.native import Items, Machine
 from rosward.models.operators_compare import compare, contains, equal, kind_of
 from rosward.models.operators_items import load_item, store_item
@@ -73,7 +74,10 @@ _SEQUENCES: Final = ("str", "bytes", "list", "tuple")
 @operation
 def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
     """left op right."""
-    return spread_fresh(machine, ("operator", op), lambda a, b: _binary(machine, op, a, b), left, right)
+    result = spread_fresh(machine, ("operator", op), lambda a, b: _binary(machine, op, a, b), left, right)
+    if op == "+" and isinstance(result, Ref):
+        keep_told(machine, result, (told(machine, left), told(machine, right)))
+    return result
 
 
 def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value | Fresh:

@@ -11,6 +11,7 @@ import operator
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.text import make, parts_of
+from rosward.domain.unknown import derived
 from rosward.domain.values import NONE, Choice, Const, External, Range, Ref, Slice, Text, Tuple, Unknown, Value
 from rosward.models import containers_dict, text_parts
 from rosward.models.containers_list import add_to_rest, element, write
@@ -63,7 +64,9 @@ def _load(machine: Machine, value: Value, index: Value) -> Value:
         return from_python(machine, run(operator.getitem, numbers, number), origins(value, index), "[]")
     if isinstance(value, Ref):
         return _of_object(machine, value, index)
-    return Unknown(value.reasons) if isinstance(value, Unknown) else unknown_from(machine, "[]", "", value, index)
+    return (
+        Unknown(derived(value.reasons)) if isinstance(value, Unknown) else unknown_from(machine, "[]", "", value, index)
+    )
 
 
 def _of_object(machine: Machine, ref: Ref, index: Value) -> Value:
@@ -122,7 +125,11 @@ def _slice(machine: Machine, value: Value, index: Slice) -> Value | Fresh:
         return Fresh("list", kind_of(machine, value), part)
     if isinstance(value, Range) and ends is not None:
         return _range_slice(machine, value, ends)
-    return Unknown(value.reasons, value.hint) if isinstance(value, Unknown) else unknown_from(machine, "[:]", "", value)
+    return (
+        Unknown(derived(value.reasons), value.hint)
+        if isinstance(value, Unknown)
+        else unknown_from(machine, "[:]", "", value)
+    )
 
 
 def _range_slice(machine: Machine, value: Range, ends: slice) -> Value:

@@ -16,7 +16,7 @@ from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join_all, options, reasons_of
 from rosward.domain.heap import Obj
 from rosward.domain.text import MAX_LENGTH, make
-from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 
@@ -208,7 +208,7 @@ def with_origins(value: Value, more: Origins) -> Value:
 def unknown_from(machine: Machine, what: str, hint: str, *values: Value | None) -> Unknown:
     """An unknown for the reasons of the operands, or because of the operation where these have none."""
     reasons = tuple(dict.fromkeys(r for v in values if v is not None for r in reasons_of(v)))[:MAX_REASONS]
-    return Unknown(reasons, hint) if reasons else machine.unknown(Cause.OPERATION, what, hint)
+    return Unknown(derived(reasons), hint) if reasons else machine.unknown(Cause.OPERATION, what, hint)
 
 
 def hole_from(machine: Machine, what: str, *values: Value | None, shape: str = "") -> Hole:

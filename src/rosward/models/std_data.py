@@ -45,10 +45,11 @@ def _yaml(text: str) -> object:
 def _bound(text: str) -> None:
     """Raises NotKnown for what is too large, too deep, or grows with its aliases."""
     depth = aliases = 0
+    most = _MAX_MERGED if "<<" in text else _MAX_ALIASES
     for number, event in enumerate(yaml.parse(text, Loader=_LOADER)):
         depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
         aliases += isinstance(event, yaml.AliasEvent)
-        if number > _MAX_EVENTS or depth > MAX_DEPTH or aliases > (_MAX_MERGED if "<<" in text else _MAX_ALIASES):
+        if number > _MAX_EVENTS or depth > MAX_DEPTH or aliases > most:
             raise NotKnown
 
 

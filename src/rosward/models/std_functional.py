@@ -13,7 +13,8 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 from rosward.domain.choice import join_all
-from rosward.domain.values import NONE, UNBOUND, Const, Descriptor, Native, Partial, Tuple, Unbound, Value
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Const, Descriptor, Function, Native, Partial, Tuple, Unbound, Value
 from rosward.models.native import Items, NativeCall, NativeFunction
 from rosward.models.std_support import int_of
 
@@ -31,9 +32,24 @@ def _partial(call: NativeCall) -> Value:
     return Partial(function, arguments, keywords)
 
 
-def _wraps(_: NativeCall) -> Value:
-    """functools.wraps(f): a decorator that changes nothing we see."""
-    return Native("functools._same")
+def _wraps(call: NativeCall) -> Value:
+    """functools.wraps(f): a decorator that gives a function the name and the docstring of f."""
+    return Partial(Native("functools._wrapped"), call.args[:1], ())
+
+
+def _wrapped(call: NativeCall) -> Value:
+    """A function under the name of another; `update_wrapper` has them the other way round."""
+    machine = call.machine
+    if len(call.args) < 2:
+        return machine.unknown(Cause.CALL, call.name)
+    wrapped, wrapper = call.args[:2]
+    if call.name == "functools.update_wrapper":
+        wrapped, wrapper = wrapper, wrapped
+    if isinstance(wrapper, Function):
+        for name in ("__module__", "__name__", "__qualname__", "__doc__"):
+            machine.store_attr(wrapper, name, machine.load_attr(wrapped, name))
+        machine.store_attr(wrapper, "__wrapped__", wrapped)
+    return wrapper
 
 
 def _same(call: NativeCall) -> Value:
@@ -155,7 +171,8 @@ def _repeat(call: NativeCall) -> Value:
 NATIVES: Final[dict[str, NativeFunction]] = {
     "functools.partial": _partial,
     "functools.wraps": _wraps,
-    "functools.update_wrapper": _same,
+    "functools._wrapped": _wrapped,
+    "functools.update_wrapper": _wrapped,
     "functools._same": _same,
     "functools.total_ordering": _same,
     "functools.lru_cache": _cache,

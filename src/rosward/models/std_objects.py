@@ -11,7 +11,19 @@ from typing import Final
 
 from rosward.domain.choice import lift
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Ref, Tuple, Value
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Class,
+    Const,
+    Function,
+    ModuleValue,
+    Native,
+    Ref,
+    Tuple,
+    Value,
+)
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import class_obj, joined_elements, place, unknown_from
 
@@ -115,10 +127,27 @@ def _kind(call: NativeCall, value: Value) -> str:
     return type(getattr(value, "value", None)).__name__
 
 
+_KINDS: Final[dict[type, str]] = {
+    Class: "class", Function: "function", BoundMethod: "method", ModuleValue: "module", Native: "builtin",
+}  # fmt: skip
+
+
+def _kind_of(call: NativeCall) -> Value:
+    """inspect._kind_of(object): what the predicates of inspect tell apart."""
+
+    def one(value: Value) -> Value:
+        if isinstance(value, BoundMethod) and isinstance(value.function, Native):
+            return Const("builtin")
+        return Const(_KINDS.get(value.__class__, "value"))
+
+    return lift(one, call.args[0]) if call.args else NONE
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "copy.copy": _shallow,
     "copy.deepcopy": _deep,
     "contextlib._enter": _enter,
+    "inspect._kind_of": _kind_of,
     "queue._any": _any_of,
     "asyncio._any": _any_of,
     "numpy._elements": _elements,

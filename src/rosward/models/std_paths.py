@@ -14,7 +14,7 @@ from typing import Final
 
 from rosward.domain.choice import join, join_all, lift, lift2
 from rosward.domain.text import concat, make, origins_of, parts_of
-from rosward.domain.unknown import Cause
+from rosward.domain.unknown import Cause, derived
 from rosward.domain.values import EMPTY, Const, Hole, Text, Tuple, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import joined_elements, text_of, unknown_from
@@ -85,6 +85,9 @@ def dirname(value: Value) -> Value:
     plain = text_of(value)
     if plain is not None:
         return Const(posixpath.dirname(plain), origins_of(value))
+    parts = parts_of(value)
+    if len(parts) == 1 and isinstance(parts[0], Hole) and not parts[0].shape:
+        return _above(parts[0])
     head = split_last(value)[0]
     parts = parts_of(head)
     last = parts[-1]
@@ -95,9 +98,19 @@ def dirname(value: Value) -> Value:
     return head
 
 
+def _above(folder: Hole) -> Value:
+    """The folder above an unknown one: that of share/demo is share, in the install folder of the package."""
+    causes = {(reason.cause, reason.subject) for reason in folder.reasons}
+    if len(causes) == 1 and folder.reasons[0].cause is Cause.SHARE:
+        prefix = tuple(reason._replace(cause=Cause.PREFIX) for reason in folder.reasons)
+        return make((Hole(prefix), "/share"))
+    return Unknown(derived(folder.reasons), "str")
+
+
 def basename(value: Value) -> Value:
     """posixpath.basename."""
-    return split_last(value)[1]
+    tail = split_last(value)[1]
+    return Unknown(derived(tail.reasons), "str") if isinstance(tail, Unknown) else tail
 
 
 def splitext(value: Value) -> tuple[Value, Value]:
@@ -109,7 +122,8 @@ def splitext(value: Value) -> tuple[Value, Value]:
         if extension or len(parts) == 1 or "/" in last:
             return make((*parts[:-1], root if len(parts) == 1 else root[1:]), origins), Const(extension, origins)
     hole = next(p for p in reversed(parts) if isinstance(p, Hole))
-    return make((*parts[:1], Hole(hole.reasons)), origins), Unknown(hole.reasons, "str")
+    reasons = derived(hole.reasons)
+    return make((*(p for p in parts[:1] if isinstance(p, str)), Hole(reasons)), origins), Unknown(reasons, "str")
 
 
 def normal(value: Value) -> Value:

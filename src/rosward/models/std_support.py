@@ -15,7 +15,7 @@ from typing import Final, cast
 from rosward.domain.choice import join_all, options, reasons_of
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of
-from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import Class, Const, Native, Ref, Tuple, Unknown, Value
 from rosward.models.native import Machine, NativeCall
 
@@ -166,7 +166,7 @@ def from_plain(machine: Machine, value: object, origins: Origins = NO_ORIGINS) -
 def unknown_from(call: NativeCall, hint: str, values: Iterable[Value]) -> Unknown:
     """An unknown for the reasons of the operands, or because of the operation where these have none."""
     reasons = tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))[:4]
-    return Unknown(reasons, hint) if reasons else call.machine.unknown(Cause.OPERATION, call.name, hint)
+    return Unknown(derived(reasons), hint) if reasons else call.machine.unknown(Cause.OPERATION, call.name, hint)
 
 
 def apply_plain(call: NativeCall, function: Callable[..., object], values: Sequence[Value], hint: str = "") -> Value:

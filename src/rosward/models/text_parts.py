@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from rosward.domain.unknown import Reason
+from rosward.domain.unknown import Reason, derived
 from rosward.domain.values import Hole
 
 Part = str | Hole
@@ -24,7 +24,7 @@ _SIGMA: Final = "\N{GREEK CAPITAL LETTER SIGMA}"
 
 def reasons_in(parts: Parts) -> tuple[Reason, ...]:
     """Why parts are not known."""
-    return tuple(dict.fromkeys(r for p in parts if isinstance(p, Hole) for r in p.reasons))[:4]
+    return derived(dict.fromkeys(r for p in parts if isinstance(p, Hole) for r in p.reasons))[:4]
 
 
 def anything(parts: Parts) -> Hole:
@@ -34,7 +34,7 @@ def anything(parts: Parts) -> Hole:
 
 def loose(part: Part) -> Part:
     """A hole of which a piece may be missing; text as it is."""
-    return Hole(part.reasons) if isinstance(part, Hole) else part
+    return Hole(derived(part.reasons)) if isinstance(part, Hole) else part
 
 
 def mirror(parts: Parts) -> Parts:
@@ -71,7 +71,7 @@ def change_case(parts: Parts, method: str) -> Parts:
     result: list[Part] = []
     for number, part in enumerate(parts):
         if isinstance(part, Hole):
-            result.append(part if method in _PER_CHARACTER else loose(part))
+            result.append(Hole(derived(part.reasons), part.shape) if method in _PER_CHARACTER else loose(part))
         elif _SIGMA in part:  # its small form depends on what stands around it
             result.append(anything(parts))
         elif number == 0 or method in _PER_CHARACTER:
@@ -220,7 +220,7 @@ def replace(parts: Parts, old: str, new: Parts, count: int) -> Parts:
     for part in parts:
         if isinstance(part, Hole):
             touched = may_hold(part, old) and count != 0
-            result.append(Hole((*part.reasons, *reasons_in(new))) if touched else part)
+            result.append(Hole((*derived(part.reasons), *reasons_in(new))) if touched else part)
             exact = exact and (not touched or count < 0)
         elif old not in part or count == 0:
             result.append(part)

@@ -61,6 +61,20 @@ class NodeNameNonExistentError(Exception): ...
 
 class Node:
     PARAM_REL_TOL = 1e-6
+    # What a node has beyond what is declared here; it has nothing else.
+    _rosward_hidden = (
+        "_allow_undeclared_parameters", "_apply_descriptor", "_apply_descriptor_and_set", "_apply_descriptors",
+        "_apply_floating_point_range", "_apply_integer_range", "_call_post_set_parameters_callback",
+        "_call_pre_set_parameters_callback", "_check_undeclared_parameters", "_clients", "_clock", "_context",
+        "_count_clients_or_servers", "_count_publishers_or_subscribers", "_declare_parameter_common",
+        "_default_callback_group", "_descriptors", "_executor_weakref", "_get_info_by_topic", "_guard_conditions",
+        "_guards", "_logger", "_logger_service", "_on_set_parameters_callbacks", "_parameter_event_publisher",
+        "_parameter_overrides", "_parameter_service", "_parameters", "_parameters_callbacks",
+        "_post_set_parameters_callbacks", "_pre_set_parameters_callbacks", "_publishers", "_rate_group", "_services",
+        "_set_parameters_atomically", "_set_parameters_atomically_common", "_subscriptions", "_time_source",
+        "_timers", "_type_description_service", "_validate_qos_or_depth_parameter", "_validate_topic_or_service_name",
+        "_waitables", "_wake_executor", "ParameterInput",
+    )
     _rosward_lifecycle = False
     _rosward_lifecycle_services = True
 

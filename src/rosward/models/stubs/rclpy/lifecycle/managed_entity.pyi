@@ -14,6 +14,8 @@ class TransitionCallbackReturn(IntEnum):
 
 
 class ManagedEntity:
+    _rosward_hidden = ()
+
     def on_configure(self, state):
         return TransitionCallbackReturn.SUCCESS
 

@@ -20,6 +20,7 @@ class LifecycleState:
 
 
 class LifecycleNodeMixin(ManagedEntity):
+    _rosward_hidden = ("_managed_entities", "_state_machine", "_callbacks")
     _rosward_lifecycle = True
 
     def __init__(self, *, enable_communication_interface=True, callback_group=None):
@@ -100,6 +101,8 @@ def _some_state():
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):
+    _rosward_hidden = ()
+
     def __init__(self, node_name, *, enable_communication_interface=True, **kwargs):
         self._rosward_lifecycle_services = enable_communication_interface
         Node.__init__(self, node_name, **kwargs)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Several alternatives of one value: each is followed from the same state, what comes out is joined.
+
+make = self.left if unknown else self.right
+make()                    both are called, neither sees what the other did
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join
+from rosward.domain.values import UNBOUND, Value
+from rosward.engine.state import State, join_states
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def each_apart(machine: Interpreter, alternatives: Sequence[Value], action: Callable[[Value], Value]) -> Value:
+    """What an action gives for each alternative from the same state, results and states joined; UNBOUND where none comes back."""
+    if len(alternatives) == 1:
+        return action(alternatives[0])
+    before = machine.state.copy()
+    after: State | None = None
+    value: Value = UNBOUND
+    for number, option in enumerate(alternatives):
+        if number:
+            machine.state = before.copy()
+        result = action(option)
+        if result is UNBOUND:
+            continue
+        value = join(value, result)
+        after = machine.state if after is None else join_states(after, machine.state, machine.fresh_version)
+    if after is not None:
+        machine.state = after
+    return value
