@@ -7,37 +7,38 @@ result.network.nodes
 
 from __future__ import annotations
 
-import gc
-import sys
-import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
+from rosward.deep_stack import with_deep_stack
+from rosward.deployment.declared import Declarations
+from rosward.deployment.files import WorkspaceFiles
+from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.findings import Finding, Severity
+from rosward.gather import Gathered, Progress, never_launched, of_sources, of_systems
 from rosward.models.tables import natives
 from rosward.network.checks import UnknownNames
-from rosward.network.collect import Process, collect
 from rosward.network.connect import connect
+from rosward.network.contexts import EnclaveMode, with_enclaves
 from rosward.network.graph import Network
+from rosward.network.launch_tree import LaunchSystem
 from rosward.plan import Plan, make_plan
-from rosward.processes import Entry, Run, node_classes, run
 from rosward.ros.distro import Distro
-from rosward.ros.entities import Node
 from rosward.source.discover import discover
 from rosward.source.location import Place
+from rosward.source.workspace import Workspace
 from rosward.sources import SourceTree
-from rosward.unreached import unreached
+from rosward.systems import Outset, UnknownRequestError, parameters_for_all, systems_of
 
-Progress = Callable[[str, int, int], None]
-"""Told of each step: what, how many are done, how many there are."""
+__all__ = ["NothingToReadError", "Progress", "Result", "UnknownRequestError", "extract", "launched"]
 
-_STACK: Final = 512 * 1024 * 1024
-_RECURSION: Final = 60_000
+_Path = str | PathLike[str]
+_EVERYTHING: Final = Request()
 
 
 @dataclass(frozen=True)
@@ -63,11 +64,14 @@ class NothingToReadError(Exception):
 
 
 def extract(
-    *paths: str | PathLike[str],
+    *paths: _Path,
     distro: str = "jazzy",
     unknown: UnknownNames = "deny",
-    models: Sequence[str | PathLike[str]] = (),
+    models: Sequence[_Path] = (),
     tests: bool = False,
+    request: Request = _EVERYTHING,
+    underlays: Sequence[_Path] = (),
+    enclaves: str | None = None,
     budget: Budget | None = None,
     progress: Progress | None = None,
 ) -> Result:
@@ -77,123 +81,118 @@ def extract(
         paths: files, packages or workspaces; the working directory where there is none.
         distro: humble, iron, jazzy, kilted or rolling; decides what the client library adds by itself.
         unknown: 'deny' or 'wildcard', what a policy made of the result will write for a name that is not known.
-        models: folders of stub files that describe libraries.
+        models: folders of stub files that describe libraries, and of declared interfaces of nodes.
         tests: whether test files are read too.
+        request: what is started; by default every executable, as `ros2 run` starts it.
+        underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
+        enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
         budget: limits of the analysis.
         progress: called as the work goes on.
 
     Raises:
         NothingToReadError: where no Python file is found.
-        ValueError: where the distro is not known.
+        UnknownRequestError: where what is to be started is not there.
+        ValueError: where the distro or the kind of enclaves is not known.
 
     Nothing of what is read is imported or executed.
     """
     chosen = Distro(distro)
-    folders = tuple(Path(m) for m in models)
-    wanted = [Path(p) for p in paths] or [Path()]
-    return _with_deep_stack(
-        lambda: _extract(wanted, chosen, unknown, folders, tests, budget or Budget(), progress or _silent)
+    mode = (
+        EnclaveMode(enclaves) if enclaves is not None else EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
     )
+    tell = progress or _silent
+    return with_deep_stack(
+        lambda: _extract(
+            read_sources(paths, chosen, models, underlays, budget, tell, tests=tests), request, unknown, mode, tell
+        )
+    )
+
+
+def launched(
+    *paths: _Path,
+    distro: str = "jazzy",
+    models: Sequence[_Path] = (),
+    tests: bool = False,
+    request: Request = _EVERYTHING,
+    underlays: Sequence[_Path] = (),
+    budget: Budget | None = None,
+) -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
+    """What the launch files of a request start, without a look into the programs. See `extract` for the arguments."""
+
+    def work() -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
+        read = read_sources(paths, Distro(distro), models, underlays, budget, _silent, tests=tests)
+        systems, findings = systems_of(request, read.outset)
+        return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
+
+    return with_deep_stack(work)
+
+
+class SourcesRead(NamedTuple):
+    """What was read, before anything of it is interpreted."""
+
+    workspace: Workspace
+    sources: SourceTree
+    plan: Plan
+    outset: Outset
 
 
 def _silent(_what: str, _done: int, _all: int) -> None:
     """No progress is shown."""
 
 
-def _extract(
-    paths: list[Path],
+def read_sources(
+    paths: Sequence[_Path],
     distro: Distro,
-    unknown: UnknownNames,
-    models: tuple[Path, ...],
-    tests: bool,
-    budget: Budget,
+    models: Sequence[_Path],
+    underlays: Sequence[_Path],
+    budget: Budget | None,
     progress: Progress,
-) -> Result:
-    workspace = discover(paths, include_tests=tests)
-    if not workspace.files:
-        raise NothingToReadError(", ".join(map(str, paths)))
-    sources = SourceTree(workspace)
+    *,
+    tests: bool,
+) -> SourcesRead:
+    wanted = [Path(p) for p in paths] or [Path()]
+    workspace = discover(wanted, include_tests=tests)
+    if not workspace.files and not workspace.launch_files:
+        raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
+    sources = SourceTree(workspace, [Path(u) for u in underlays])
     sources.read_all(lambda done: progress("reading", done, len(workspace.files)))
-    library = Library(sources, natives(), models)
+    folders = tuple(Path(m) for m in models)
+    library = Library(sources, natives(), folders)
     plan = make_plan(workspace, sources, library)
-    everything = _run_all(library, sources, plan, budget, progress)
-    runs = [r for r in everything if r.log.nodes or r.log.entities or not r.entry.probe or _tells(r)]
-    findings: dict[Finding, None] = dict.fromkeys((*workspace.findings, *sources.findings, *plan.findings))
-    nodes: list[Node] = []
-    for each in runs:
-        entry = each.entry
-        found, doubts = collect(each.log, Process(entry.package, entry.executable, entry.label, each.done), distro)
-        nodes += found
-        findings.update(dict.fromkeys((*each.log.findings, *doubts)))
-    findings.update(
-        dict.fromkeys(unreached(everything, (m for f in sorted(plan.related) if (m := sources.module(f)) is not None)))
-    )
+    files = WorkspaceFiles(sources.files)
+    outset = Outset(workspace, library, files, Declarations(folders), plan.related, distro, budget or Budget())
+    return SourcesRead(workspace, sources, plan, outset)
+
+
+def _extract(
+    read: SourcesRead, request: Request, unknown: UnknownNames, mode: EnclaveMode, progress: Progress
+) -> Result:
+    outset, sources = read.outset, read.sources
+    findings: dict[Finding, None] = dict.fromkeys(read.workspace.findings)
+    if request.deploys:
+        systems, doubts = systems_of(request, outset)
+        gathered = of_systems(systems, sources, outset, progress)
+        doubts += never_launched(systems, read.plan) if request.all_launch else []
+    else:
+        configuration, doubts = parameters_for_all(request, read.workspace)
+        gathered = of_sources(outset.library, sources, read.plan, outset.budget, outset.distro, configuration, progress)
+    findings.update(dict.fromkeys((*doubts, *gathered.findings)))
+    return Result(_network(read, gathered, findings, unknown, mode), read.workspace.root)
+
+
+def _network(
+    read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, mode: EnclaveMode
+) -> Network:
+    nodes, conflicts = with_enclaves(gathered.nodes, mode)
+    findings.update(dict.fromkeys(conflicts))
     if not nodes:
         findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
-    network = connect(
-        distro.value,
+    return connect(
+        read.outset.distro.value,
         nodes,
         findings,
-        files=sources.files_read,
-        lines=sources.lines_read,
+        files=read.sources.files_read,
+        lines=read.sources.lines_read,
         processes=len({n.process for n in nodes}),
         unknown=unknown,
     )
-    return Result(network, workspace.root)
-
-
-def _run_all(library: Library, sources: SourceTree, plan: Plan, budget: Budget, progress: Progress) -> list[Run]:
-    """Every process of the plan, then the files that none of them imports, then the node classes that none of them instantiates."""
-    runs: list[Run] = []
-    total = len(plan.entries)
-    for number, entry in enumerate(plan.entries):
-        progress("analysing", number, total)
-        runs.append(run(library, entry, budget))
-    progress("analysing", total, total)
-    for file in sorted(plan.related):
-        module = sources.module(file)
-        if module is not None and not any(id(module.code) in r.entered for r in runs):
-            runs.append(run(library, plan.for_file(file), budget))
-    for file, names in node_classes(runs, library.node_class(None)).items():
-        for name in names:  # nothing says that two of them share a process
-            runs.append(run(library, plan.for_class(file, name, alone=len(names) == 1), budget))
-    return runs
-
-
-def _tells(probe: Run) -> bool:
-    """Whether a probe that made no node has something to tell all the same: why it may have missed one."""
-    return any(f.rule.severity is Severity.ERROR or f.code in ("RW203", "RW209") for f in probe.log.findings)
-
-
-def _with_deep_stack(work: Callable[[], Result]) -> Result:
-    """Run in a thread whose stack is deep enough for sources that nest deeply."""
-    outcome: list[Result] = []
-    failure: list[BaseException] = []
-
-    def body() -> None:
-        collecting = gc.isenabled()
-        gc.disable()  # most of what is made here lives to the end
-        limit = sys.getrecursionlimit()
-        sys.setrecursionlimit(max(limit, _RECURSION))
-        try:
-            outcome.append(work())
-        except BaseException as error:
-            failure.append(error)
-        finally:
-            sys.setrecursionlimit(limit)
-            if collecting:
-                gc.enable()
-
-    before = threading.stack_size(_STACK)
-    try:
-        thread = threading.Thread(target=body, name="rosward")
-        thread.start()
-    finally:
-        threading.stack_size(before)
-    thread.join()
-    if failure:
-        raise failure[0]
-    return outcome[0]
-
-
-__all__ = ["Entry", "NothingToReadError", "Progress", "Result", "extract"]

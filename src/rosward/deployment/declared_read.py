@@ -313,7 +313,7 @@ def _endpoint(item: Item, key: str) -> Endpoint:
             raise Malformed(f"'{needed}' is missing", item.place)
     name, type_ = shape["name"].text(), shape["type"].text()
     part = "msg" if key in ("publishers", "subscriptions") else "srv" if key.startswith("service") else "action"
-    if "${" not in type_ and (not _TYPE.fullmatch(type_) or type_.split("/")[1] != part):
+    if "${" not in type_ and not _is_type(type_, part):
         raise Malformed(f"{type_} is no type of this kind: package/{part}/Name is expected", shape["type"].place)
     if not name or any(c.isspace() or c == "*" for c in name):
         raise Malformed("a name has no spaces and no '*'", shape["name"].place)
@@ -321,6 +321,13 @@ def _endpoint(item: Item, key: str) -> Endpoint:
     if qos is None and part == "msg":
         raise Malformed("'qos' is missing", item.place)
     return Endpoint(KINDS[key], name, type_, qos, _when(shape), _window(shape), item.place)
+
+
+def _is_type(type_: str, part: str) -> bool:
+    """Whether a type is one of this kind; topics also carry the events of services and the feedback of actions."""
+    if not _TYPE.fullmatch(type_):
+        return False
+    return type_.split("/")[1] == part or (part == "msg" and type_.endswith(("_Event", "_FeedbackMessage")))
 
 
 def _qos(item: Item) -> Qos:

@@ -130,7 +130,7 @@ class LaunchPython:
         context: bool,
     ) -> tuple[Action, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
-        place = _place_of(function) or Place("", 0)
+        place = self._place(function)
         try:
             with self._running(performer, place):
                 given = (self._launch_context(), *args) if context else tuple(args)
@@ -145,11 +145,12 @@ class LaunchPython:
 
     def perform(self, substitution: Value, performer: Performer) -> Value:
         """`substitution.perform(context)` of a class of the analysed sources; also one of several substitutions: a text."""
+        place = self._place(substitution)
         try:
-            with self._running(performer):
+            with self._running(performer, place):
                 return join_all(self._perform(o) for o in options(substitution))
         except LimitReachedError as limit:
-            self._limit(limit, Place("", 0))
+            self._limit(limit, place)
             return self._machine.unknown(Cause.LIMIT, limit.what, "str")
 
     def _perform(self, value: Value) -> Value:
@@ -163,11 +164,12 @@ class LaunchPython:
 
     def test(self, condition: Value, performer: Performer) -> Value:
         """`condition.evaluate(context)` of a class of the analysed sources, or a call of a function: a bool."""
+        place = self._place(condition)
         try:
-            with self._running(performer):
+            with self._running(performer, place):
                 return join_all(self._test(o) for o in options(condition))
         except LimitReachedError as limit:
-            self._limit(limit, Place("", 0))
+            self._limit(limit, place)
             return self._machine.unknown(Cause.LIMIT, limit.what, "bool")
 
     def _test(self, value: Value) -> Value:
@@ -183,7 +185,7 @@ class LaunchPython:
         else:
             found = machine.call(value, (self._launch_context(),))
         if found is UNBOUND:
-            self._tell("RW320", "this condition raises an exception", _place_of(value) or machine.place)
+            self._tell("RW320", "this condition raises an exception", self._place(value))
             return machine.unknown(Cause.ERROR, "condition", "bool")
         truth = machine.truth(found)
         if truth is None:
@@ -193,11 +195,12 @@ class LaunchPython:
 
     def evaluate(self, expression: Value, modules: Sequence[str], performer: Performer) -> Value:
         """The str() of a Python expression, as PythonExpression has it: a text. The names of `modules` and of math are there."""
+        place = self._place(expression)
         try:
-            with self._running(performer) as turn:
+            with self._running(performer, place) as turn:
                 return self._expressions.evaluate(expression, tuple(modules), turn)
         except LimitReachedError as limit:
-            self._limit(limit, Place("", 0))
+            self._limit(limit, place)
             return self._machine.unknown(Cause.LIMIT, limit.what, "str")
 
     # Running
@@ -236,6 +239,12 @@ class LaunchPython:
         arguments = (Const(w, frozenset({_origin(w)})) for w in given)
         words = (Text((prefix, "/bin/ros2")), Const("launch"), *where, *arguments)
         machine.store_attr(machine.load_module("sys"), "argv", machine.new_list(words))
+
+    def _place(self, value: Value) -> Place:
+        """Where a function is defined, or an object was made; else what is running now."""
+        first = options(value)[0]
+        found = self._objects.place(first) if isinstance(first, Ref) else _place_of(first)
+        return found if found is not None and found.file else self._machine.place
 
     def _launch_context(self) -> Value:
         machine = self._machine

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward launch-tree`: what a launch file starts, as a tree, with the source of each value."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_deployment, add_sources, refusing, request_of
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "launch-tree",
+        help="print what launch files start",
+        description="Prints what launch files start, as a tree, with the source of each value. Nothing is executed.",
+        epilog="Exit status: 0 all of it is known; 1 something is not; 2 wrong use or nothing to read.",
+    )
+    parser.set_defaults(run=refusing(_run))
+    add_sources(parser)
+    add_deployment(parser)
+    parser.add_argument("--json", action="store_true", help="as JSON")
+
+
+def _run(options: argparse.Namespace) -> int:
+    from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
+    from rosward.pipeline import NothingToReadError, launched
+
+    request = request_of(options)
+    if not request.deploys:
+        request = request._replace(all_launch=True)
+    try:
+        systems, findings = launched(
+            *options.paths,
+            distro=options.distro,
+            models=options.models,
+            tests=options.tests,
+            request=request,
+            underlays=options.underlay,
+        )
+    except NothingToReadError as error:
+        raise WrongUseError(str(error)) from error
+    sys.stdout.write(launch_tree_json(systems, findings) if options.json else launch_tree_text(systems, findings))
+    return INCOMPLETE if any(f.rule.severity.value == "error" for f in findings) else COMPLETE

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward nodl PKG/EXE`: the interface of an executable as a NoDL document, for its package to ship."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_sources, refusing
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "nodl",
+        help="write the interface of an executable as a NoDL document",
+        description="Writes the interface of an executable of the workspace as a NoDL 2 document, one for each of its nodes.",
+        epilog="Exit status: 0 complete; 1 something of the interface is not known; 2 wrong use or no such executable.",
+    )
+    parser.set_defaults(run=refusing(_run))
+    parser.add_argument("executable", metavar="PKG/EXE", help="the executable")
+    add_sources(parser)
+    parser.add_argument("-o", "--output", metavar="DIR", help="write NODE.nodl.yaml there instead of printing")
+
+
+def _run(options: argparse.Namespace) -> int:
+    from rosward.deployment.request import Request, RequestError, parse_node
+    from rosward.outputs.files import write_text
+    from rosward.outputs.nodl import nodl_document
+    from rosward.pipeline import NothingToReadError, extract
+
+    try:
+        wanted = parse_node(options.executable)
+    except RequestError as error:
+        raise WrongUseError(str(error)) from error
+    try:
+        result = extract(
+            *options.paths,
+            distro=options.distro,
+            models=options.models,
+            tests=options.tests,
+            request=Request(nodes=(wanted,)),
+            underlays=options.underlay,
+        )
+    except NothingToReadError as error:
+        raise WrongUseError(str(error)) from error
+    if not result.network.nodes:
+        raise WrongUseError(f"{options.executable} makes no node")
+    for node in result.network.nodes:
+        document = nodl_document(node)
+        if options.output is None:
+            sys.stdout.write(document)
+        else:
+            write_text(options.output, f"{node.name.replace('*', '_')}.nodl.yaml", document)
+    return COMPLETE if result.complete else INCOMPLETE

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What several commands share: what to read and what to start, exit status, progress, refusals."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from rosward.deployment.request import Request
+    from rosward.pipeline import Progress
+
+DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
+COMPLETE, INCOMPLETE, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+
+Commands = argparse._SubParsersAction
+
+
+class WrongUseError(Exception):
+    """The command cannot be carried out; the message says why."""
+
+
+def add_sources(parser: argparse.ArgumentParser) -> None:
+    """What to read."""
+    parser.add_argument(
+        "paths", nargs="*", metavar="PATH", help="file, package or workspace (default: the current folder)"
+    )
+    parser.add_argument(
+        "--distro",
+        choices=DISTROS,
+        default="jazzy",
+        help="what the client library adds by itself (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--models",
+        action="append",
+        default=[],
+        metavar="DIR",
+        help="stub files that describe further libraries, and declared interfaces of nodes (DIR/nodes/PKG.yaml)",
+    )
+    parser.add_argument(
+        "--underlay",
+        action="append",
+        default=[],
+        metavar="DIR",
+        help="another workspace, or install folder, in which launch and parameter files are looked for",
+    )
+    parser.add_argument("--tests", action="store_true", help="read test files too")
+
+
+def add_deployment(parser: argparse.ArgumentParser) -> None:
+    """What to start."""
+    group = parser.add_argument_group("what is started (default: every executable, as `ros2 run` starts it)")
+    group.add_argument(
+        "--launch",
+        action="append",
+        default=[],
+        metavar="FILE|PKG:FILE[,arg:=value…]",
+        help="what this launch file starts; may be repeated",
+    )
+    group.add_argument("--all-launch", action="store_true", help="each launch file, as a system of its own")
+    group.add_argument(
+        "--arg", action="append", default=[], metavar="NAME:=VALUE", help="launch argument; * leaves it open"
+    )
+    group.add_argument("--node", action="append", default=[], metavar="PKG/EXE[:NAME]", help="this executable, too")
+    group.add_argument(
+        "--params", action="append", default=[], metavar="FILE.yaml", help="parameter file for every process"
+    )
+
+
+def request_of(options: argparse.Namespace) -> Request:
+    """What the options ask to start. Raises WrongUseError."""
+    from rosward.deployment.request import Request, RequestError, assignments, parse_launch, parse_node
+
+    try:
+        request = Request(
+            tuple(parse_launch(text) for text in options.launch),
+            tuple(parse_node(text) for text in options.node),
+            tuple(options.params),
+            assignments(options.arg),
+            options.all_launch,
+        )
+    except RequestError as error:
+        raise WrongUseError(str(error)) from error
+    if request.arguments and not (request.launches or request.all_launch):
+        raise WrongUseError("--arg needs --launch or --all-launch")
+    return request
+
+
+def refusing(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespace], int]:
+    """A command that says why it cannot be carried out, and exits with 2."""
+
+    def refused(options: argparse.Namespace) -> int:
+        try:
+            check_paths(options)
+            return run(options)
+        except WrongUseError as error:
+            print(f"rosward: {error}", file=sys.stderr)  # noqa: T201
+            return WRONG_USE
+
+    return refused
+
+
+def check_paths(options: argparse.Namespace) -> None:
+    """Raise WrongUseError where a path of the options is not there."""
+    missing = [p for p in options.paths if not os.path.lexists(p)]
+    if missing:
+        raise WrongUseError(f"no such file or folder: {', '.join(missing)}")
+    for option in ("models", "underlay"):
+        absent = [m for m in getattr(options, option) if not os.path.isdir(m)]  # noqa: PTH112
+        if absent:
+            raise WrongUseError(f"--{option}: no such folder: {', '.join(absent)}")
+    for file in getattr(options, "params", ()):
+        if not os.path.isfile(file):  # noqa: PTH113
+            raise WrongUseError(f"--params: no such file: {file}")
+
+
+class ProgressLine:
+    """A progress line on a terminal, for work that takes longer than a moment."""
+
+    def __init__(self, *, shown: bool) -> None:
+        self._shown = shown and sys.stderr.isatty()
+        self._drawn = False
+
+    def __enter__(self) -> Progress:
+        return self._tell
+
+    def __exit__(self, *_: object) -> None:
+        if self._drawn:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
+
+    def _tell(self, what: str, done: int, count: int) -> None:
+        if self._shown and count > 20 and (done % 10 == 0 or done == count):
+            self._drawn = True
+            print(f"\r\x1b[K{what} {done}/{count}", end="", file=sys.stderr, flush=True)  # noqa: T201

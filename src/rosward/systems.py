@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does the user ask to be started, and which programs are that?
+
+    Request(launches=(LaunchRequest('robot.launch.py', 'bringup'),))
+    ->  System('bringup:robot.launch.py', 'bringup/launch/robot.launch.py', started=(…), programs=(…))
+
+Each launch file is executed by itself (never for real); `--node` and `--params` add to all of what they start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from rosward.deployment.declared import Declarations
+from rosward.deployment.execute import Execution
+from rosward.deployment.files import WorkspaceFiles
+from rosward.deployment.parameter_files import read_parameter_file
+from rosward.deployment.python_code import LaunchPython
+from rosward.deployment.request import LaunchRequest, NodeRequest, Request
+from rosward.deployment.resolve import Launched, Programs
+from rosward.deployment.shown import entry
+from rosward.deployment.started import Started, StartKind
+from rosward.domain.values import Const, Value
+from rosward.engine.budget import Budget
+from rosward.engine.library import Library
+from rosward.findings import Finding
+from rosward.models.configuration import Configuration
+from rosward.network.launch_tree import LaunchEntry, LaunchSystem
+from rosward.ros.distro import Distro
+from rosward.source.location import Place
+from rosward.source.text import read_source
+from rosward.source.workspace import Workspace
+
+
+class UnknownRequestError(Exception):
+    """What is asked for is not there; the message says what."""
+
+
+class System(NamedTuple):
+    """What one launch file starts, or the nodes that the user named: records of launch, and the program behind each."""
+
+    name: str
+    file: str
+    started: tuple[Started, ...]
+    programs: tuple[Launched, ...]
+
+    def tree(self) -> LaunchSystem:
+        """In plain words."""
+        behind = {id(p.started): p for p in self.programs}
+        entries: list[LaunchEntry] = [entry(s, behind.get(id(s))) for s in self.started]
+        return LaunchSystem(self.name, self.file, tuple(entries))
+
+
+class Outset(NamedTuple):
+    """What everything that is started is looked up in."""
+
+    workspace: Workspace
+    library: Library
+    files: WorkspaceFiles
+    declarations: Declarations
+    related: frozenset[str]
+    distro: Distro
+    budget: Budget
+
+    def text_at(self, path: Value) -> str | None:
+        """The text of the file at a path; None where it is not among the sources."""
+        file = self.files.find(path)
+        return None if file is None else self.files.text(file)
+
+
+def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Finding]]:
+    """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
+    findings: dict[Finding, None] = {}
+    extra = _parameter_files(request.params, outset.workspace.root, findings)
+    found: list[System] = []
+    for launch, file in _launch_files(request, outset):
+        started = _execute(file, {**dict(request.arguments), **dict(launch.arguments)}, outset, findings)
+        found.append(_system(str(launch), file, [_with_files(s, extra) for s in started], outset, findings))
+    if request.nodes:
+        started = [_with_files(_node(n), extra) for n in request.nodes]
+        found.append(
+            _system(", ".join(f"{n.package}/{n.executable}" for n in request.nodes), "", started, outset, findings)
+        )
+        _check_nodes(found[-1])
+    findings.update(outset.declarations.findings)
+    return found, list(findings)
+
+
+def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest, str]]:
+    known = {f.relative for f in outset.workspace.launch_files}
+    if request.all_launch:
+        return [(LaunchRequest(file), file) for file in sorted(known)]
+    return [(launch, _find(launch, outset)) for launch in request.launches]
+
+
+def _find(launch: LaunchRequest, outset: Outset) -> str:
+    """The launch file that is meant: by package and name as `ros2 launch` finds it, by path from here or from the root of the analysis."""
+    files = outset.workspace.launch_files
+    if launch.package is not None:
+        named = [
+            f
+            for f in files
+            if f.package is not None and f.package.name == launch.package and f.path.name == Path(launch.file).name
+        ]
+        found = [f for f in named if f.relative.endswith(launch.file)] or named
+        if not found:
+            raise UnknownRequestError(f"the package {launch.package} has no launch file {launch.file}")
+        return found[0].relative
+    path = Path(launch.file).absolute()
+    for each in files:
+        if each.path.absolute() == path or each.relative == launch.file:
+            return each.relative
+    named = [f for f in files if f.relative.endswith(f"/{launch.file}")]
+    if len(named) == 1:
+        return named[0].relative
+    several = f": {', '.join(f.relative for f in named)}" if named else ""
+    raise UnknownRequestError(
+        f"{'several launch files are called' if named else 'no launch file'} {launch.file}{several}"
+    )
+
+
+def _execute(
+    file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]
+) -> tuple[Started, ...]:
+    python = LaunchPython(outset.library, outset.budget)
+    execution = Execution(outset.files, python, outset.distro, {n: Const(v) for n, v in arguments.items()})
+    started = execution.run(file, outset.files.place_value(file))
+    findings.update(dict.fromkeys(execution.findings))
+    return started
+
+
+def _system(name: str, file: str, started: Sequence[Started], outset: Outset, findings: dict[Finding, None]) -> System:
+    workspace = outset.workspace
+    programs = Programs(workspace.executables, workspace.targets, outset.declarations, outset.related, outset.files)
+    resolved = programs.resolve(started)
+    findings.update(programs.findings)
+    return System(name, file, tuple(started), tuple(resolved))
+
+
+def _node(request: NodeRequest) -> Started:
+    words: tuple[Value, ...] = ()
+    if request.name is not None:
+        words = (Const("--ros-args"), Const("-r"), Const(f"__node:={request.name}"))
+    return Started(
+        kind=StartKind.NODE,
+        place=Place(""),
+        configuration=Configuration(words),
+        package=Const(request.package),
+        executable=Const(request.executable),
+        name=Const(request.name) if request.name else None,
+    )
+
+
+def _check_nodes(system: System) -> None:
+    missing = [f"{p.package}/{p.executable}" for p in system.programs if p.unknown is not None]
+    if missing:
+        raise UnknownRequestError(f"no such executable: {', '.join(missing)}")
+
+
+def parameters_for_all(request: Request, workspace: Workspace) -> tuple[Configuration | None, list[Finding]]:
+    """The command line of every executable where only parameter files are given; None where there are none."""
+    findings: dict[Finding, None] = {}
+    extra = _parameter_files(request.params, workspace.root, findings)
+    if not extra.words:
+        return None, list(findings)
+    return replace(extra, words=(Const("--ros-args"), *extra.words)), list(findings)
+
+
+def _parameter_files(paths: Sequence[str], root: Path, findings: dict[Finding, None]) -> Configuration:
+    """What `--params` adds to the command line of every process."""
+    words: list[Value] = []
+    files = {}
+    for path in paths:
+        text = read_source(Path(path).absolute(), root)
+        if isinstance(text, Finding):
+            findings[text] = None
+            continue
+        rows, doubts = read_parameter_file(text.text, path)
+        findings.update(dict.fromkeys(doubts))
+        words += [Const("--params-file"), Const(path)]
+        files[path] = rows
+    return Configuration(tuple(words), files)
+
+
+def _with_files(started: Started, extra: Configuration) -> Started:
+    """The same start with further parameter files behind its own."""
+    if not extra.words:
+        return started
+    own = started.configuration
+    mark = () if any(isinstance(w, Const) and w.value == "--ros-args" for w in own.words) else (Const("--ros-args"),)
+    return replace(
+        started,
+        configuration=replace(own, words=(*own.words, *mark, *extra.words), files={**own.files, **extra.files}),
+    )
