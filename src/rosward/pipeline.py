@@ -103,7 +103,11 @@ def extract(
     tell = progress or _silent
     return with_deep_stack(
         lambda: _extract(
-            read_sources(paths, chosen, models, underlays, budget, tell, tests=tests), request, unknown, mode, tell
+            read_sources(paths, chosen, models, underlays, budget, tell, request, tests=tests),
+            request,
+            unknown,
+            mode,
+            tell,
         )
     )
 
@@ -120,7 +124,7 @@ def launched(
     """What the launch files of a request start, without a look into the programs. See `extract` for the arguments."""
 
     def work() -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
-        read = read_sources(paths, Distro(distro), models, underlays, budget, _silent, tests=tests)
+        read = read_sources(paths, Distro(distro), models, underlays, budget, _silent, request, tests=tests)
         systems, findings = systems_of(request, read.outset)
         return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
 
@@ -147,11 +151,14 @@ def read_sources(
     underlays: Sequence[_Path],
     budget: Budget | None,
     progress: Progress,
+    request: Request = _EVERYTHING,
     *,
     tests: bool,
 ) -> SourcesRead:
+    """Read what is under `paths`, and the launch files that a request names by their path."""
     wanted = [Path(p) for p in paths] or [Path()]
-    workspace = discover(wanted, include_tests=tests)
+    named = [path for launch in request.launches if launch.package is None and (path := Path(launch.file)).is_file()]
+    workspace = discover([*wanted, *named], include_tests=tests)
     if not workspace.files and not workspace.launch_files:
         raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
     sources = SourceTree(workspace, [Path(u) for u in underlays])

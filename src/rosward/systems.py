@@ -98,7 +98,7 @@ def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest,
 
 def _find(launch: LaunchRequest, outset: Outset) -> str:
     """The launch file that is meant: by package and name as `ros2 launch` finds it, by path from here or from the root of the analysis."""
-    files = outset.workspace.launch_files
+    files = (*outset.workspace.launch_files, *outset.workspace.files)
     if launch.package is not None:
         named = [
             f

@@ -26,7 +26,7 @@ from rosward.source.location import Place
 HERE = Place("demo/launch/main.launch.py", 1)
 UNKNOWN = Unknown((Reason(Cause.CALL, "gethostname()", HERE),), "str")
 
-Function = Callable[[Performer, Sequence[Value], Mapping[str, Value]], Sequence[Action]]
+Function = Callable[[Performer, Mapping[str, Value]], Sequence[Action]]
 
 
 def text(value: str) -> Template:
@@ -67,7 +67,8 @@ class Files:
         return "".join(parts)
 
     def _hole(self, hole: Hole) -> str:
-        return f"$(find-pkg-share {hole.reasons[0].subject})" if hole.reasons[0].cause is Cause.SHARE else "*"
+        shares = [r.subject for r in hole.reasons if r.cause is Cause.SHARE]
+        return f"$(find-pkg-share {shares[0]})" if shares else "*"
 
 
 class Code:
@@ -78,30 +79,30 @@ class Code:
         self.functions = functions
         self.findings: list[Finding] = []
 
-    def read(self, file: str, performer: Performer) -> Description:
+    def read(self, file: str, performer: Performer) -> Description:  # noqa: ARG002
         return Description(tuple(self.files.get(file, ())), file)
 
     def actions(
         self,
         function: Value,
-        args: Sequence[Value],
+        args: Sequence[Value],  # noqa: ARG002
         kwargs: Mapping[str, Value],
         performer: Performer,
         *,
-        context: bool,
+        context: bool,  # noqa: ARG002
     ) -> tuple[Action, ...]:
         if isinstance(function, Partial):
             function = function.function
         assert isinstance(function, Const)
-        return tuple(self.functions[str(function.value)](performer, args, kwargs))
+        return tuple(self.functions[str(function.value)](performer, kwargs))
 
-    def perform(self, substitution: Value, performer: Performer) -> Value:
+    def perform(self, substitution: Value, performer: Performer) -> Value:  # noqa: ARG002
         return substitution
 
-    def test(self, condition: Value, performer: Performer) -> Value:
+    def test(self, condition: Value, performer: Performer) -> Value:  # noqa: ARG002
         return condition
 
-    def evaluate(self, expression: Value, modules: Sequence[str], performer: Performer) -> Value:
+    def evaluate(self, expression: Value, modules: Sequence[str], performer: Performer) -> Value:  # noqa: ARG002
         return Const(f"<{pattern(expression)}>")
 
 

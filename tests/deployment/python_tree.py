@@ -2,21 +2,36 @@
 """Python launch files as text, and the tree of actions that they give as lines.
 
     def generate_launch_description(): return LaunchDescription([Node(package='demo', executable='talker')])
-    ->  4: StartNode package=demo executable=talker
+    ->  StartNode package=demo executable=talker
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
 from pathlib import Path
-from textwrap import dedent, indent
+from textwrap import dedent
 
-from deployment.markup_tree import told
 from rosward.deployment.python_code import LaunchPython
-from rosward.deployment.tree import Action, Description, OnEvent, Opaque, Substitution, Template
+from rosward.deployment.tree import (
+    Action,
+    Condition,
+    Description,
+    Literal,
+    OnEvent,
+    Opaque,
+    ParameterFile,
+    ParameterRule,
+    ParameterTable,
+    Several,
+    Substitution,
+    Template,
+    Typed,
+)
+from rosward.domain.choice import options
 from rosward.domain.text import concat, pattern
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Unknown, Value
+from rosward.domain.values import Choice, Const, Partial, Tuple, Unknown, Value
 from rosward.engine.library import Library
 from rosward.models.tables import natives
 from rosward.source.discover import discover
@@ -35,7 +50,7 @@ from launch_ros.actions import *
 from launch_ros.descriptions import *
 from launch_ros.substitutions import FindPackageShare
 """
-"""What stands before each launch file here; line numbers count from behind it."""
+"""What stands before each launch file here."""
 
 HERE = Place("main.launch.py", 1)
 EVENT = Unknown((Reason(Cause.INPUT, "event", HERE),))
@@ -106,24 +121,78 @@ class Files:
         launch.python = self.python
         return self.python.read(file, launch)
 
-    def shown(self, actions: Sequence[Action], launch: Launch) -> str:
+    def shown(self, launch: Launch, file: str = "main.launch.py") -> str:
+        """What a file gives, as lines, and the findings."""
+        lines = self.lines(self.read(launch, file).actions, launch, "")
+        return "\n".join([*lines, *(f"{f.code}: {f.message}" for f in self.python.findings)])
+
+    def lines(self, actions: Sequence[Action], launch: Launch, indent: str) -> Iterator[str]:
         """Actions as lines; below a function stands what it gives."""
-        lines: list[str] = []
         for action in actions:
-            lines.append(told((_counted(action),), []))
-            given: tuple[Action, ...] = ()
+            yield indent + " ".join([type(action).__name__, *_fields(action)])
+            inner: list[Action] = []
+            for name in ("actions", "body", "on_exit", "components"):
+                inner += getattr(action, name, ())
             if isinstance(action, Opaque):
-                given = self.python.actions(action.function, action.args, dict(action.kwargs), launch, context=True)
+                inner += self.python.actions(action.function, action.args, dict(action.kwargs), launch, context=True)
             elif isinstance(action, OnEvent) and action.function is not None:
-                given = self.python.actions(action.function, (EVENT,), {}, launch, context=False)
-            if given:
-                lines.append(indent(self.shown(given, launch), "    "))
-        return "\n".join(lines)
+                late = Partial(action.function, (EVENT,), ())
+                inner += self.python.actions(late, (), {}, launch, context=True)
+            yield from self.lines(inner, launch, indent + "  ")
 
 
-def _counted(action: Action) -> Action:
-    """The function of an action is shown by what it gives."""
-    return action
+def _fields(action: Action) -> Iterator[str]:
+    """What an action is given, without what it has anyway."""
+    for field in fields(action):
+        value = getattr(action, field.name)
+        if field.name not in _HIDDEN and value not in (field.default, ()):
+            yield f"{field.name}={shown(value)}"
+
+
+_HIDDEN = ("place", "identity", "actions", "body", "on_exit", "components", "function", "target", "args", "kwargs")
+
+
+def shown(value: object) -> str:
+    """A field: templates as XML has them, `*` for what is not known."""
+    match value:
+        case Substitution(kind, arguments, _, _, tables):
+            rewrites = ["{" + ", ".join(f"{shown(k)}: {shown(v)}" for k, v in table) + "}" for table in tables if table]
+            return f"$({' '.join([kind, *map(shown, arguments), *rewrites])})"
+        case Condition(kind, arguments):
+            return f"{kind}({' '.join(map(shown, arguments))})"
+        case ParameterTable(entries):
+            return "{" + ", ".join(f"{shown(name)}: {shown(data)}" for name, data in entries) + "}"
+        case ParameterFile(path, _, substitutions):
+            return f"file {shown(path)}{' with substitutions' if substitutions else ''}"
+        case ParameterRule(name, data):
+            return f"-p {shown(name)}:={shown(data)}"
+        case Literal(data):
+            return constant(data)
+        case Typed(text, kind):
+            return f"yaml {shown(text)}" + (f" as {kind}" if kind else "")
+        case Several(items):
+            return f"[{', '.join(map(shown, items))}]"
+        case Value():
+            return " | ".join(pattern(o) for o in options(value))
+        case tuple() if value and all(isinstance(v, (Value, Substitution)) for v in value):
+            return "".join(map(shown, value))
+        case tuple():
+            return f"[{', '.join(map(shown, value))}]"
+        case _:
+            return str(value)
+
+
+def constant(value: object) -> str:
+    """A value as Python writes it."""
+    match value:
+        case Tuple():
+            return f"[{', '.join(map(constant, value.items))}]"
+        case Const():
+            return repr(value.value)
+        case Choice():
+            return " | ".join(map(constant, value.options))
+        case _:
+            return "*"
 
 
 def values(**texts: str) -> dict[str, Value]:

@@ -21,11 +21,8 @@ def let(name: str, value: str) -> tree.SetConfiguration:
     return tree.SetConfiguration(place=HERE, name=text(name), value=text(value))
 
 
-Arguments = tuple[Performer, Sequence[Value], Mapping[str, Value]]
-
-
 def test_a_function_sees_and_changes_the_context() -> None:
-    def setup(performer: Performer, args: Sequence[Value], kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def setup(performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
         assert performer.text(var("x")) == Const("1")
         performer.set_configuration("y", Const("2"))
         return [tree.StartNode(place=HERE, executable=var("y"))]
@@ -35,7 +32,7 @@ def test_a_function_sees_and_changes_the_context() -> None:
 
 
 def test_a_handler_with_a_function() -> None:
-    def late(performer: Performer, args: Sequence[Value], kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def late(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
         return [tree.StartNode(place=HERE, executable=var("x"))]
 
     handler = tree.OnEvent(place=HERE, event="process-start", function=Const("late"))
@@ -94,7 +91,7 @@ def test_a_timer_knows_its_launch_file_a_handler_does_not() -> None:
 def test_for_each(values: str) -> None:
     seen: list[str] = []
 
-    def body(performer: Performer, args: Sequence[Value], kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def body(_performer: Performer, kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
         seen.append(", ".join(f"{k}={plain(v)}" for k, v in kwargs.items()))
         return [node("n")]
 
@@ -132,7 +129,7 @@ def test_a_file_that_includes_itself_twice_ends() -> None:
 
 
 def test_handlers_that_start_each_other_end() -> None:
-    def again(performer: Performer, args: Sequence[Value], kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def again(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
         return [tree.OnEvent(place=HERE, event="process-exit", function=Const("again"))]
 
     run = Run([tree.OnEvent(place=HERE, event="process-exit", function=Const("again"))], functions={"again": again})
@@ -140,7 +137,7 @@ def test_handlers_that_start_each_other_end() -> None:
 
 
 def test_timers_that_start_each_other_end() -> None:
-    def again(performer: Performer, args: Sequence[Value], kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def again(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
         return [tree.Timer(place=HERE, period=text("1"), actions=(tree.Opaque(place=HERE, function=Const("again")),))]
 
     run = Run([tree.Opaque(place=HERE, function=Const("again"))], functions={"again": again})

@@ -186,7 +186,7 @@ def dispatch(draft: Draft, scope: Scope, depth: int) -> None:
     table, node = draft.fresh("table"), scope.node
     name, key = name_of(draft, scope, depth - 1), draft.chooser.pick(["pub", "sub", "none"])
     draft.define(f"def {table}_pub(node, name):\n    return node.create_publisher(String, name, 10)\n\n\ndef {table}_sub(node, name):\n    return node.create_subscription(String, name, print, 10)\n\n\n{table} = {{'pub': {table}_pub, 'sub': {table}_sub}}")
-    scope.add(draft.chooser.pick([f"{table}.get({key!r}, {table}_pub)({node}, {name})", f"for action in {table}.values():\n    action({node}, {name})", f"[a({node}, k + 'x') for k, a in {table}.items()]", f"globals()['{table}_sub']({node}, {name})"]))
+    scope.add(draft.chooser.pick([f"{table}.get({key!r}, {table}_pub)({node}, {name})", f"for action in {table}.values():\n    action({node}, {name})", f"[a({node}, k + 'x') for k, a in {table}.items()]"]))
 
 
 STATEMENTS: Final[tuple[Statement, ...]] = (

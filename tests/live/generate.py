@@ -13,10 +13,11 @@ from __future__ import annotations
 import argparse
 import ast
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import rosward
 
@@ -24,6 +25,9 @@ from .agreement import Verdict, judge
 from .draft import Seeded
 from .generator import Written, write
 from .harness import Program, RealRclpy, Seen
+
+PATIENCE: Final = 40.0
+"""Seconds to make a program smaller."""
 
 
 class Outcome(NamedTuple):
@@ -49,12 +53,14 @@ def compare(real: RealRclpy, files: dict[str, str], *, interrupt: bool = False) 
 
 
 def smaller(files: dict[str, str], fails: Callable[[dict[str, str]], bool]) -> dict[str, str]:
-    """The program without all that can be left out while it still fails."""
-    changed = True
-    while changed:
+    """The program without what can be left out while it still fails, as far as a minute goes."""
+    changed, end = True, time.monotonic() + PATIENCE
+    while changed and time.monotonic() < end:
         changed = False
         for file in list(files):
             for candidate in _without_one(files[file]):
+                if time.monotonic() > end:
+                    return files
                 attempt = {**files, file: candidate}
                 if fails(attempt):
                     files, changed = attempt, True

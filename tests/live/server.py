@@ -44,7 +44,7 @@ from rclpy.node import Node
 from .recorder import Recorder
 from .world import World
 
-PATIENCE: Final = 4.0
+PATIENCE: Final = 2.0
 """Seconds after which a program is interrupted; half as long again, and it is ended."""
 _NEW_NETWORK: Final = 0x40000000  # CLONE_NEWNET
 _NEW_MOUNTS: Final = 0x00020000  # CLONE_NEWNS

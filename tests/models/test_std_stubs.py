@@ -150,7 +150,8 @@ def test_paths() -> None:
     assert str(path.with_suffix(".yaml")) == "/a/b/c.tar.yaml"
     assert str(path.parents[1]) == "/a"
     assert path.parts == ("/", "a", "b", "c.tar.gz")
-    assert path.read_text() == "?/a/b/c.tar.gz"
+    assert "content of a file" in path.read_text()
+    assert "/a/b/c.tar.gz" in path.read_text()
     assert str("/x" / path_of("y")) == "/x/y"
     assert f"{path_of('a', './b/')}" == "a/b"
     assert path_of("/a") == path_of("/a/")

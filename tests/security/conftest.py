@@ -10,6 +10,7 @@ from __future__ import annotations
 import itertools
 import os
 import random
+import socket
 import subprocess
 import sys
 from collections import Counter
@@ -19,7 +20,7 @@ from typing import Final
 
 import pytest
 
-from .cyclone import Cyclone, Unavailable
+from .cyclone import Cyclone, UnavailableError
 from .keystore import Keystore, has_openssl
 
 TALLY: Final = pytest.StashKey["Counter[str]"]()
@@ -40,7 +41,7 @@ def dds() -> Cyclone:
         lacking("dds", "no openssl command")
     try:
         return Cyclone()
-    except Unavailable as missing:
+    except UnavailableError as missing:
         lacking("dds", f"no Cyclone DDS with security: {missing}")
         raise
 
@@ -57,9 +58,19 @@ def live_python() -> str:
 
 @pytest.fixture(scope="session")
 def domains() -> Iterator[int]:
-    """Domain ids, from somewhere in their range, since other tests may run on the machine."""
+    """Domain ids that nobody uses, from somewhere in their range, since other tests may run on the machine."""
     start = random.randrange(len(_DOMAINS))
-    return itertools.cycle([*_DOMAINS[start:], *_DOMAINS[:start]])
+    return filter(_is_free, itertools.cycle([*_DOMAINS[start:], *_DOMAINS[:start]]))
+
+
+def _is_free(domain: int) -> bool:
+    """Whether the port of the first participant of a domain (RTPS 9.6.1.1) can be had."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
+        try:
+            one.bind(("", 7400 + 250 * domain + 10))
+        except OSError:
+            return False
+    return True
 
 
 @pytest.fixture
@@ -70,7 +81,7 @@ def domain(domains: Iterator[int]) -> int:
 
 @pytest.fixture
 def keystore(tmp_path: Path, domain: int, dds: Cyclone) -> Keystore:
-    assert dds
+    del dds  # it says whether there is an openssl
     return Keystore(tmp_path / "keystore", domain)
 
 

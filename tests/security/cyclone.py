@@ -21,7 +21,7 @@ from typing import Any, Final
 
 from .endpoints import Endpoint
 
-__all__ = ["Channel", "Cyclone", "DdsError", "Participant", "Unavailable", "cyclone"]
+__all__ = ["Channel", "Cyclone", "DdsError", "Participant", "UnavailableError", "cyclone"]
 
 _LIBRARY: Final = "libddsc.so.0debian"
 _PLUGINS: Final = "libddsc0debian"
@@ -56,7 +56,7 @@ _FILES: Final = (
 )
 
 
-class Unavailable(Exception):
+class UnavailableError(Exception):
     """This machine has no Cyclone DDS with the security plugins."""
 
 
@@ -162,10 +162,10 @@ class Cyclone:
         try:
             self._library = c.CDLL(_LIBRARY)
         except OSError as error:
-            raise Unavailable(f"{_LIBRARY} (Debian: libddsc0debian): {error}") from None
+            raise UnavailableError(f"{_LIBRARY} (Debian: libddsc0debian): {error}") from None
         folders = sorted(Path("/usr/lib").glob(f"*/{_PLUGINS}"))
         if not folders:
-            raise Unavailable(f"no plugins in /usr/lib/*/{_PLUGINS}")
+            raise UnavailableError(f"no plugins in /usr/lib/*/{_PLUGINS}")
         self._plugins = folders[0]
         self.log: list[str] = []
         self._sink = _Sink(self._note)
@@ -323,5 +323,5 @@ def _taken(library: Cyclone, reader: int) -> Iterator[int]:
 
 
 def cyclone() -> Cyclone:
-    """The library; Unavailable where it is not installed."""
+    """The library; UnavailableError where it is not installed."""
     return Cyclone()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which writers and readers does a node have on DDS? Written from what ROS 2 does there, not from our own outputs.
 
-    service server /add of example_interfaces/srv/AddTwoInts
-      ->  read  rq/addRequest  example_interfaces::srv::dds_::AddTwoInts_Request_
-          write rr/addReply    example_interfaces::srv::dds_::AddTwoInts_Response_
+service server /add of example_interfaces/srv/AddTwoInts
+  ->  read  rq/addRequest  example_interfaces::srv::dds_::AddTwoInts_Request_
+      write rr/addReply    example_interfaces::srv::dds_::AddTwoInts_Response_
 """
 
 from __future__ import annotations
@@ -51,7 +51,9 @@ def _of(entity: Entity) -> Iterator[Endpoint]:
     match entity.kind:
         case EntityKind.PUBLISHER | EntityKind.SUBSCRIPTION:
             way = "write" if entity.kind is EntityKind.PUBLISHER else "read"
-            yield Endpoint(way, ("rt" if entity.ros_prefix else "") + entity.name, f"{package}::{folder}::dds_::{name}_")
+            yield Endpoint(
+                way, ("rt" if entity.ros_prefix else "") + entity.name, f"{package}::{folder}::dds_::{name}_"
+            )
         case EntityKind.SERVICE_SERVER | EntityKind.SERVICE_CLIENT:
             server = entity.kind is EntityKind.SERVICE_SERVER
             yield from _service(entity.name, f"{package}::{folder}::dds_::{name}", server=server)

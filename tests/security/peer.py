@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """A participant in a process of its own: it writes and reads until its standard input ends, and tells what it saw.
 
-    python -m security.peer '{"name": "bob", "domain": 7, "enclave": "/tmp/…/bob", "write": [], "read": ["rt/chatter"]}'
-      ->  {"heard": "alice", "topic": "rt/chatter"}     at the first sample of each sender on each topic
-          {"matched": {"read rt/chatter": 1}}           at the end
-          {"refused": "dds_create_participant: -1 …"}   instead of all that, where security refuses it
+python -m security.peer '{"name": "bob", "domain": 7, "enclave": "/tmp/…/bob", "write": [], "read": ["rt/chatter"]}'
+  ->  {"heard": "alice", "topic": "rt/chatter"}     at the first sample of each sender on each topic
+      {"matched": {"read rt/chatter": 1}}           at the end
+      {"refused": "dds_create_participant: -1 …"}   instead of all that, where security refuses it
 """
 
 from __future__ import annotations

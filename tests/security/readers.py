@@ -15,7 +15,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from typing import Final, NamedTuple
 
-__all__ = ["Seen", "Unreadable", "comments", "merged", "rights", "zenoh_rights"]
+__all__ = ["Seen", "UnreadableError", "comments", "merged", "rights", "zenoh_rights"]
 
 Right = tuple[str, str]
 
@@ -131,7 +131,7 @@ def comments(policy: str) -> list[str]:
     return sorted((each.text or "") for each in root.iter(ET.Comment))  # type: ignore[arg-type]
 
 
-class Unreadable(Exception):
+class UnreadableError(Exception):
     """The tool ends with an error."""
 
 
@@ -139,14 +139,14 @@ def zenoh_rights(policy: str) -> dict[str, set[Right]]:
     """What zenoh_security_tools reads for each node: of the first enclave, no namespaces, no `<actions>`."""
     enclave = ET.fromstring(policy).find("enclaves/enclave")
     if enclave is None or not len(enclave):
-        raise Unreadable("no enclave")
+        raise UnreadableError("no enclave")
     found: dict[str, set[Right]] = {}
     for profiles in enclave:
         if profiles.tag != "profiles":
-            raise Unreadable(f"<{profiles.tag}> in an enclave")
+            raise UnreadableError(f"<{profiles.tag}> in an enclave")
         for profile in profiles.iter("profile"):
             if not len(profile):
-                raise Unreadable("a profile without rules")
+                raise UnreadableError("a profile without rules")
             node = profile.get("node", "")
             found[node] = {right for each in profile for right in _zenoh_list(each, node)}  # the last of a name stays
     return found
@@ -158,8 +158,8 @@ def _zenoh_list(each: ET.Element, node: str) -> Iterator[Right]:
         return
     way = next((name for name in looked_at if name in each.attrib), None)
     if way is None:
-        raise Unreadable(f"<{each.tag}> without permission")
+        raise UnreadableError(f"<{each.tag}> without permission")
     for item in each:
         if f"{item.tag}s" != each.tag:
-            raise Unreadable(f"<{item.tag}> in <{each.tag}>")
+            raise UnreadableError(f"<{item.tag}> in <{each.tag}>")
         yield way, (item.text or "").replace("~", node, 1).removeprefix("/")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The systems whose policies are enforced: read from sources, or made by hand where no source makes them.
 
-    systems("fleet", folder)     ->  a network of thirteen nodes
-    systems("programs", folder)  ->  one network for each program of `programs.md`
+systems("fleet", folder)     ->  a network of thirteen nodes
+systems("programs", folder)  ->  one network for each program of `programs.md`
 """
 
 from __future__ import annotations

@@ -128,7 +128,10 @@ def test_a_node_with_nothing_starts(dds: Cyclone, keystore: Keystore) -> None:
         assert n.may(Endpoint("write", "ros_discovery_info", STRING))
         assert not n.may(Endpoint("write", "rt/rosout", STRING))
     bare = permissions_xml(network, "/n", keystore.domain, ros_discovery_info=False)
-    with pytest.raises(DdsError, match="not allowed to create participant"), dds.participant(keystore.domain, keystore.enclave("/n", bare)):
+    with (
+        pytest.raises(DdsError, match="not allowed to create participant"),
+        dds.participant(keystore.domain, keystore.enclave("/n", bare)),
+    ):
         pass
 
 

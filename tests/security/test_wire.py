@@ -63,9 +63,12 @@ def running(python: str, program: Path, domain: int) -> Iterator[None]:
     }
     words = [python, str(_HOST), str(program)]
     errors = program.with_name("errors.txt")
-    with errors.open("w") as stderr, subprocess.Popen(
-        words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr, env=environment
-    ) as process:
+    with (
+        errors.open("w") as stderr,
+        subprocess.Popen(
+            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr, env=environment
+        ) as process,
+    ):
         assert process.stdout
         assert process.stdin
         try:

@@ -75,7 +75,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.pipeline import NothingToReadError, extract
+    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
 
     request = request_of(options)
     try:
@@ -91,7 +91,7 @@ def _run(options: argparse.Namespace) -> int:
                 enclaves=options.enclaves,
                 progress=progress,
             )
-    except NothingToReadError as error:
+    except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
     try:
         written = _write(result, options)

@@ -29,7 +29,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
-    from rosward.pipeline import NothingToReadError, launched
+    from rosward.pipeline import NothingToReadError, UnknownRequestError, launched
 
     request = request_of(options)
     if not request.deploys:
@@ -43,7 +43,7 @@ def _run(options: argparse.Namespace) -> int:
             request=request,
             underlays=options.underlay,
         )
-    except NothingToReadError as error:
+    except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
     sys.stdout.write(launch_tree_json(systems, findings) if options.json else launch_tree_text(systems, findings))
     return INCOMPLETE if any(f.rule.severity.value == "error" for f in findings) else COMPLETE

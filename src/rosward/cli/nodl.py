@@ -31,7 +31,7 @@ def _run(options: argparse.Namespace) -> int:
     from rosward.deployment.request import Request, RequestError, parse_node
     from rosward.outputs.files import write_text
     from rosward.outputs.nodl import nodl_document
-    from rosward.pipeline import NothingToReadError, extract
+    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
 
     try:
         wanted = parse_node(options.executable)
@@ -46,7 +46,7 @@ def _run(options: argparse.Namespace) -> int:
             request=Request(nodes=(wanted,)),
             underlays=options.underlay,
         )
-    except NothingToReadError as error:
+    except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
     if not result.network.nodes:
         raise WrongUseError(f"{options.executable} makes no node")

@@ -11,6 +11,7 @@ the one way. `log.ends` holds what every execution does. The notation is describ
 
 from __future__ import annotations
 
+import enum
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -111,6 +112,13 @@ def declared(
     return _Execution(program, configuration, place, declarations, distro, read_file).run()
 
 
+class _Pass(enum.Enum):
+    """Conditions ask for parameters that may be declared behind them, so the defaults of all are read first."""
+
+    DEFAULTS = enum.auto()
+    ENDPOINTS = enum.auto()
+
+
 @final
 class _Execution:
     """One process: walks the groups of its nodes and notes their effects."""
@@ -145,10 +153,11 @@ class _Execution:
         for shape in self._program.nodes:
             for bound, certain in expansions(shape.group, main or scope, self._distro):
                 inner, address = self._node(shape, bound, first=main is None, certain=certain)
+                for pass_ in _Pass:
+                    self._contents(shape.group, inner, address, (self._program.package,), pass_, certain=certain)
                 if main is None:
                     main = inner
                     self._read(inner, address, certain=certain)
-                self._contents(shape.group, inner, address, (self._program.package,), certain=certain)
         if self._program.open:
             self._open(self._program.open)
         if not self._program.nodes and self._program.reader:
@@ -194,22 +203,26 @@ class _Execution:
         def resolve(topic: Value, remapped: bool) -> Value:
             return _resolved(topic, rules if remapped else (), name, namespace)
 
-        scope = Scope(parameters, self._arguments, outer.variables, space if first else outer.namespace, resolve)
-        self._declare(_SIM_TIME, effect.address, scope)
+        variables = {**outer.variables, "node": qualified(space, own), "node_name": own}
+        scope = Scope(parameters, self._arguments, variables, space if first else outer.namespace, resolve)
+        self._declare(_SIM_TIME, effect.address, scope, _Pass.ENDPOINTS)
         return scope
 
-    def _contents(self, group: Group, scope: Scope, address: int, way: tuple[str, ...], *, certain: bool) -> None:
+    def _contents(
+        self, group: Group, scope: Scope, address: int, way: tuple[str, ...], pass_: _Pass, *, certain: bool
+    ) -> None:
         """What stands in a group, whose conditions hold (or, where it is not `certain`, may hold).
 
         `way`: the packages of the groups around it, its own last.
         """
         for parameter in group.parameters:
             if parameter.window.has(self._distro):
-                self._declare(parameter, address, scope)
-        for endpoint in group.endpoints:
-            self._endpoint(endpoint, scope, address, certain=certain)
-        if group.open is not None:
-            self._open(group.open)
+                self._declare(parameter, address, scope, pass_)
+        if pass_ is _Pass.ENDPOINTS:
+            for endpoint in group.endpoints:
+                self._endpoint(endpoint, scope, address, certain=certain)
+            if group.open is not None:
+                self._open(group.open)
         here = way[-1]
         inner = [(g, scope, certain, here) for g in group.groups]
         for include in group.includes:
@@ -227,7 +240,7 @@ class _Execution:
         inner += [(g, scope, certain and sure, here) for g, sure in self._cases(group, scope)]
         for each, outer, sure, home in inner:
             for bound, holds in expansions(each, outer, self._distro):
-                self._contents(each, bound, address, (*way, home), certain=sure and holds)
+                self._contents(each, bound, address, (*way, home), pass_, certain=sure and holds)
 
     @staticmethod
     def _cases(group: Group, scope: Scope) -> list[tuple[Group, bool]]:
@@ -244,12 +257,14 @@ class _Execution:
                 found += [*table.values(), *([group.otherwise] if group.otherwise is not None else [])]
         return [(g, len(several) == 1 and len(found) == 1) for g in dict.fromkeys(found)]
 
-    def _declare(self, parameter: DeclaredParameter, address: int, scope: Scope) -> None:
+    def _declare(self, parameter: DeclaredParameter, address: int, scope: Scope, pass_: _Pass) -> None:
         for name in options(expand(parameter.name, scope)):
             if not isinstance(name, Const):
                 continue
             text = str(name.value)
             scope.parameters.declare(parameter, text)
+            if pass_ is _Pass.DEFAULTS:
+                continue
             default = NONE if parameter.default is None else as_value(parameter.default, text)
             value = scope.parameters.value(text)
             self._log.parameters[ParameterEffect(address, Const(text), default, value, NONE, self._place)] = None

@@ -6,7 +6,7 @@
 
 `${param:NAME}` is a parameter, `${argument:1}` a word of the program's own arguments, `${argument:--flag}` the word behind that flag,
 `${resolved:NAME}` the full name of a topic behind the remap rules, `${expanded:NAME}` before them, `${parent:NAME}` the name without its
-last part, `${random}` what is made when it runs, `${namespace}` the namespace of the (first) node, empty for the root, `${node}` and
+last part, `${outer:NAME}` the name below the namespace of the first node, `${random}` what is made when it runs, `${namespace}` the namespace of the (first) node, empty for the root, `${node}` and
 `${node_name}` its full name and its name, `${NAME}` a variable. They may stand within each other.
 """
 
@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from rosward.deployment.declared_shapes import Condition, DeclaredParameter
-from rosward.domain.choice import lift, lift2, options, reasons_of
+from rosward.domain.choice import join, lift, lift2, options, reasons_of
 from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Text, Tuple, Unknown, Value
@@ -131,10 +131,12 @@ def _spoken(expression: Value, scope: Scope) -> Value:
 
 def _one(expression: Value, scope: Scope) -> Value:
     kind, colon, _ = _text(expression).partition(":")
-    if kind in ("resolved", "expanded", "parent") and colon:
+    if kind in ("resolved", "expanded", "parent", "outer") and colon:
         rest = _behind_colon(expression)
         if kind == "parent":
             return lift(_parent, rest)
+        if kind == "outer":
+            return lift(lambda name: _outer(name, scope), rest)
         return lift(lambda name: scope.resolve(name, kind == "resolved"), rest)
     if not isinstance(expression, Const):
         return Unknown(reasons_of(expression), "str")
@@ -146,10 +148,22 @@ def _one(expression: Value, scope: Scope) -> Value:
     if expression.value == "random":
         return Unknown((Reason(Cause.RANDOM, "", Place("")),), "str")
     if expression.value == "namespace":
-        return lift(lambda v: EMPTY if isinstance(v, Const) and v.value == "/" else v, scope.namespace)
+        return _prefix(scope)
     return scope.variables.get(
         str(expression.value), Unknown((Reason(Cause.PARAMETER, str(expression.value), Place("")),))
     )
+
+
+def _prefix(scope: Scope) -> Value:
+    return lift(lambda v: EMPTY if isinstance(v, Const) and v.value == "/" else v, scope.namespace)
+
+
+def _outer(name: Value, scope: Scope) -> Value:
+    """A relative name is below the namespace of the first node; an absolute one stays."""
+    if _text(name).startswith("/"):
+        return name
+    below = joined(joined(_prefix(scope), Const("/")), name)
+    return below if _text(name) else join(name, below)
 
 
 def _text(value: Value) -> str:

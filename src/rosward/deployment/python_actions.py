@@ -47,7 +47,7 @@ _FORMATS: Final = {"Python": "python", "XML": "xml", "YAML": "yaml"}
 _DEEPEST: Final = 60
 
 Given = dict[str, Any]
-"""What all actions have in common: `place` and `condition`."""
+"""What all actions have in common: `place`, `condition` and `identity`."""
 
 
 @final
@@ -150,14 +150,16 @@ class Actions:
         for method in ("execute", "visit"):
             if kind and objects.overrides(ref, method):
                 condition = self.texts.condition(objects.field(ref, "condition"), here)
-                return (Opaque(place=here, condition=condition, function=objects.machine.load_attr(ref, method)),)
+                function = objects.machine.load_attr(ref, method)
+                return (Opaque(place=here, condition=condition, identity=ref, function=function),)
         return self._as_modelled(ref, here)
 
     def _as_modelled(self, ref: Ref, here: Place) -> tuple[Action, ...]:
         """An action as the library's own class executes it."""
         objects = self.objects
         kind = objects.kind(ref)
-        given: Given = {"place": here, "condition": self.texts.condition(objects.field(ref, "condition"), here)}
+        condition = self.texts.condition(objects.field(ref, "condition"), here)
+        given: Given = {"place": here, "condition": condition, "identity": ref}
         reader = self._readers.get(kind)
         if reader is not None:
             return reader(ref, given)

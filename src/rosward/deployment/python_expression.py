@@ -9,6 +9,7 @@ The expression is lowered and interpreted like any other program; what it may na
 from __future__ import annotations
 
 import ast
+import math
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import lift, reasons_of
@@ -45,11 +46,12 @@ class Expressions:
             reasons = reasons_of(text) or machine.unknown(Cause.OPERATION, "expression").reasons
             return Unknown(reasons, "str")
         source = text.value.lstrip(" \t")
-        if len(source) > _LONGEST or not _is_expression(source):
+        names = _names(source) if len(source) <= _LONGEST else None
+        if names is None:
             return machine.unknown(Cause.ERROR, f"{text.value[:80]!r} is no Python expression", "str")
         program = [f"import {m}" for m in modules if all(p.isidentifier() for p in m.split("."))]
-        if "math" in modules:
-            program.insert(0, "from math import *")
+        if "math" in modules:  # what is in math can be named as it is
+            program += [f"from math import {n}" for n in sorted(names & vars(math).keys())]
         try:
             lowered = lower_module("\n".join([*program, f"{_RESULT} = (\n{source}\n)"]), "")
         except FrontendError as error:
@@ -76,12 +78,13 @@ class Expressions:
         return machine.at(module.address).attrs.get(_RESULT, UNBOUND) if alive else UNBOUND
 
 
-def _is_expression(source: str) -> bool:
+def _names(source: str) -> set[str] | None:
+    """The names that an expression uses; None where it is none."""
     try:
-        ast.parse(source, mode="eval")
+        tree = ast.parse(source, mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True
+        return None
+    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
 
 
 def _marked(value: Value, origins: Origins) -> Value:

@@ -87,7 +87,7 @@ class Nodes:
         if isinstance(target, Ref) and self.objects.is_a(target, _NODE):
             made = self.objects.place(target)
             condition = self.texts.condition(self.objects.field(target, "condition"), made)
-            container = self.node(target, {"place": made, "condition": condition})
+            container = self.node(target, {"place": made, "condition": condition, "identity": target})
         else:
             container = self.texts.template(target, place)
         found = self.components(self.objects.field(ref, "composable_node_descriptions"), place)

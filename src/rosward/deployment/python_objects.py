@@ -29,7 +29,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.findings import Finding
-from rosward.models.launch_natives import FIELD, place_of
+from rosward.models.launch_natives import FIELD, REQUIRED, place_of
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Objects:
     def field(self, ref: Ref, name: str) -> Value | None:
         """What an object was given under a name; None where nothing or None."""
         found = self.machine.obj(ref).attrs.get(FIELD + name, NONE)
-        return None if found == NONE else found
+        return None if found in (NONE, REQUIRED) else found
 
     def flag(self, ref: Ref, name: str, default: bool) -> bool:
         """A switch that an object was given: the default where it is not known."""

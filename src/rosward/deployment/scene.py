@@ -162,7 +162,7 @@ def _as_text(value: Value) -> Value:
             return option
         if isinstance(option, Const):
             return option if isinstance(option.value, str) else Const(str(option.value), option.origins)
-        return Unknown(reasons_of(option), "str")
+        return Unknown(reasons_of(option) or (Reason(Cause.OPERATION, "", Place("", 0)),), "str")
 
     return lift(one, value)
 

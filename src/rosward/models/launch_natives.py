@@ -26,7 +26,7 @@ FIELD: Final = "launch."
 """How the attributes begin in which an object keeps what it was given: no program can name them."""
 
 PLACE: Final = FIELD + "place"
-_REQUIRED: Final = External("_rosward.launch.REQUIRED")
+REQUIRED: Final = External("_rosward.launch.REQUIRED")
 _LIVE: Final = frozenset({"actions", "composable_node_descriptions", "event_handler", "function", "on_exit"})
 """What launch keeps as it is; everything else it copies, so that later changes of a list do not count."""
 
@@ -45,7 +45,7 @@ _DEEPEST: Final = 6
 
 
 def _keep(call: NativeCall) -> Value:
-    """keep(self, kwargs, name=value, …): `kwargs` are the keywords that no class along the way takes."""
+    """keep(self, kwargs, name=value, …): at the end of the chain of classes, `kwargs` are the keywords that none of them takes."""
     machine = call.machine
     place = machine.place
     fields = dict(call.keywords)
@@ -53,15 +53,11 @@ def _keep(call: NativeCall) -> Value:
         if not isinstance(ref, Ref) or machine.obj(ref).kind != "instance":
             continue
         obj = machine.obj(ref)
-        given = {**fields, **_left_over(machine, obj, call.args[1])} if len(call.args) > 1 else fields
-        kept: dict[str, Value] = {PLACE: Tuple((Const(place.file), Const(place.line), Const(place.column)))}
-        for name, value in given.items():
-            if value == _REQUIRED:
-                if FIELD + name not in obj.attrs:
-                    machine.report("RW320", f"{_class_name(obj)}() misses the argument '{name}'")
-                continue
-            kept[FIELD + name] = value if name in _LIVE else copied(machine, value, (name,))
-        machine.update(ref, obj.replace(attrs={**obj.attrs, **kept}))
+        kept = {FIELD + n: v if n in _LIVE else copied(machine, v, (n,)) for n, v in fields.items()}
+        attrs = {**obj.attrs, **kept, PLACE: Tuple((Const(place.file), Const(place.line), Const(place.column)))}
+        if len(call.args) > 1 and isinstance(call.args[1], Ref):
+            attrs = _checked(machine, obj, attrs, call.args[1])
+        machine.update(ref, obj.replace(attrs=attrs))
     return NONE
 
 
@@ -69,15 +65,17 @@ def _class_name(obj: Obj) -> str:
     return obj.cls.name if isinstance(obj.cls, (Class, External)) else "object"
 
 
-def _left_over(machine: Machine, obj: Obj, kwargs: Value) -> dict[str, Value]:
-    """The keywords that nothing takes: a mistake, and those of early releases still say what was meant."""
-    if not isinstance(kwargs, Ref):
-        return {}
+def _checked(machine: Machine, obj: Obj, attrs: dict[str, Value], kwargs: Ref) -> dict[str, Value]:
+    """What an object keeps, with keywords that nothing takes: a mistake, and those of early releases still say what was meant."""
     given = {text_of(key): value for key, value in machine.obj(kwargs).entries.items()}
+    missing = [n.removeprefix(FIELD) for n, v in attrs.items() if v == REQUIRED]
     if given:
         names = ", ".join(f"'{name}'" for name in given)
         machine.report("RW320", f"{_class_name(obj)}() got unexpected keyword arguments: {names}")
-    return {_OLD[name]: value for name, value in given.items() if name in _OLD}
+    elif missing and machine.obj(kwargs).rest is None:
+        names = ", ".join(f"'{name}'" for name in missing)
+        machine.report("RW320", f"{_class_name(obj)}() misses the arguments {names}")
+    return {**attrs, **{FIELD + _OLD[name]: value for name, value in given.items() if name in _OLD}}
 
 
 def copied(machine: Machine, value: Value, path: tuple[object, ...]) -> Value:

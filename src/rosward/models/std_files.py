@@ -55,7 +55,7 @@ def _open(call: NativeCall) -> Value:
 
 def _read_text(call: NativeCall) -> Value:
     """pathlib._read_text(path)."""
-    return lift(lambda p: _text(call, p) or call.machine.unknown(Cause.FILE, pattern(p), "str"), call.args[0])
+    return lift(lambda p: _text(call, p) or call.machine.unknown(Cause.FILE, pattern(p), "str"), _path(call, "path"))
 
 
 def _is_there(*, files: bool, folders: bool) -> NativeFunction:

@@ -70,9 +70,9 @@ class _Folder(NamedTuple):
 
 
 def is_test_file(path: str) -> bool:
-    """Whether a file is a test: by its name, unless it is a ROS program without any test in it."""
+    """Whether a file is a test: by its name, unless it is a ROS program without any test in it, or a launch file."""
     name = os.path.basename(path)  # noqa: PTH119
-    if _TEST_FILE.fullmatch(name) is None:
+    if _TEST_FILE.fullmatch(name) is None or name.endswith(".launch.py"):
         return False
     try:
         with open(path, "rb") as file:  # noqa: PTH123

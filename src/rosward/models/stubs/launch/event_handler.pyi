@@ -22,5 +22,5 @@ class BaseEventHandler:
 
 class EventHandler(BaseEventHandler):
     def __init__(self, *, matcher=REQUIRED, entities=None, handle_once=False, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, matcher=matcher, actions=entities)
+        super().__init__(**kwargs)

@@ -8,5 +8,8 @@ from _rosward.launch import perform
 
 
 class Substitution:
+    def __eq__(self, other): return self is other
+    def __ne__(self, other): return self is not other
+    def __hash__(self): return id(self)
     def describe(self) -> str: ...
     def perform(self, context): return perform(self)

@@ -11,50 +11,50 @@ from launch.substitutions import LaunchConfiguration
 
 class DeclareLaunchArgument(Action):
     def __init__(self, name, *, default_value=None, description=None, choices=None, **kwargs):
-        super().__init__(**kwargs)
         self.name = name
         self.default_value = default_value
         self.description = description
         self.choices = choices
         keep(self, None, name=name, default=default_value, description=description, choices=choices)
+        super().__init__(**kwargs)
 
 
 class SetLaunchConfiguration(Action):
     def __init__(self, name, value, **kwargs):
-        super().__init__(**kwargs)
         self.name = name
         self.value = value
         keep(self, None, name=name, value=value)
+        super().__init__(**kwargs)
 
 
 class UnsetLaunchConfiguration(Action):
     def __init__(self, name, **kwargs):
-        super().__init__(**kwargs)
         self.name = name
         keep(self, None, name=name)
+        super().__init__(**kwargs)
 
 
 class SetEnvironmentVariable(Action):
     def __init__(self, name, value, **kwargs):
-        super().__init__(**kwargs)
         self.name = name
         self.value = value
         keep(self, None, name=name, value=value)
+        super().__init__(**kwargs)
 
 
 class UnsetEnvironmentVariable(Action):
     def __init__(self, name, **kwargs):
-        super().__init__(**kwargs)
         self.name = name
         keep(self, None, name=name)
+        super().__init__(**kwargs)
 
 
 class AppendEnvironmentVariable(Action):
     def __init__(self, name, value, prepend=False, separator=":", **kwargs):
-        super().__init__(**kwargs)
         self.name = name
         self.value = value
         keep(self, None, name=name, value=value, prepend=prepend, separator=separator)
+        super().__init__(**kwargs)
 
 
 class PushLaunchConfigurations(Action): ...
@@ -66,15 +66,15 @@ class ResetEnvironment(Action): ...
 
 class ResetLaunchConfigurations(Action):
     def __init__(self, launch_configurations=None, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, configurations=launch_configurations)
+        super().__init__(**kwargs)
 
 
 class EmitEvent(Action):
     def __init__(self, *, event=REQUIRED, **kwargs):
-        super().__init__(**kwargs)
         self.event = event
         keep(self, None, event=event)
+        super().__init__(**kwargs)
 
 
 class Shutdown(EmitEvent):
@@ -84,15 +84,15 @@ class Shutdown(EmitEvent):
 
 class LogInfo(Action):
     def __init__(self, *, msg=REQUIRED, **kwargs):
-        super().__init__(**kwargs)
         self.msg = msg
         keep(self, None, msg=msg)
+        super().__init__(**kwargs)
 
 
 class Log(Action):
     def __init__(self, *, msg=REQUIRED, level=REQUIRED, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, msg=msg, level=level)
+        super().__init__(**kwargs)
 
 
 class LogDebug(LogInfo): ...
@@ -104,9 +104,9 @@ class ExecuteLocal(Action):
     def __init__(self, *, process_description=REQUIRED, shell=False, sigterm_timeout=5, sigkill_timeout=5, emulate_tty=False,
                  output="log", output_format="", cached_output=False, log_cmd=False, on_exit=None, respawn=False,
                  respawn_delay=None, respawn_max_retries=-1, **kwargs):
-        super().__init__(**kwargs)
         self.process_description = process_description
         keep(self, None, process_description=process_description, shell=shell, on_exit=on_exit)
+        super().__init__(**kwargs)
 
     def prepare(self, context) -> None: ...
     def get_stdout(self) -> str: ...
@@ -116,70 +116,70 @@ class ExecuteLocal(Action):
 class ExecuteProcess(ExecuteLocal):
     def __init__(self, *, cmd=REQUIRED, prefix=None, name=None, cwd=None, env=None, additional_env=None, **kwargs):
         keep(self, None, cmd=cmd, prefix=prefix, process_name=name, env=env, additional_env=additional_env)
-        super().__init__(process_description=None, **kwargs)
         self.cmd = cmd
+        super().__init__(process_description=None, **kwargs)
 
 
 class GroupAction(Action):
     def __init__(self, actions, *, scoped=True, forwarding=True, launch_configurations=None, **left_over_kwargs):
-        super().__init__(**left_over_kwargs)
         self.actions = actions
         keep(self, None, actions=actions, scoped=scoped, forwarding=forwarding, configurations=launch_configurations)
+        super().__init__(**left_over_kwargs)
 
     def get_sub_entities(self): return self.actions
 
 
 class IncludeLaunchDescription(Action):
     def __init__(self, launch_description_source, *, launch_arguments=None, **kwargs):
-        super().__init__(**kwargs)
         self.launch_description_source = launch_description_source
         arguments = () if launch_arguments is None else list(launch_arguments)
         self.launch_arguments = arguments
         keep(self, None, source=launch_description_source, arguments=arguments)
+        super().__init__(**kwargs)
 
 
 class OpaqueFunction(Action):
     def __init__(self, *, function=REQUIRED, args=None, kwargs=None, **left_over_kwargs):
-        super().__init__(**left_over_kwargs)
         keep(self, None, function=function, args=args, kwargs=kwargs)
+        super().__init__(**left_over_kwargs)
 
 
 class OpaqueCoroutine(Action):
     def __init__(self, *, coroutine=REQUIRED, args=None, kwargs=None, ignore_context=False, **left_over_kwargs):
-        super().__init__(**left_over_kwargs)
         keep(self, None, function=coroutine, args=args, kwargs=kwargs, ignore_context=ignore_context)
+        super().__init__(**left_over_kwargs)
 
 
 class RegisterEventHandler(Action):
     def __init__(self, event_handler, **kwargs):
-        super().__init__(**kwargs)
         self.event_handler = event_handler
         keep(self, None, event_handler=event_handler)
+        super().__init__(**kwargs)
 
 
 class UnregisterEventHandler(Action):
     def __init__(self, event_handler, **kwargs):
-        super().__init__(**kwargs)
         self.event_handler = event_handler
+        super().__init__(**kwargs)
 
 
 class TimerAction(Action):
     def __init__(self, *, period=REQUIRED, actions=REQUIRED, cancel_on_shutdown=True, **kwargs):
-        super().__init__(**kwargs)
         self.period = period
         self.actions = actions
         keep(self, None, period=period, actions=actions)
+        super().__init__(**kwargs)
 
     def cancel(self) -> None: ...
 
 
 class ForEach(Action):
     def __init__(self, input_values, *, function=REQUIRED, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, values=input_values, function=function)
+        super().__init__(**kwargs)
 
 
 class ForLoop(Action):
     def __init__(self, length, *, function=REQUIRED, name="", **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, values=length, function=function, name=name)
+        super().__init__(**kwargs)

@@ -12,9 +12,9 @@ from launch.actions import ExecuteProcess, TimerAction
 class Node(ExecuteProcess):
     def __init__(self, *, executable=REQUIRED, package=None, name=None, namespace=None, exec_name=None, parameters=None,
                  remappings=None, ros_arguments=None, arguments=None, **kwargs):
-        super().__init__(cmd=None, name=exec_name, **kwargs)
         keep(self, None, executable=executable, package=package, name=name, namespace=namespace, parameters=parameters,
              remappings=remappings, ros_arguments=ros_arguments, arguments=arguments)
+        super().__init__(cmd=None, name=exec_name, **kwargs)
 
     @property
     def node_package(self): ...
@@ -34,14 +34,14 @@ class LifecycleNode(Node):
 
 class ComposableNodeContainer(Node):
     def __init__(self, *, name=REQUIRED, namespace=REQUIRED, composable_node_descriptions=None, **kwargs):
-        super().__init__(name=name, namespace=namespace, **kwargs)
         keep(self, None, composable_node_descriptions=composable_node_descriptions)
+        super().__init__(name=name, namespace=namespace, **kwargs)
 
 
 class LoadComposableNodes(Action):
     def __init__(self, *, composable_node_descriptions=REQUIRED, target_container=REQUIRED, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, composable_node_descriptions=composable_node_descriptions, target=target_container)
+        super().__init__(**kwargs)
 
 
 class LifecycleTransition(Action):
@@ -51,8 +51,8 @@ class LifecycleTransition(Action):
 
 class PushROSNamespace(Action):
     def __init__(self, namespace, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, namespace=namespace)
+        super().__init__(**kwargs)
 
 
 PushRosNamespace = PushROSNamespace
@@ -66,20 +66,20 @@ RosTimer = ROSTimer
 
 class SetParameter(Action):
     def __init__(self, name, value, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, name=name, value=value)
+        super().__init__(**kwargs)
 
 
 class SetParametersFromFile(Action):
     def __init__(self, filename, node_name=None, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, path=filename, node=node_name)
+        super().__init__(**kwargs)
 
 
 class SetRemap(Action):
     def __init__(self, src, dst, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, source=src, target=dst)
+        super().__init__(**kwargs)
 
 
 class SetROSLogDir(Action):
@@ -89,5 +89,5 @@ class SetROSLogDir(Action):
 
 class SetUseSimTime(Action):
     def __init__(self, value, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, value=value)
+        super().__init__(**kwargs)

@@ -11,5 +11,5 @@ from launch.event_handler import BaseEventHandler
 class OnStateTransition(BaseEventHandler):
     def __init__(self, *, entities=REQUIRED, target_lifecycle_node=None, transition=None, start_state=None, goal_state=None,
                  matcher=None, **kwargs):
-        super().__init__(**kwargs)
         keep(self, None, actions=entities, target=target_lifecycle_node)
+        super().__init__(**kwargs)

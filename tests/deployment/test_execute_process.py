@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Command lines: nodes of `ros2 run`, systems of `ros2 launch`, scripts, and other programs."""
+
+from __future__ import annotations
+
+import pytest
+
+from deployment.execution import HERE, UNKNOWN, Run, share, shown, text
+from rosward.deployment import tree
+from rosward.deployment.execute_process import split
+from rosward.deployment.started import StartKind
+from rosward.domain.text import concat
+from rosward.domain.values import Const
+
+
+def process(*words: str, shell: bool = False) -> tree.StartProcess:
+    return tree.StartProcess(place=HERE, command=tuple(text(w) for w in words), shell=shell)
+
+
+@pytest.mark.parametrize(
+    ("action", "line"),
+    [
+        (process("ros2", "run", "demo", "talker", "-v"), "demo/talker -v"),
+        (process("ros2", "run", "--prefix", "gdb -ex run", "demo", "talker"), "demo/talker"),
+        (process("ros2 run demo talker --ros-args -r 'a:=b c'", shell=True), "demo/talker --ros-args -r a:=b c"),
+        (process("python3", "/opt/tool.py", "--fast"), "/opt/tool.py --fast"),
+        (process("python3", "-m", "http.server"), "python3 -m http.server"),
+        (process("ros2", "bag", "record", "-a"), "ros2 bag record -a"),
+        (process("gzserver"), "gzserver"),
+    ],
+)
+def test_command_lines(action: tree.StartProcess, line: str) -> None:
+    assert Run([action]).lines == [line]
+
+
+def test_kinds() -> None:
+    run = Run([process("ros2", "run", "demo", "talker"), process("python3", "a.py"), process("ls")])
+    assert [s.kind for s in run.started] == [StartKind.NODE, StartKind.PROCESS, StartKind.PROCESS]
+    assert [[shown(w) for w in s.command] for s in run.started][1] == ["python3", "a.py"]
+
+
+def test_a_path_to_ros2() -> None:
+    found = (tree.Substitution("find-exec", (text("ros2"),), HERE),)
+    action = tree.StartProcess(place=HERE, command=((*found, Const(" run demo talker ")), (UNKNOWN,)), shell=True)
+    assert Run([action]).lines == ["demo/talker *"]
+
+
+def test_ros2_launch_is_a_system_of_its_own() -> None:
+    """It sees the environment, but neither configurations nor namespaces."""
+    inner = """<launch><arg name="x" default="d"/><node pkg="p" exec="$(var x)" name="$(var y none)"/></launch>"""
+    main = """<let name="y" value="outer"/><set_env name="E" value="1"/><push_ros_namespace namespace="a"/>
+        <executable cmd="ros2 launch other a.launch.xml x:=given"/>"""
+    run = Run(main, {"other/launch/a.launch.xml": inner})
+    assert run.lines == ["p/given --ros-args -r __node:=none"]
+    assert run.started[0].configuration.environment == {"E": Const("1")}
+    assert len(run.started[0].trail) == 1
+
+
+def test_ros2_launch_of_a_file_that_is_not_there() -> None:
+    assert Run([process("ros2", "launch", "acme", "a.launch.py")]).codes == ["RW311"]
+
+
+def test_ros2_launch_of_itself_ends() -> None:
+    command = (text("ros2"), text("launch"), (share("demo", "/launch/main.launch.py"),))
+    assert Run([tree.StartProcess(place=HERE, command=command)]).codes == ["RW201"]
+
+
+def test_the_environment_of_a_process() -> None:
+    own = ((text("A"), text("2")),)
+    first = tree.Environ(place=HERE, how="set", name=text("B"), value=text("1"))
+    added, alone = (
+        tree.StartProcess(place=HERE, command=(text("x"),), environment=own, replaces_environment=whole)
+        for whole in (False, True)
+    )
+    one, two = Run([first, added, alone]).started
+    assert one.configuration.environment == {"A": Const("2"), "B": Const("1")}
+    assert two.configuration.environment == {"A": Const("2")}
+
+
+def test_words_of_a_shell() -> None:
+    line = concat((Const("a 'b c' "), UNKNOWN, Const('/d "e')))
+    assert [shown(w) for w in split(line)] == ["a", "'b", "c'", "*/d", '"e']
+    assert [shown(w) for w in split(concat((Const("a 'b "), UNKNOWN, Const("' c"))))] == ["a", "b *", "c"]
