@@ -153,10 +153,10 @@ def _compare_run(
 
 
 def _explained(each: Started, run: Record) -> str:
-    if each.conditional:
-        return "condition unknown"
     if not run.get("ok", True):
         return "real run failed"
+    if each.conditional:
+        return "condition unknown"
     return "event" if each.event else "ours to mend"
 
 

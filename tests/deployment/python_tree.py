@@ -145,11 +145,12 @@ def _fields(action: Action) -> Iterator[str]:
     """What an action is given, without what it has anyway."""
     for field in fields(action):
         value = getattr(action, field.name)
-        if field.name not in _HIDDEN and value not in (field.default, ()):
+        hidden = field.name in _HIDDEN or (field.name == "target" and isinstance(action, OnEvent))
+        if not hidden and value not in (field.default, (), None):
             yield f"{field.name}={shown(value)}"
 
 
-_HIDDEN = ("place", "identity", "actions", "body", "on_exit", "components", "function", "target", "args", "kwargs")
+_HIDDEN = ("place", "identity", "actions", "body", "on_exit", "components", "function", "args", "kwargs")
 
 
 def shown(value: object) -> str:
@@ -173,7 +174,7 @@ def shown(value: object) -> str:
         case Several(items):
             return f"[{', '.join(map(shown, items))}]"
         case Value():
-            return " | ".join(pattern(o) for o in options(value))
+            return " | ".join(str(o.value) if isinstance(o, Const) else pattern(o) for o in options(value))
         case tuple() if value and all(isinstance(v, (Value, Substitution)) for v in value):
             return "".join(map(shown, value))
         case tuple():

@@ -98,7 +98,7 @@ BUILDING = {
           StartNode package=demo executable=a1
           StartNode package=demo executable=a2
         Opaque
-          Timer period=*
+          Timer period=1.0
             Inert kind=LogInfo
         """,
     ),
@@ -479,7 +479,7 @@ EXPRESSIONS = {
     "not true": "*",
     " 'x' if 3 > 2 else 'y'": "x",
     "math.pi > 3 and floor(2.5)": "2",
-    "[1, 'a', None]": "*",
+    "[1, 'a', None]": "[1, 'a', None]",
     "1 +": "*",
     "__import__('os').system('true')": "*",
     "0.1 + 0.2": "0.30000000000000004",

@@ -150,7 +150,8 @@ def _keep(real: RealRclpy, seed: int, written: Written, text: str, folder: Path,
             outcome = compare(real, files, interrupt=interrupt)
         except SyntaxError:
             return False
-        return complaint(outcome.verdict).startswith(kind) and outcome.seen.end in {"normal", "KeyboardInterrupt: "}
+        same = complaint(outcome.verdict).startswith(kind) and outcome.seen.end in {"normal", "KeyboardInterrupt: "}
+        return same and len(outcome.seen.facts) > 0
 
     files = smaller(written.files, fails) if fails(written.files) else written.files
     outcome = compare(real, files, interrupt=interrupt)

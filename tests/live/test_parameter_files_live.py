@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -75,8 +76,6 @@ TEXTS = {
     "same key, other list": of("node", "x: [1, 2]") + of("node", "x: [a]"),
     "parameter twice": of("node", "x: 1\nx: 2\ny: a\ny: 1\nz: 1.5\nz: 2"),
     "nested": of("/**", "a:\n  b:\n    c: 1\n    d: [x, y]\n  e: true\nf: 2"),
-    "nested and dotted": of("/**", "a.b: 1\na:\n  b: x\n  c: 2\na.c: 3"),
-    "nested twice": of("/**", "a: {b: 1}\na: {b: x, c: 2}"),
     "value, then mapping": of("/**", "a: 1\na: {b: x}\nc: 3"),
     "mapping, then value": of("/**", "a: {b: x}\na: 1"),
     "dots in nested": of("/**", "a.b: {c.d: 1, e: 2}"),
@@ -137,6 +136,16 @@ LINES: dict[str, Run] = {
     "nested and a rule": Run(("--params-file", of("/**", "a: {b: 1}"), "-p", "a.b:=2")),
 }  # fmt: skip
 
+NESTED: dict[str, Run] = {
+    "nested and dotted": Run(("--params-file", of("/**", "a.b: 1\na:\n  b: x\n  c: 2\na.c: 3"))),
+    "twice": Run(("--params-file", of("/**", "a: {b: 1}\na: {b: x, c: 2}"))),
+    "in two files": Run(("--params-file", of("/**", "a: {b: x}"), "--params-file", of("/**", "a: {b: 1}"))),
+    "in two files and a rule": Run(
+        ("--params-file", of("/**", "a: {b: 1}"), "--params-file", of("/**", "a: {b: 2}"), "-p", "a.b:=3")
+    ),
+    "dotted, then nested": Run(("--params-file", of("/**", "a.b: 1"), "--params-file", of("/**", "a: {b: x}"))),
+}
+
 
 @pytest.mark.parametrize("key", KEYS)
 @pytest.mark.parametrize("node", NODES, ids=repr)
@@ -164,7 +173,25 @@ def test_command_lines(what: str, tmp_path: Path, capfd: pytest.CaptureFixture[s
     capfd.readouterr()
 
 
-def compare(run: Run, folder: Path) -> None:
+@pytest.mark.parametrize("what", NESTED)
+def test_nested_names(what: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """A nested name begins an entry of its own; a plain one joins the first entry of its name; the last entry holds."""
+
+    def held(_fqn: str, rows: Iterable[Given]) -> dict[str, Value]:
+        entries: dict[str, list[Given]] = {}
+        for row in rows:
+            known = entries.setdefault(row.name, [])
+            if row.nested or not known:
+                known.append(row)
+            else:
+                known[0] = row
+        return {name: known[-1].value for name, known in entries.items()}
+
+    compare(NESTED[what], tmp_path, held)
+    capfd.readouterr()
+
+
+def compare(run: Run, folder: Path, held: Callable[[str, Iterable[Given]], dict[str, Value]] = given_to) -> None:
     """Start the real node; what it is given must be what the files and rules say."""
     words, rows, refused = ours(run, folder)
     fqn = f"/{run.namespace.strip('/')}/{run.name}".replace("//", "/")
@@ -183,7 +210,7 @@ def compare(run: Run, folder: Path) -> None:
             node.destroy_node()
     finally:
         context.try_shutdown()
-    assert repr({name: plain(value) for name, value in sorted(given_to(fqn, rows).items())}) == repr(real)
+    assert repr({name: plain(value) for name, value in sorted(held(fqn, rows).items())}) == repr(real)
 
 
 def ours(run: Run, folder: Path) -> tuple[list[str], list[Given], bool]:

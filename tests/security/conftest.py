@@ -7,6 +7,7 @@ failure: so `.ci/run` calls them. `ROSWARD_LIVE_PYTHON` is a Python that has rcl
 
 from __future__ import annotations
 
+import functools
 import itertools
 import os
 import random
@@ -14,14 +15,17 @@ import socket
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
 import pytest
 
+from rosward import Network
+
 from .cyclone import Cyclone, UnavailableError
 from .keystore import Keystore, has_openssl
+from .systems import systems
 
 TALLY: Final = pytest.StashKey["Counter[str]"]()
 _DOMAINS: Final = range(1, 100)  # beyond, the ports of DDS meet those that the system gives to anyone
@@ -83,6 +87,12 @@ def domain(domains: Iterator[int]) -> int:
 def keystore(tmp_path: Path, domain: int, dds: Cyclone) -> Keystore:
     del dds  # it says whether there is an openssl
     return Keystore(tmp_path / "keystore", domain)
+
+
+@pytest.fixture(scope="session")
+def read(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], list[Network]]:
+    """The systems of a name, read once."""
+    return functools.cache(lambda name: systems(name, tmp_path_factory.mktemp("sources")))
 
 
 @pytest.fixture

@@ -27,6 +27,6 @@ def _stay(node: Any, *_: Any, **__: Any) -> None:
 
 
 if __name__ == "__main__":
-    importlib.import_module("rclpy").spin = _stay
+    vars(importlib.import_module("rclpy"))["spin"] = _stay
     sys.argv = sys.argv[1:]
     runpy.run_path(sys.argv[0], run_name="__main__")

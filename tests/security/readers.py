@@ -117,7 +117,8 @@ def _sort(element: ET.Element) -> None:
     for number, child in enumerate(element):
         _sort(child)
         child.tail = None
-        tag = "" if child.tag is ET.Comment else child.tag
+        named: object = child.tag
+        tag = named if isinstance(named, str) else ""  # a comment has a function there
         own = ("ns", "node"), ("path",)
         key = (tag, *("".join(child.get(name, "") for name in names) for names in own), (child.text or "").strip())
         leaf = tag in {"topic", "service", "action"}

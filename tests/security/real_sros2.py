@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the code of the real sros2 on a policy, where somebody has it: its command line and its ROS are faked, its
+"""Runs the code of the real sros2 on policies, where somebody has it: its command line and its ROS are faked, its
 reading, merging, sorting, validating and translating are its own.
 
-    python real_sros2.py SROS2_FOLDER  <  {"policy": "<policy …", "graph": [[ns, node, enclave, kind, way, name], …]}
-      ->  {"merged": "<policy …", "rights": {"/talker": [["write", "rt/chatter"], …]}}
+    python real_sros2.py SROS2_FOLDER  <  [["<policy …", [[ns, node, enclave, kind, way, name], …]], …]
+      ->  [["<policy …", {"/talker": [["write", "rt/chatter"], …]}], …]    the merged policies, and their permissions
 """
 
 from __future__ import annotations
@@ -58,14 +58,14 @@ def _rights(policy: Any) -> dict[str, list[list[str]]]:
     return found
 
 
-def _answer(given: dict[str, Any]) -> dict[str, Any]:
+def _answer(given: str, graph: list[list[str]]) -> tuple[str, dict[str, list[list[str]]]]:
     generate = importlib.import_module("sros2.verb.generate_policy")
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "policy.xml"
-        file.write_text(given["policy"], encoding="utf-8")
+        file.write_text(given, encoding="utf-8")
         verb = generate.GeneratePolicyVerb.__new__(generate.GeneratePolicyVerb)
         policy = verb.get_policy(file)
-        for namespace, node, enclave, kind, way, name in given["graph"]:
+        for namespace, node, enclave, kind, way, name in graph:
             fqn = namespace.rstrip("/") + "/" + node
             who = generate._NodeName(node=node, ns=namespace, fqn=fqn, path=enclave)
             profile = verb.get_profile(policy, who)
@@ -73,9 +73,9 @@ def _answer(given: dict[str, Any]) -> dict[str, Any]:
         stream = io.StringIO()
         importlib.import_module("sros2.policy").dump_policy(policy, stream)
         file.write_text(stream.getvalue(), encoding="utf-8")
-        return {"merged": stream.getvalue(), "rights": _rights(verb.get_policy(file))}
+        return stream.getvalue(), _rights(verb.get_policy(file))
 
 
 if __name__ == "__main__":
     _without_its_surroundings(sys.argv[1])
-    print(json.dumps(_answer(json.load(sys.stdin))))
+    print(json.dumps([_answer(*each) for each in json.load(sys.stdin)]))

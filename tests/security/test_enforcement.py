@@ -11,8 +11,7 @@ from __future__ import annotations
 import fnmatch
 import re
 from collections import Counter
-from collections.abc import Iterable
-from pathlib import Path
+from collections.abc import Callable, Iterable
 
 import pytest
 from outputs.networks import node, pub, sub
@@ -26,7 +25,7 @@ from rosward.outputs.permissions import permissions, permissions_xml, size_findi
 from .cyclone import Cyclone, DdsError
 from .endpoints import Endpoint, endpoints_of, turned
 from .keystore import Keystore
-from .systems import NAMES, systems
+from .systems import NAMES
 
 STRING = "std_msgs::msg::dds_::String_"
 FILLINGS = ("1", "", "x/y", "_")
@@ -64,9 +63,9 @@ def enforced(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_each_node_may_do_what_it_does_and_nothing_else(
-    name: str, dds: Cyclone, keystore: Keystore, tmp_path: Path, tally: Counter[str]
+    name: str, read: Callable[[str], list[Network]], dds: Cyclone, keystore: Keystore, tally: Counter[str]
 ) -> None:
-    networks = systems(name, tmp_path)
+    networks = read(name)
     tried = everything(networks)
     for network in networks:
         allowed = enforced(dds, keystore, network, tried)

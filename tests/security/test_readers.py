@@ -13,10 +13,10 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ET
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from importlib import resources
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import pytest
 import xmlschema
@@ -29,7 +29,7 @@ from rosward.outputs.permissions import permissions
 from rosward.outputs.policy import policies, policy_xml
 
 from .readers import Right, Seen, UnreadableError, comments, merged, rights, zenoh_rights
-from .systems import NAMES, systems
+from .systems import NAMES
 
 _SCHEMA: Final = xmlschema.XMLSchema10(str(resources.files("rosward.outputs") / "schemas" / "policy.xsd"))
 _REAL: Final = Path(__file__).with_name("real_sros2.py")
@@ -82,68 +82,59 @@ def own_rules(policy: str, seen: list[Seen]) -> tuple[str, dict[str, set[Right]]
     return text, rights(text)
 
 
-def real_sros2(policy: str, seen: list[Seen]) -> tuple[str, dict[str, set[Right]]]:
-    command = [sys.executable, str(_REAL), os.environ["ROSWARD_SROS2"]]
-    given = json.dumps({"policy": policy, "graph": seen})
-    done = subprocess.run(command, input=given, capture_output=True, text=True, check=False, timeout=60)
-    assert done.returncode == 0, done.stderr
-    answer: dict[str, Any] = json.loads(done.stdout)
-    return answer["merged"], {path: {(w, t) for w, t in found} for path, found in answer["rights"].items()}
+def unharmed(network: Network, text: str, found: dict[str, set[Right]]) -> bool:
+    """Whether all rights and comments are there as before, and no others, but for names that a pattern stands for."""
+    before = in_permissions(network)
+    assert found.keys() == before.keys()
+    for path, own in found.items():
+        assert own >= before[path], path
+        assert own == before[path] or any("*" in topic for _, topic in before[path]), path
+    return comments(text) == comments(policy_xml(network))
 
 
-READERS: Final = [
-    pytest.param(own_rules, id="rules"),
-    pytest.param(
-        real_sros2,
-        id="sros2",
-        marks=pytest.mark.skipif("ROSWARD_SROS2" not in os.environ, reason="ROSWARD_SROS2 names no sros2"),
-    ),
-]
-Reader = Callable[[str, list[Seen]], tuple[str, dict[str, set[Right]]]]
-
-
-def networks(name: str, folder: Path) -> Iterator[Network]:
-    return (network for network in systems(name, folder) if network.nodes)
-
-
-@pytest.mark.parametrize("reader", READERS)
 @pytest.mark.parametrize("name", NAMES)
-def test_sros2_reads_in_the_policy_what_is_in_the_permissions(
-    name: str, reader: Reader, tmp_path: Path, tally: Counter[str]
+def test_sros2_reads_and_merges_the_policy_unharmed(
+    name: str, read: Callable[[str], list[Network]], tally: Counter[str]
 ) -> None:
-    for network in networks(name, tmp_path):
-        policy = policy_xml(network)
-        text, found = reader(policy, [])
+    """Translated, it is our permissions; with the running system merged into it, once or twice, it is the same."""
+    for network in with_nodes(read(name)):
+        text, found = own_rules(policy_xml(network), [])
         assert found == in_permissions(network)
-        assert comments(text) == comments(policy)
-        tally[f"enclaves read back by {reader.__name__}"] += len(found)
+        assert unharmed(network, text, found)
+        text, found = own_rules(policy_xml(network), graph(network))
+        assert unharmed(network, text, found)
+        assert own_rules(text, graph(network)) == (text, found)
+        tally["enclaves read back"] += len(found)
 
 
-@pytest.mark.parametrize("reader", READERS)
-@pytest.mark.parametrize("name", NAMES)
-def test_merging_the_running_system_into_it_changes_nothing_that_was_granted(
-    name: str, reader: Reader, tmp_path: Path
-) -> None:
-    for network in networks(name, tmp_path):
-        policy = policy_xml(network)
-        text, found = reader(policy, graph(network))
-        before = in_permissions(network)
-        assert found.keys() == before.keys()
-        for path, own in found.items():
-            assert own >= before[path]
-            assert own == before[path] or any("*" in topic for _, topic in before[path]), path
-        assert comments(text) == comments(policy)
-        again, still = reader(text, graph(network))
-        assert (again, still) == (text, found)
+STRANGE: Final = Seen("/", "strange", "/strange", "topic", "subscribe", "/robot1/chatter")
 
 
-@pytest.mark.parametrize("reader", READERS)
-def test_a_node_that_was_not_in_the_sources_is_added_beside_ours(reader: Reader) -> None:
+def test_a_node_that_was_not_in_the_sources_is_added_beside_ours() -> None:
     network = talker_and_listener()
-    strange = Seen("/", "strange", "/strange", "topic", "subscribe", "/robot1/chatter")
-    _, found = reader(policy_xml(network), [strange])
+    _, found = own_rules(policy_xml(network), [STRANGE])
     added = {("read", "rt/robot1/chatter"), ("read", "ros_discovery_info"), ("write", "ros_discovery_info")}
     assert found == in_permissions(network) | {"/strange": added}
+
+
+@pytest.mark.skipif("ROSWARD_SROS2" not in os.environ, reason="ROSWARD_SROS2 names no folder of sros2")
+def test_the_real_sros2_agrees(read: Callable[[str], list[Network]], tally: Counter[str]) -> None:
+    """It validates, translates, merges and sorts by its own schema and stylesheets, and comes to what our rules say."""
+    networks = [network for name in NAMES for network in with_nodes(read(name))]
+    given = [(policy_xml(n), seen) for n in networks for seen in ([], graph(n), [*graph(n), STRANGE])]
+    command = [sys.executable, str(_REAL), os.environ["ROSWARD_SROS2"]]
+    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, check=False, timeout=300)
+    assert done.returncode == 0, done.stderr
+    for (policy, seen), (text, answer) in zip(given, json.loads(done.stdout), strict=True):
+        found = {path: {(way, topic) for way, topic in own} for path, own in answer.items()}
+        assert found == own_rules(policy, seen)[1]
+        assert comments(text) == comments(policy)
+        tally["enclaves read back by the real sros2"] += len(found)
+
+
+def with_nodes(networks: list[Network]) -> list[Network]:
+    """Without a node there is no policy."""
+    return [network for network in networks if network.nodes]
 
 
 _BY_ZENOH: Final = {
@@ -155,9 +146,11 @@ _BY_ZENOH: Final = {
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_zenoh_reads_every_topic_and_service_of_the_file_of_an_enclave(name: str, tmp_path: Path) -> None:
+def test_zenoh_reads_every_topic_and_service_of_the_file_of_an_enclave(
+    name: str, read: Callable[[str], list[Network]]
+) -> None:
     """Names are absolute and each list has one attribute, so nothing is lost but actions, which it never reads."""
-    for network in networks(name, tmp_path):
+    for network in read(name):
         documents = policies(network)
         for enclave in enclaves(network):
             if any(not profile.grants for profile in enclave.profiles):

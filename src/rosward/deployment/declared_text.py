@@ -4,10 +4,7 @@
     '${param:input}/relayed'   with -p input:=scan    Const('scan/relayed')
     '${param:input}/relayed'   with an unknown input  Text(hole, '/relayed'), and the reason
 
-`${param:NAME}` is a parameter, `${argument:1}` a word of the program's own arguments, `${argument:--flag}` the word behind that flag,
-`${resolved:NAME}` the full name of a topic behind the remap rules, `${expanded:NAME}` before them, `${parent:NAME}` the name without its
-last part, `${outer:NAME}` the name below the namespace of the first node, `${random}` what is made when it runs, `${namespace}` the namespace of the (first) node, empty for the root, `${node}` and
-`${node_name}` its full name and its name, `${NAME}` a variable. They may stand within each other.
+The expressions are listed in docs/declared-nodes.md.
 """
 
 from __future__ import annotations
@@ -59,7 +56,8 @@ class Parameters:
 
     def below(self, prefix: str) -> tuple[list[str], bool]:
         """The first part of the names given below a prefix (`topics` of `topics.joystick.topic`), and whether there may be more."""
-        found = [n[len(prefix) + 1 :].partition(".")[0] for n in self.given if n.startswith(f"{prefix}.")]
+        start = f"{prefix}." if prefix else ""
+        found = [n[len(start) :].partition(".")[0] for n in self.given if n.startswith(start)]
         return list(dict.fromkeys(found)), self._open
 
 
@@ -145,6 +143,10 @@ def _one(expression: Value, scope: Scope) -> Value:
         return scope.parameters.value(name)
     if kind == "argument":
         return argument(name, scope)
+    if kind == "operand":
+        return operand(name, scope)
+    if kind == "live":
+        return Unknown((Reason(Cause.LIVE, name, Place("")),), "str")
     if expression.value == "random":
         return Unknown((Reason(Cause.RANDOM, "", Place("")),), "str")
     if expression.value == "namespace":
@@ -207,6 +209,24 @@ def argument(name: str, scope: Scope) -> Value:
             if isinstance(option, Const) and str(option.value).startswith(f"{name}="):
                 return Const(str(option.value)[len(name) + 1 :], option.origins)
     return Unknown(tuple(r for w in unclear for r in reasons_of(w)), "str") if unclear else EMPTY
+
+
+def operand(name: str, scope: Scope) -> Value:
+    """`N:--flag,-f`: the N-th word that is no option and not behind one; the flags named are those that take no word."""
+    number, _, flags = name.partition(":")
+    plain = frozenset(flags.split(","))
+    found: list[Value] = []
+    skip = False
+    for word in scope.arguments:
+        text = _text(word)
+        if skip:
+            skip = False
+        elif text.startswith("-"):
+            skip = text not in plain and "=" not in text
+        else:
+            found.append(word)
+    at = int(number) if number.isdigit() else 0
+    return found[at - 1] if 0 < at <= len(found) else EMPTY
 
 
 def has_argument(name: str, scope: Scope) -> bool | None:

@@ -132,16 +132,20 @@ def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
     """The attribute of a class along its mro, as it stands there; None where no known class has it."""
     if cls.__class__ is not Class:
         return None
+    perhaps: Value = UNBOUND
     for base in cls.mro:
         if base.__class__ is Class:
-            found: Value | None = machine.at(base.address).attrs.get(name)
+            record = machine.at(base.address)
+            found: Value | None = record.attrs.get(name)
             if found is not None and found is not UNBOUND:
-                return found
+                if name not in record.partial:
+                    return join(perhaps, found)
+                perhaps = join(perhaps, found)  # where this class has none, that of the next one
         elif base.__class__ is Native:
             short = base.name.removeprefix("builtins.")
             if machine.library.native(f"{short}.{name}"):
-                return Native(f"{short}.{name}")
-    return None
+                return join(perhaps, Native(f"{short}.{name}"))
+    return None if perhaps is UNBOUND else perhaps
 
 
 def method(machine: Interpreter, value: Value, name: str) -> Value | None:
@@ -325,7 +329,10 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
             address = option.address
             record = machine.at(address)
             old = record.attrs.get(name)
-            machine.put(address, record.with_attr(name, join(old, value) if several and old is not None else value))
+            changed = record.with_attr(name, join(old, value) if several and old is not None else value)
+            if several and (old is None or name in record.partial):
+                changed.partial = record.partial | {name}
+            machine.put(address, changed)
         elif option.__class__ is Function:
             address = machine.library.function_address(option)
             record = machine.state.heap.get(address) or Obj("instance", NONE)

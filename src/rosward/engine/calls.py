@@ -33,6 +33,7 @@ from rosward.engine import attributes, classes, declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, BadCallError, bind_arguments
 from rosward.engine.budget import LimitReachedError
+from rosward.engine.catcher import note_import
 from rosward.engine.escape import escape, name_of
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import EventKey, State, join_states
@@ -145,6 +146,7 @@ def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywo
     if cls is Descriptor:
         return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
     if cls is Unknown:
+        note_import(machine)
         if lost_behaviour(function):
             machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
         escape(machine, (*args, *keywords.values()), name_of(function))
@@ -184,6 +186,7 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
         return machine.allocate(Obj("instance", function, attrs=named))
     if machine.library.native(function.name):
         return call_native(machine, function.name, args, keywords)
+    note_import(machine)
     escape(machine, (*args, *keywords.values()), function.name)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
         return args[

@@ -174,8 +174,8 @@ def _is_enum_base(base: Value) -> bool:
 
 
 def is_enum(_machine: Interpreter, cls: Class) -> bool:
-    """Whether a class is an enumeration of the program."""
-    return not cls.stub and any(_is_enum_base(b) for b in cls.mro)
+    """Whether a class is an enumeration with members of its own."""
+    return any(_is_enum_base(b) for b in cls.mro[1:]) and not _is_enum_base(cls)
 
 
 def new_instance(machine: Interpreter, cls: Class) -> Ref:

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 from rosward.domain.choice import join, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Value
+from rosward.engine.catcher import note
 from rosward.engine.equality import truth
-from rosward.engine.exceptions import note
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.ir import ops
 from rosward.source.location import Place

@@ -84,7 +84,8 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
         method = _special(machine, right, f"__r{name}__")
         if method is not None:
             return machine.call(method, (left,))
-        if _is_instance_object(machine, left) or _is_instance_object(machine, right):
+        formats = operator == "%" and left.__class__ is not Ref  # str % object
+        if not formats and (_is_instance_object(machine, left) or _is_instance_object(machine, right)):
             return machine.unknown(Cause.OPERATION, operator)
     return operators.binary(machine, operator, left, right)
 

@@ -7,116 +7,18 @@ except: self.t = 'a'         afterwards self.t is what read() gave, or 'a'
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Tuple, Unknown, Value
+from rosward.engine.catcher import Catcher, note, throw
 from rosward.engine.classes import is_subclass, type_of
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
-from rosward.engine.state import State, join_objects, join_registers, join_states
 from rosward.ir import ops
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
-
-_CANNOT_FAIL = (
-    ops.Const,
-    ops.Move,
-    ops.StoreGlobal,
-    ops.StoreCell,
-    ops.StoreName,
-    ops.MakeFunction,
-    ops.Build,
-    ops.NewCell,
-    ops.Assume,
-    ops.Yield,  # notes itself
-)
-
-
-@final
-class Catcher:
-    """A `try` that is running.
-
-    `snapshot` covers every state from which its handlers may start: the one at its beginning, joined with each object that is written
-    and each change of the frame's registers since. `reached`: something in the body may fail. `raised` joins what is raised explicitly.
-    """
-
-    __slots__ = ("frame", "handles", "noted", "raised", "reached", "snapshot")
-
-    def __init__(self, machine: Interpreter, frame: Frame, *, handles: bool = False) -> None:
-        self.frame = frame
-        self.handles = handles  # it has `except`, not `finally` or `with` alone
-        self.snapshot = machine.snapshot(frame)
-        self.noted = self.snapshot.registers[: len(frame.code.variables)]
-        self.raised: Value = UNBOUND
-        self.reached = False
-
-    def note(self) -> None:
-        """An exception may be raised here."""
-        self.reached = True
-        variables = self.frame.registers[: len(self.noted)]  # temporaries do not outlive a statement
-        if self.noted != variables:
-            self.noted = variables
-            self.snapshot.registers = join_registers(self.snapshot.registers, variables)
-
-    def wrote(self, machine: Interpreter, address: int, obj: Obj) -> None:
-        """An object is written."""
-        state = self.snapshot.state
-        old = state.heap.get(address)
-        merged = obj if old is None else join_objects(old, obj, join)
-        if merged is not old:
-            state.heap[address] = merged
-            state.version = machine.fresh_version()
-
-    def take(self, machine: Interpreter, state: State) -> None:
-        """All of a state may arrive here."""
-        self.snapshot.state = join_states(self.snapshot.state, state.copy(), machine.fresh_version)
-
-    def take_over(self, machine: Interpreter, inner: Catcher) -> None:
-        """What an inner try did not surely catch arrives here."""
-        self.take(machine, inner.snapshot.state)
-        self.reached = self.reached or inner.reached
-        if inner.frame is self.frame:
-            self.snapshot.registers = join_registers(self.snapshot.registers, inner.snapshot.registers)
-
-
-def note(machine: Interpreter) -> None:
-    """An exception may be raised here: tell the innermost try."""
-    if machine.catchers:
-        machine.catchers[-1].note()
-
-
-def may_have_left(machine: Interpreter, frame: Frame) -> bool:
-    """Whether an exception may have led to a handler of this very frame before."""
-    return any(c.frame is frame and c.handles and c.reached for c in machine.catchers)
-
-
-def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
-    """Interpret a block inside a try: around each operation that may fail the state may reach the handlers."""
-    catcher = machine.catchers[-1]
-    table = machine.table
-    for op in block:
-        fails = op.__class__ not in _CANNOT_FAIL
-        if fails:
-            catcher.note()
-        if table[op.__class__](machine, op, frame) is False:
-            return False
-        if fails:
-            catcher.note()
-    return True
-
-
-def throw(machine: Interpreter, exception: Value) -> None:
-    """An exception is raised here for sure."""
-    machine.raised += 1
-    if machine.catchers:
-        catcher = machine.catchers[-1]
-        catcher.note()
-        catcher.raised = join(catcher.raised, exception)
-    else:
-        machine.log.ends_early(machine)
 
 
 def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
@@ -213,6 +115,8 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame) -> bool | None:
         machine.resume(frame, Snapshot(catcher.snapshot.registers.copy(), catcher.snapshot.state.copy()))
         machine.run(handler.match, frame)
         wanted = frame.registers[handler.type] if handler.type != ops.NO_REGISTER else None
+        if raised is UNBOUND and not catcher.importing and _imports(wanted):
+            continue  # every import of the body is one that cannot fail
         if handler.bind != ops.NO_REGISTER:
             frame.registers[handler.bind] = _bound(machine, raised, wanted)
         if machine.run(handler.body, frame):
@@ -237,6 +141,16 @@ def _catches_all(handler: ops.Handler) -> bool:
     if handler.type == ops.NO_REGISTER:
         return True
     return any(isinstance(op, ops.LoadGlobal) and op.name in ("Exception", "BaseException") for op in handler.match)
+
+
+_IMPORT_ERRORS: Final = (Native("builtins.ImportError"), Native("builtins.ModuleNotFoundError"))
+
+
+def _imports(wanted: Value | None) -> bool:
+    """Whether a handler is there only for an import that fails."""
+    if isinstance(wanted, Tuple):
+        return bool(wanted.items) and all(_imports(w) for w in wanted.items)
+    return wanted in _IMPORT_ERRORS
 
 
 _INTERRUPTS: Final = frozenset(("KeyboardInterrupt", "SystemExit", "ExternalShutdownException"))

@@ -21,18 +21,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import (
-    attributes,
-    calls,
-    classes,
-    equality,
-    escape,
-    exceptions,
-    items,
-    iteration,
-    modules,
-    namespaces,
-)
+from rosward.engine import attributes, calls, catcher, classes, equality, escape, items, iteration, modules, namespaces
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.schedule import Schedule
@@ -62,7 +51,7 @@ class Interpreter:
         self.log = log
         self.state = State({}, 0, NOTHING_DONE)
         self.frames: list[Frame] = []
-        self.catchers: list[exceptions.Catcher] = []
+        self.catchers: list[catcher.Catcher] = []
         self.schedule_book = Schedule()
         self.steps = 0
         self.step_limit = budget.steps
@@ -94,7 +83,7 @@ class Interpreter:
         if self.steps > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
         if self.catchers:
-            return exceptions.run_noting(self, block, frame)
+            return catcher.run_noting(self, block, frame)
         table = self.table
         for op in block:
             if table[op.__class__](self, op, frame) is False:
@@ -233,7 +222,7 @@ class Interpreter:
 
     def throw(self, exception: Value) -> None:
         """An exception is raised here for sure."""
-        exceptions.throw(self, exception)
+        catcher.throw(self, exception)
 
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
@@ -309,9 +298,9 @@ class Interpreter:
         is too short) may go well for others.
         """
         if error not in ("SystemExit", "StopIteration"):
-            exceptions.note(self)
+            catcher.note(self)
             return self.unknown(Cause.ERROR, f"{error}: {message}")
-        exceptions.throw(self, Native(f"builtins.{error}"))
+        catcher.throw(self, Native(f"builtins.{error}"))
         return UNBOUND
 
     @property

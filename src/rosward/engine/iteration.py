@@ -26,8 +26,9 @@ from rosward.domain.values import (
 )
 from rosward.engine import attributes, calls, classes
 from rosward.engine.alternatives import each_apart
+from rosward.engine.catcher import Catcher, throw
 from rosward.engine.control import behind, turn, until_stable
-from rosward.engine.exceptions import Catcher, may_catch, throw
+from rosward.engine.exceptions import may_catch
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import EventKey, State, element, join_states
 from rosward.ir import ops

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Value
+from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
+from rosward.engine.catcher import note_import, throw
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 
@@ -25,6 +26,8 @@ _STARS: Final = "*"
 def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
     """import a.b.c [as d]."""
     leaf = load(machine, op.module, frame)
+    if not _surely_there(machine, leaf):
+        note_import(machine)
     if op.leaf or "." not in op.module:
         return leaf
     return load(machine, op.module.partition(".")[0], frame)
@@ -33,14 +36,30 @@ def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
 def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value:
     """from a.b import c."""
     module = load(machine, op.module, frame, op.level)
-    if module.__class__ is ModuleValue:
-        return attribute(machine, module, op.name, importing=True)
-    return machine.load_attr(module, op.name)
+    if module.__class__ is not ModuleValue:
+        note_import(machine)
+        return machine.load_attr(module, op.name)
+    value = attribute(machine, module, op.name, importing=True)
+    defined = machine.at(module.address).attrs.get(op.name, UNBOUND) is not UNBOUND
+    if _surely_there(machine, module) and (defined or value.__class__ is ModuleValue):
+        return value
+    note_import(machine)
+    if machine.catchers and _surely_there(machine, module) and value.__class__ is Unknown:
+        throw(machine, Native("builtins.ImportError"))
+        return UNBOUND
+    return value
+
+
+def _surely_there(machine: Interpreter, module: Value) -> bool:
+    """Whether the import of a module cannot fail: it is among the sources. What is modelled may be of another version."""
+    return module.__class__ is ModuleValue and not machine.library.is_model_file(module.file)
 
 
 def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
     """from a.b import *."""
     module = load(machine, op.module, frame, op.level)
+    if not _surely_there(machine, module):
+        note_import(machine)
     here = machine.at(frame.module.address)
     if module.__class__ is not ModuleValue:
         stars = here.attrs.get(_STARS, Tuple(()))

@@ -17,6 +17,7 @@ from rosward.domain.values import UNBOUND, Ref, Value
 Heap = dict[int, Obj]
 Merge = Callable[[Value, Value], Value]
 EventKey = tuple[object, ...]
+_PARTIAL: Final = ("instance", "class", "module")
 NOTHING_DONE: Final[frozenset[EventKey]] = frozenset()
 
 
@@ -69,7 +70,7 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     if attrs is not left.attrs:
         result = left.copy()
         result.attrs = attrs
-    if left.kind == "instance" and left.attrs is not right.attrs:
+    if left.kind in _PARTIAL and left.attrs is not right.attrs:
         absent = left.partial | right.partial | (left.attrs.keys() ^ right.attrs.keys())
         if absent != left.partial:
             result = result.copy() if result is left else result

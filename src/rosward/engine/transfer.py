@@ -6,6 +6,7 @@ A handler returns None where control goes on, and False where it does not (the p
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
@@ -13,7 +14,7 @@ from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
-from rosward.engine import attributes, calls, classes, control, equality, exceptions, items, iteration, modules
+from rosward.engine import attributes, calls, catcher, classes, control, equality, exceptions, items, iteration, modules
 from rosward.engine.frame import Frame
 from rosward.engine.state import join_states
 from rosward.ir import ops
@@ -35,10 +36,13 @@ def _move(_machine: Interpreter, op: ops.Move, frame: Frame) -> None:
 
 
 def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None:
-    found = machine.at(frame.module.address).attrs.get(op.name)
+    record = machine.at(frame.module.address)
+    found = record.attrs.get(op.name)
     if found is None or found is UNBOUND:
         frame.line, frame.column, frame.sequence = op.line, op.column, 0
         found = modules.load_global(machine, frame.module, op.name)
+    elif record.partial and op.name in record.partial and hasattr(builtins, op.name):
+        found = join(found, modules.load_global(machine, frame.module, op.name))
     frame.registers[op.dst] = found
 
 
@@ -202,9 +206,11 @@ def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> None:
     frame.registers[op.dst] = modules.import_module(machine, op, frame)
 
 
-def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> None:
+def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> bool | None:
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
-    frame.registers[op.dst] = modules.import_from(machine, op, frame)
+    value = modules.import_from(machine, op, frame)
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
 
 
 def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
@@ -244,12 +250,9 @@ def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
     value = frame.registers[op.src]
     known, rest = ((value,), None) if not op.many else machine.iterate(value)
     unsure = (
-        frame.uncertain
-        or frame.exits.taken
-        or machine.raised != frame.raised
-        or exceptions.may_have_left(machine, frame)
+        frame.uncertain or frame.exits.taken or machine.raised != frame.raised or catcher.may_have_left(machine, frame)
     )
-    exceptions.note(machine)
+    catcher.note(machine)
     if frame.yielded is None:
         frame.yielded = machine.state.copy()
     elif frame.yielded.version != machine.state.version:

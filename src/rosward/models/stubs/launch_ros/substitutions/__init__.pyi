@@ -5,6 +5,7 @@ Read from launch_ros 0.28.0, with what humble had before it.
 """
 
 from _rosward.launch import keep
+from ament_index_python.packages import get_package_prefix, get_package_share_directory
 from launch.substitution import Substitution
 from launch.substitutions import PathJoinSubstitution
 
@@ -18,8 +19,14 @@ class FindPackage(Substitution):
         return PathJoinSubstitution([self, other])
 
 
-class FindPackagePrefix(FindPackage): ...
-class FindPackageShare(FindPackage): ...
+class FindPackagePrefix(FindPackage):
+    def find(self, package_name):
+        return get_package_prefix(package_name)
+
+
+class FindPackageShare(FindPackage):
+    def find(self, package_name):
+        return get_package_share_directory(package_name)
 
 
 class ExecutableInPackage(FindPackagePrefix):
