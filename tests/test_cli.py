@@ -90,7 +90,7 @@ def test_an_unknown_name_gets_a_rule_only_when_asked_for() -> None:
         ("json", ["network.json"]),
         ("svg,dot", ["graph.dot", "graph.svg"]),
         (" html , json,html", ["network.json", "report.html"]),
-        ("policy", ["policies/talker/policy.xml", "policy.xml"]),
+        ("policy", ["enclaves.txt", "policies/talker/policy.xml", "policy.xml"]),
         ("permissions", ["permissions/talker/permissions.xml"]),
     ],
 )

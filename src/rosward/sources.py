@@ -94,7 +94,9 @@ class SourceTree:
     def shared(self, file: str) -> tuple[str, str] | None:
         """The package and the path in it of a launch file, and of Python files in launch folders: they are installed into share/."""
         source = self._files.get(file)
-        if source is None or (file not in self._launch and "launch" not in file.split("/")[:-1]):
+        if source is None:
+            return self.files.place_of(file)
+        if file not in self._launch and "launch" not in file.split("/")[:-1]:
             return None
         if source.package is None:
             return "", file

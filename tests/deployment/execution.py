@@ -52,6 +52,8 @@ class Files:
         parts = parts_of(path)
         if len(parts) != 2 or not isinstance(parts[0], Hole) or not isinstance(parts[1], str):
             return None
+        if len(parts[0].reasons) != 1:
+            return None
         (reason,) = parts[0].reasons
         file = f"{reason.subject}{parts[1]}".lstrip("/")
         return file if reason.cause in (Cause.SHARE, Cause.SOURCES) and file in self.texts else None
@@ -116,6 +118,7 @@ class Run:
         functions: Mapping[str, Function] | None = None,
         python: Mapping[str, Sequence[Action]] | None = None,
         distro: Distro = Distro.JAZZY,
+        limit: int = 20_000,
         **arguments: str,
     ) -> None:
         texts = {**(files or {}), **dict.fromkeys(python or {}, "")}
@@ -126,9 +129,8 @@ class Run:
         else:
             name = "demo/launch/main.launch.py"
             texts[name], programs[name] = "", main
-        execution = Execution(
-            Files(texts), Code(programs, functions or {}), distro, {n: Const(v) for n, v in arguments.items()}
-        )
+        given = {n: Const(v) for n, v in arguments.items()}
+        execution = Execution(Files(texts), Code(programs, functions or {}), distro, given, limit)
         self.started = execution.run(name, share("demo", name.removeprefix("demo")))
         self.findings = execution.findings
 
@@ -154,7 +156,8 @@ def line(each: Started) -> str:
         head += f" in {shown(each.container)}"
     files = each.configuration.files
     rest = [
-        _content(files[w]) if w.startswith("/tmp/launch_params") else w for w in map(shown, each.configuration.words)
+        _content(files.get(w)) if w.startswith("/tmp/launch_params") else w
+        for w in map(shown, each.configuration.words)
     ]
     event = [f"@{each.event}"] if each.event else []
     return " ".join([head, *rest, *event, *(["[maybe]"] if each.conditional else [])])

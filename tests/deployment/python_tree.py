@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python launch files as text, and the tree of actions that they give as lines.
 
-    def generate_launch_description(): return LaunchDescription([Node(package='demo', executable='talker')])
-    ->  StartNode package=demo executable=talker
+def generate_launch_description(): return LaunchDescription([Node(package='demo', executable='talker')])
+->  StartNode package=demo executable=talker
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ EVENT = Unknown((Reason(Cause.INPUT, "event", HERE),))
 class Launch:
     """A small execution: configurations that are given, and those that are set meanwhile."""
 
-    def __init__(self, configurations: Mapping[str, Value] = {}, words: Sequence[str] = ()) -> None:  # noqa: B006
+    def __init__(self, configurations: Mapping[str, Value] = {}, words: Sequence[str] = ()) -> None:
         self.values = dict(configurations)
         self.variables: dict[str, Value] = {}
         self.words = words
@@ -75,7 +75,9 @@ class Launch:
             return self.python.perform(piece.value, self)
         texts = [self.text(a) for a in piece.arguments]
         if piece.kind == "var":
-            return self.values.get(pattern(texts[0])) or (texts[1] if len(texts) > 1 else self._unknown(pattern(texts[0])))
+            return self.values.get(pattern(texts[0])) or (
+                texts[1] if len(texts) > 1 else self._unknown(pattern(texts[0]))
+            )
         if piece.kind == "eval":
             return self.python.evaluate(texts[0], [pattern(t) for t in texts[1:]], self)
         return self._unknown(piece.kind)
@@ -109,7 +111,7 @@ class Launch:
 class Files:
     """Launch files in a folder, and the interpreter for them."""
 
-    def __init__(self, folder: Path, text: str, others: Mapping[str, str] = {}) -> None:  # noqa: B006
+    def __init__(self, folder: Path, text: str, others: Mapping[str, str] = {}) -> None:
         for name, content in {"main.launch.py": HEAD + dedent(text), **others}.items():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(dedent(content), encoding="utf-8")

@@ -13,11 +13,11 @@ from rosward.ros.distro import Distro
 TRUE = Const(True)
 
 
-def setting(data: tree.ParameterData, **arguments: str) -> tuple[str, list[str]]:
+def setting(data: tree.ParameterData, v: str = "") -> tuple[str, list[str]]:
     """The value of one parameter, as launch evaluates it, and the codes of findings."""
     table = tree.ParameterTable(((text("x"), data),), HERE)
-    declared = [tree.Declare(place=HERE, name=text(name)) for name in arguments]
-    run = Run([*declared, tree.StartNode(place=HERE, executable=text("e"), parameters=(table,))], **arguments)
+    declare = tree.Declare(place=HERE, name=text("v"))
+    run = Run([declare, tree.StartNode(place=HERE, executable=text("e"), parameters=(table,))], v=v)
     return plain(run.started[0].settings[0].value), run.codes
 
 
@@ -160,11 +160,11 @@ map:
 """
 
 
-def content(substitution: tree.Substitution, **arguments: str) -> str:
+def content(substitution: tree.Substitution, ns: str = "left") -> str:
     file = tree.ParameterFile((substitution,), HERE)
     start = tree.StartNode(place=HERE, executable=text("e"), parameters=(file,))
-    declared = [tree.Declare(place=HERE, name=text(name), default=text("left")) for name in ("ns",)]
-    return Run([*declared, start], {"demo/nav.yaml": NAV}, **arguments).lines[0].partition("{")[2]
+    declare = tree.Declare(place=HERE, name=text("ns"))
+    return Run([declare, start], {"demo/nav.yaml": NAV}, ns=ns).lines[0].partition("{")[2]
 
 
 def test_rewritten_values_replace_every_key_of_that_name() -> None:

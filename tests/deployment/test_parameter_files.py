@@ -8,7 +8,7 @@ import time
 import pytest
 
 from rosward.deployment.parameter_files import read_parameter_file
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.values import Const, Tuple, Unknown, Value
 
 ROBOT = """\
 /**:
@@ -133,5 +133,8 @@ def test_refused(text: str, expected: str) -> None:
 )
 def test_hostile(text: str) -> None:
     start = time.monotonic()
-    read_parameter_file(text, "f")
+    given, findings = read_parameter_file(text, "f")
     assert time.monotonic() - start < 10
+    assert [finding.code for finding in findings] in (["RW201"], ["RW317"])
+    if findings[0].code == "RW201":
+        assert [(row.node, row.name, isinstance(row.value, Unknown)) for row in given] == [("/**", "*", True)]

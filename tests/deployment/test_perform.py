@@ -14,9 +14,9 @@ from rosward.ros.distro import Distro
 SETTINGS = '<let name="x" value="1"/><let name="t" value="true"/><set_env name="E" value="e"/>'
 
 
-def performed(written: str, **arguments: str) -> tuple[str, list[str]]:
+def performed(written: str) -> tuple[str, list[str]]:
     """The text of a substitution, and the codes of findings."""
-    run = Run(f'{SETTINGS}<arg name="a" default="d"/><node pkg="p" exec="{written}"/>', **arguments)
+    run = Run(f'{SETTINGS}<arg name="a" default="d"/><node pkg="p" exec="{written}"/>')
     return shown(run.started[0].executable), run.codes
 
 

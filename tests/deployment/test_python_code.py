@@ -9,8 +9,9 @@ from textwrap import dedent
 import pytest
 
 from deployment.python_tree import Files, Launch, values
-from rosward.deployment.tree import StartNode
+from rosward.deployment.tree import Opaque, StartNode
 from rosward.domain.text import pattern
+from rosward.domain.values import Const
 
 BUILDING = {
     "a list": (
@@ -471,6 +472,39 @@ def test_the_file_of_a_launch_file_is_in_the_share_folder(tmp_path: Path) -> Non
     assert pattern(path) == "*/a.yaml"  # type: ignore[arg-type]
     assert path.parts[0].reasons[0].cause.name == "SHARE"  # type: ignore[union-attr]
     assert path.parts[0].reasons[0].subject == "demo"  # type: ignore[union-attr]
+
+
+ANSWERS = {
+    "Condition()": "True",
+    "IfCondition('TRUE ')": "True",
+    "UnlessCondition(LaunchConfiguration('robot'))": "*",
+    "LaunchConfigurationEquals('robot', 'r2')": "True",
+    "LaunchConfigurationNotEquals('robot', 'r2')": "False",
+    "LaunchConfigurationEquals('none', 'r2')": "False",
+    "Condition(predicate=lambda context: context.launch_configurations['robot'] == 'r2')": "True",
+    "Always()": "False",
+    "LaunchConfiguration('robot')": "*",
+}
+
+
+@pytest.mark.parametrize("text", ANSWERS)
+def test_conditions(text: str, tmp_path: Path) -> None:
+    """Here the launch configuration `robot` is r2; `*` is not known, since launch raises an exception."""
+    files = Files(
+        tmp_path,
+        f"""
+        class Always(Condition):
+            def __init__(self): pass
+            def evaluate(self, context): return 'robot' not in context.launch_configurations
+        def generate_launch_description():
+            return LaunchDescription([OpaqueFunction(function=print, args=[{text}])])
+        """,
+    )
+    launch = Launch(values(robot="r2"))
+    (action,) = files.read(launch).actions
+    assert isinstance(action, Opaque)
+    answer = files.python.test(action.args[0], launch)
+    assert (str(answer.value) if isinstance(answer, Const) else "*") == ANSWERS[text]
 
 
 EXPRESSIONS = {

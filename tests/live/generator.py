@@ -14,6 +14,7 @@ from typing import Final, NamedTuple
 from .calls import CALL_WAYS
 from .draft import Chooser, Draft, Scope, block
 from .entities import create
+from .hazards import HAZARDS
 from .values import WAYS, word
 
 _HEAD: Final = """import rclpy
@@ -36,7 +37,7 @@ class Written(NamedTuple):
 
 def write(chooser: Chooser, *, known: bool = True) -> Written:
     """A program of one to three nodes."""
-    draft = Draft(chooser, known, ways=(*WAYS, *CALL_WAYS))
+    draft = Draft(chooser, known, ways=(*WAYS, *CALL_WAYS, *HAZARDS))
     nodes = [_node(draft) for _ in range(chooser.pick([1, 1, 1, 2, 3]))]
     main = _main(draft, nodes)
     files = {name: "\n".join(lines) + "\n" for name, lines in draft.files.items()}

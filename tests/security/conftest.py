@@ -17,7 +17,7 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Final
+from typing import Final, NoReturn
 
 import pytest
 
@@ -31,7 +31,7 @@ TALLY: Final = pytest.StashKey["Counter[str]"]()
 _DOMAINS: Final = range(1, 100)  # beyond, the ports of DDS meet those that the system gives to anyone
 
 
-def lacking(what: str, why: str) -> None:
+def lacking(what: str, why: str) -> NoReturn:
     """Skip, or fail where this has to be there."""
     required = os.environ.get("ROSWARD_TESTS_REQUIRE", "").split()
     if what in required:
@@ -45,9 +45,9 @@ def dds() -> Cyclone:
         lacking("dds", "no openssl command")
     try:
         return Cyclone()
-    except UnavailableError as missing:
-        lacking("dds", f"no Cyclone DDS with security: {missing}")
-        raise
+    except UnavailableError as error:
+        missing = str(error)
+    lacking("dds", f"no Cyclone DDS with security: {missing}")
 
 
 @pytest.fixture(scope="session")

@@ -95,6 +95,16 @@ def test_cmake(tmp_path: Path, text: str, path: str) -> None:
     assert found(files, path, f"./x/../{path}") == ["src/demo/start/left.launch.py"] * 2
 
 
+def test_project_within_a_project(tmp_path: Path) -> None:
+    """Its name does not last beyond its folder."""
+    more = {
+        "src/demo/package.xml": manifest("demo", "ament_cmake"),
+        "src/demo/CMakeLists.txt": "project(demo)\nadd_subdirectory(lib)\ninstall(FILES start/note.txt DESTINATION share/${PROJECT_NAME}/a)\n",
+        "src/demo/lib/CMakeLists.txt": "project(lib)\n",
+    }
+    assert found(installed(tmp_path, more), "a/note.txt") == ["src/demo/start/note.txt"]
+
+
 def test_what_no_rule_says(tmp_path: Path) -> None:
     """The same path in the package, else the only file of that name; never one of two."""
     files = installed(tmp_path, {"src/demo/setup.py": python("[]")})
@@ -107,7 +117,8 @@ def test_what_no_rule_says(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "path", ["../other/x.yaml", "a/../../x", "", ".", "/", "a\0b", "x" * 5000, "config", "config/../.."]
+    "path",
+    ["../other/x.yaml", "a/../../x", "", ".", "/", "a\0b", "x" * 5000, "x" * 300, "\ud800", "config", "config/../.."],
 )
 def test_no_file(tmp_path: Path, path: str) -> None:
     files = installed(tmp_path, {"src/demo/setup.py": python("[]"), "src/other/x.yaml": ""})
@@ -174,6 +185,8 @@ def test_install_prefix(tmp_path: Path, isolated: bool) -> None:
     assert files.listing("nav", "launch") == ("bringup.launch.py",)
     assert files.place_of(name) == ("nav", "launch/bringup.launch.py")
     assert files.file(name) is not None
+    assert found(files, "x" * 300, "\ud800", "a\0", package="nav") == [None] * 3
+    assert not files.is_folder("nav", "x" * 300)
 
 
 def test_overlay_comes_first(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from rosward.cli.shared import (
     add_sources,
     refusing,
     request_of,
+    underlays_of,
 )
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ def _run(options: argparse.Namespace) -> int:
                 models=options.models,
                 tests=options.tests,
                 request=request,
-                underlays=options.underlay,
+                underlays=underlays_of(options),
                 enclaves=options.enclaves,
                 progress=progress,
             )

@@ -7,7 +7,16 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_deployment, add_sources, refusing, request_of
+from rosward.cli.shared import (
+    COMPLETE,
+    INCOMPLETE,
+    WrongUseError,
+    add_deployment,
+    add_sources,
+    refusing,
+    request_of,
+    underlays_of,
+)
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -41,7 +50,7 @@ def _run(options: argparse.Namespace) -> int:
             models=options.models,
             tests=options.tests,
             request=request,
-            underlays=options.underlay,
+            underlays=underlays_of(options),
         )
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error

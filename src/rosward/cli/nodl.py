@@ -7,7 +7,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_sources, refusing
+from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_sources, refusing, underlays_of
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -44,7 +44,7 @@ def _run(options: argparse.Namespace) -> int:
             models=options.models,
             tests=options.tests,
             request=Request(nodes=(wanted,)),
-            underlays=options.underlay,
+            underlays=underlays_of(options),
         )
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error

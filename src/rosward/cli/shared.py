@@ -48,6 +48,11 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         metavar="DIR",
         help="another workspace, or install folder, in which launch and parameter files are looked for",
     )
+    parser.add_argument(
+        "--ament-prefix-path",
+        action="store_true",
+        help="the folders of the environment variable AMENT_PREFIX_PATH are underlays, too",
+    )
     parser.add_argument("--tests", action="store_true", help="read test files too")
 
 
@@ -69,6 +74,12 @@ def add_deployment(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--params", action="append", default=[], metavar="FILE.yaml", help="parameter file for every process"
     )
+
+
+def underlays_of(options: argparse.Namespace) -> list[str]:
+    """The underlays, nearest first: those that are named, then the sourced ones where that is asked for."""
+    sourced = os.environ.get("AMENT_PREFIX_PATH", "") if options.ament_prefix_path else ""
+    return [*options.underlay, *(folder for folder in sourced.split(os.pathsep) if os.path.isdir(folder))]  # noqa: PTH112
 
 
 def request_of(options: argparse.Namespace) -> Request:

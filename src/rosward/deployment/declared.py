@@ -141,7 +141,6 @@ class _Execution:
         self._via = f"the declared interface of {program.package}/{program.name}"
         self._log = EffectLog()
         self._log.configuration = configuration
-        self._log.global_words = configuration.words
         self._done: set[tuple[object, ...]] = set()
         parsed = parse_arguments([word_text(w) for w in configuration.words])
         self._arguments = tuple(configuration.words[i] for i in parsed.positions.user)
@@ -204,7 +203,14 @@ class _Execution:
             return _resolved(topic, rules if remapped else (), name, namespace)
 
         variables = {**outer.variables, "node": qualified(space, own), "node_name": own}
-        scope = Scope(parameters, self._arguments, variables, space if first else outer.namespace, resolve)
+        scope = Scope(
+            parameters,
+            self._arguments,
+            variables,
+            space if first else outer.namespace,
+            resolve,
+            None if first else outer.outer or outer.parameters,
+        )
         self._declare(_SIM_TIME, effect.address, scope, _Pass.ENDPOINTS)
         return scope
 

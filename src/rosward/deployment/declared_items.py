@@ -100,5 +100,5 @@ def type_value(text: Value, kind: str) -> Value:
         return Unknown(reasons_of(text))
     found = _TYPE.fullmatch(str(text.value))
     if not found:
-        return Unknown((Reason(Cause.INPUT, f"type {text.value}", Place("")),))
+        return Unknown((Reason(Cause.INPUT, f"type {text.value!s}", Place("")),))
     return External(f"{found[1]}.{found[2] or _PARTS[kind.partition('_')[0]]}.{found[3]}")

@@ -70,13 +70,16 @@ def as_value(default: object, name: str) -> Value:
 
 
 class Scope(NamedTuple):
-    """What templates can speak of. `resolve` gives the full name of a topic of the node, behind its remap rules or before them."""
+    """What templates can speak of. `outer`: the parameters of the first node, for those behind it.
+
+    `resolve` gives the full name of a topic of the node, behind its remap rules or before them."""
 
     parameters: Parameters
     arguments: Sequence[Value]
     variables: Mapping[str, Value]
     namespace: Value
     resolve: Callable[[Value, bool], Value]
+    outer: Parameters | None = None
 
     def bound(self, variable: str, value: Value) -> Scope:
         """The same with one more variable."""
@@ -141,6 +144,8 @@ def _one(expression: Value, scope: Scope) -> Value:
     name = str(expression.value).partition(":")[2]
     if kind == "param":
         return scope.parameters.value(name)
+    if kind == "outer_param":
+        return (scope.outer or scope.parameters).value(name)
     if kind == "argument":
         return argument(name, scope)
     if kind == "operand":

@@ -79,6 +79,8 @@ def read_yaml(text: str, file: str) -> Item:
     try:
         _check_events(text, file)
         node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except Malformed:
+        raise
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         raise Malformed(f"no YAML: {error.problem}", Place(file, mark.line + 1) if mark else whole) from None
@@ -92,7 +94,7 @@ def read_yaml(text: str, file: str) -> Item:
 def _check_events(text: str, file: str) -> None:
     depth = 0
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
-        place = Place(file, event.start_mark.line + 1)
+        place = _place(event, file)
         if isinstance(event, yaml.AliasEvent):
             raise Malformed("aliases are not used here: name the group under 'interfaces' and include it", place)
         if isinstance(event, yaml.CollectionStartEvent):
@@ -103,8 +105,13 @@ def _check_events(text: str, file: str) -> None:
             depth -= 1
 
 
+def _place(at: yaml.Event | yaml.Node, file: str) -> Place:
+    mark = at.start_mark
+    return Place(file) if mark is None else Place(file, mark.line + 1, mark.column + 1)
+
+
 def _item(node: yaml.Node, file: str) -> Item:
-    place = Place(file, node.start_mark.line + 1, node.start_mark.column + 1)
+    place = _place(node, file)
     if isinstance(node, yaml.SequenceNode):
         return Item([_item(each, file) for each in node.value], place)
     if isinstance(node, yaml.MappingNode):
@@ -121,7 +128,7 @@ def _item(node: yaml.Node, file: str) -> Item:
 def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
     seen: set[str] = set()
     for key, value in node.value:
-        place = Place(file, key.start_mark.line + 1, key.start_mark.column + 1)
+        place = _place(key, file)
         if not isinstance(key, yaml.ScalarNode):
             raise Malformed("a key is a text", place)
         name = str(key.value)

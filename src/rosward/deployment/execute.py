@@ -37,7 +37,15 @@ MAX_ACTIONS: Final = 20_000
 class Execution:
     """The execution of one launch file, as `ros2 launch FILE name:=value …` does it."""
 
-    def __init__(self, files: LaunchFiles, python: PythonCode, distro: Distro, arguments: Mapping[str, Value]) -> None:
+    def __init__(
+        self,
+        files: LaunchFiles,
+        python: PythonCode,
+        distro: Distro,
+        arguments: Mapping[str, Value],
+        limit: int = MAX_ACTIONS,
+    ) -> None:
+        self._limit = limit
         self._distro = distro
         self._files = files
         self._python = python
@@ -52,7 +60,7 @@ class Execution:
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))
         descriptions = Descriptions(self._files, self._python, self._findings)
-        system = System(scene, descriptions, Budget(MAX_ACTIONS))
+        system = System(scene, descriptions, Budget(self._limit))
         system.run(file, path or _in_sources(file), At())
         for name in self._arguments:
             if name not in scene.asked and not scene.asked_all:

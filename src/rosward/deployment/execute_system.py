@@ -98,22 +98,25 @@ class System:
 
     def walk(self, actions: Iterable[tree.Action], at: At) -> None:
         """Execute actions one after the other."""
-        found = tuple(actions)
-        self._note(found)
-        for action in found:
+        for action in actions:
             if not self._allowed(action.place, at):
                 return
+            if action.identity is not None:
+                self._seen[action.identity] = None
             verdict = decide(action.condition, self.scene)
             if verdict.true:
                 self._by(verdict, lambda way, a=action: self._execute(a, way), at)  # type: ignore[misc]
+            else:
+                self._note(_inside(action))
 
     def _note(self, actions: Iterable[tree.Action]) -> None:
-        """Actions that exist, so that a handler which waits for one of them waits until it is executed."""
-        for action in actions:
+        """Actions that exist: a handler that waits for one of them waits until it is executed."""
+        left = list(actions)
+        while left:
+            action = left.pop()
             if action.identity is not None:
                 self._seen[action.identity] = None
-            if isinstance(action, (tree.Group, tree.Maybe, tree.Timer)):
-                self._note(action.actions)
+            left.extend(_inside(action))
 
     def _by(self, verdict: Verdict, execute: Callable[[At], None], at: At) -> None:
         """Execute, or where that is open, join the state behind with the state before."""
@@ -149,6 +152,8 @@ class System:
         elif isinstance(action, tree.Group):
             self._group(action, inner)
         elif isinstance(action, tree.Maybe):
+            message = f"Whether this is part of the launch description depends on {action.why}. Both ways are taken."
+            self.scene.findings.tell("RW316", message, action.place)
             for each in action.actions:
                 self._by(Verdict(why=action.why), lambda way, a=each: self.walk((a,), way), inner)  # type: ignore[misc]
         elif isinstance(action, (tree.Timer, tree.OnEvent)):
@@ -329,6 +334,15 @@ class System:
             alone = later.at.event == "process-io"  # the one handler that is not given the context
             function = later.function if alone else Partial(later.function, (event,), ())
             self.walk(self._called(function, (event,) if alone else (), {}, context=not alone), at)
+
+
+def _inside(action: tree.Action) -> tuple[tree.Action, ...]:
+    """The actions that an action holds."""
+    if isinstance(action, (tree.Group, tree.Maybe, tree.Timer, tree.OnEvent)):
+        return action.actions
+    if isinstance(action, (tree.Include, tree.ForEach)):
+        return action.body
+    return action.on_exit if isinstance(action, (tree.StartNode, tree.StartProcess)) else ()
 
 
 def _key(node: tree.StartNode) -> tuple[Place, object, object]:

@@ -24,7 +24,8 @@ from typing import Final, final
 
 import yaml
 
-from rosward.domain.values import Const, Tuple
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Const, Tuple, Unknown
 from rosward.findings import Finding
 from rosward.models.configuration import Given
 from rosward.ros.parameter_values import ParameterValue, effective_value, scalar_value
@@ -41,9 +42,9 @@ _LOADER: Final = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml is wha
 
 
 def read_parameter_file(text: str, file: str) -> tuple[tuple[Given, ...], tuple[Finding, ...]]:
-    """What the parameter file `file` gives, in rcl's order; with a finding, rcl refuses it and nothing is given.
+    """What the parameter file `file` gives, in rcl's order; with a finding RW317, rcl refuses it and nothing is given.
 
-    The empty list, which sets a parameter to nothing, is an empty `Tuple`.
+    The empty list, which sets a parameter to nothing, is an empty `Tuple`. A file beyond our limits may give anything (RW201).
     """
     reader = _Reader(file)
     line = 1
@@ -54,6 +55,12 @@ def read_parameter_file(text: str, file: str) -> tuple[tuple[Given, ...], tuple[
             reader.take(event, Place(file, line, mark.column + 1 if mark is not None else 1))
     except _Refused as refused:
         return (), (_finding(str(refused), file, line),)
+    except _TooMuch as limit:
+        place = Place(file, line)
+        anything = Unknown((Reason(Cause.LIMIT, file, place),))
+        return (Given("/**", "*", anything, place),), (
+            Finding("RW201", f"This parameter file is not read: {limit}.", place),
+        )
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         what = getattr(error, "problem", None) or str(error).partition("\n")[0]
@@ -69,6 +76,10 @@ def _finding(why: str, file: str, line: int) -> Finding:
 
 class _Refused(Exception):  # noqa: N818  it is what rcl does, caught and reported
     """rcl ends with an error here; the message completes "rcl refuses this parameter file: "."""
+
+
+class _TooMuch(Exception):  # noqa: N818
+    """A limit of ours; the message completes "This parameter file is not read: "."""
 
 
 @final
@@ -133,7 +144,7 @@ class _Names:
         self.text = f"{self.text if self.depth else ''}{glue}{name}"
         self.depth += 1
         if len(self.text) > _NAME_LIMIT:
-            raise _Refused("its keys are nested too deeply")
+            raise _TooMuch("its keys are longer than is read")
 
     def pop(self) -> None:
         if self.depth > 1 and self.separator in self.text:
@@ -154,7 +165,7 @@ class _Reader:
         self._position = 0  # of the parameter at hand; a node that is begun anew does not reset it
         self._node_names = _Names("/")
         self._names = _Names(".")
-        self._level = 1  # 1: names of nodes, 2: parameters, 0: behind the end of both
+        self._level = 1  # 1: names of nodes, 2: parameters
         self._depth = 0
         self._is_key = True
         self._is_new_mapping = False
@@ -183,7 +194,7 @@ class _Reader:
                     raise _Refused(f"a list stands before {_KEY}")
                 self._lists += 1
                 if self._lists > _NESTING_LIMIT:
-                    raise _Refused("its lists are nested deeper than is read")
+                    raise _TooMuch("its lists are nested deeper than is read")
                 self._array = []
             case yaml.SequenceEndEvent():
                 self._array, self._is_key = None, True
@@ -213,8 +224,6 @@ class _Reader:
     def _key(self, name: str) -> None:
         if not name:
             raise _Refused("a name is empty")
-        if self._level == 0:
-            raise _Refused("a name stands behind the end of the parameters")
         if self._level == 2:
             self._parameter(name)
         elif not name.startswith(_KEY):
@@ -232,7 +241,7 @@ class _Reader:
     def _parameter(self, name: str) -> None:
         self._keys += 1
         if self._keys > _KEY_LIMIT:
-            raise _Refused("it has more parameters than are read")
+            raise _TooMuch("it has more parameters than are read")
         parameters = self._nodes[self._node]
         if self._is_new_mapping:
             if self._position >= len(parameters.entries):
@@ -246,7 +255,7 @@ class _Reader:
         self._position = parameters.find(self._names.text, self._place)
         nested = f"{self._names.text}.{name}"
         if len(nested) > _NAME_LIMIT:
-            raise _Refused("its names are longer than is read")
+            raise _TooMuch("its names are longer than is read")
         parameters.rename(self._position, nested, self._place)
 
     def _value(self, event: yaml.ScalarEvent) -> None:

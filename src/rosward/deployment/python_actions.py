@@ -45,6 +45,7 @@ _UNCHANGED: Final = "launch.action.Unchanged"
 _SOURCE: Final = "launch.launch_description_source.LaunchDescriptionSource"
 _FORMATS: Final = {"Python": "python", "XML": "xml", "YAML": "yaml"}
 _DEEPEST: Final = 60
+_MOST: Final = 10_000
 
 Given = dict[str, Any]
 """What all actions have in common: `place`, `condition` and `identity`."""
@@ -94,6 +95,7 @@ class Actions:
             "launch_ros.actions.SetParametersFromFile": self._set_parameter,
         }
         self._open: list[Ref] = []
+        self._count = 0  # how many objects were read since the outermost of them
 
     def entities(self, value: Value | None, place: Place) -> tuple[Action, ...]:
         """The actions in a list of entities (or one entity); `place` is that of what the list belongs to."""
@@ -127,8 +129,13 @@ class Actions:
                 return ()
             why = why_unknown((value,)) or (value.name if isinstance(value, External) else "not a launch entity")
             return (Unread(place=_where(value, place), why=why),)
+        if not self._open:
+            self._count = 0
+        self._count += 1
         if value in self._open or len(self._open) > _DEEPEST:
             return (Unread(place=place, why="a launch description that contains itself"),)
+        if self._count > _MOST:
+            return (Unread(place=place, why=f"more than {_MOST} entities"),)
         self._open.append(value)
         try:
             return self._of_object(value, place)
@@ -311,9 +318,8 @@ class Actions:
     def _set_parameter(self, ref: Ref, given: Given) -> tuple[Action, ...]:
         place = given["place"]
         if self.objects.kind(ref).endswith("FromFile"):
-            node = self.texts.optional(self.objects.field(ref, "node"), place)
             for source in self.parameters.sources(Tuple((self.objects.field(ref, "path") or NONE,)), place):
-                return (SetParameter(parameter=source, node=node, **given),)
+                return (SetParameter(parameter=source, **given),)
             return ()
         name = self.objects.field(ref, "name")
         key = self.texts.template(name, place) if name is not None else (Const("use_sim_time"),)

@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from rosward.ir.program import Code
 
 _GENERATE: Final = "generate_launch_description"
+_CONDITION: Final = "launch.condition.Condition"
 _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
 
 
@@ -180,8 +181,11 @@ class LaunchPython:
             return Unknown(value.reasons, "bool")
         if isinstance(value, Ref) and self._objects.overrides(value, "evaluate"):
             found = machine.call_method(value, "evaluate", (self._launch_context(),))
-        elif isinstance(value, Ref) and not self._objects.overrides(value, "__call__"):
+        elif self._objects.is_a(value, _CONDITION):
             return self._context.evaluate(value)
+        elif isinstance(value, Ref) and not self._objects.overrides(value, "__call__"):
+            self._tell("RW320", "this is no condition", self._place(value))
+            return machine.unknown(Cause.ERROR, "condition", "bool")
         else:
             found = machine.call(value, (self._launch_context(),))
         if found is UNBOUND:

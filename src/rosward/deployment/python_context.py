@@ -52,7 +52,9 @@ class PerformedContext:
     def evaluate(self, condition: Value) -> Value:
         """Whether a condition holds."""
         read = self._texts.condition(condition, self._place)
-        return TRUE if read is None else self.holds(read)
+        if read is None or (read.kind == "python" and read.value == condition):
+            return TRUE  # a bare Condition
+        return self.holds(read)
 
     def holds(self, condition: Condition) -> Value:
         """Whether a condition of the tree holds: a bool."""

@@ -31,6 +31,7 @@ _VALUE: Final = "launch_ros.parameter_descriptions.ParameterValue"
 _RULE: Final = "launch_ros.parameter_descriptions.Parameter"
 _FILE: Final = "launch_ros.parameter_descriptions.ParameterFile"
 _DEEPEST: Final = 20
+_MOST: Final = 5_000
 
 
 @final
@@ -102,8 +103,9 @@ class Parameters:
     ) -> bool:
         """Add the entries of a dict by dotted names; False where there may be more that are not known."""
         obj = self.objects.machine.obj(ref)
-        whole = obj.rest is None and depth < _DEEPEST
-        for key, value in obj.entries.items() if depth < _DEEPEST else ():
+        open_ = depth < _DEEPEST and len(entries) < _MOST
+        whole = obj.rest is None and open_
+        for key, value in obj.entries.items() if open_ else ():
             name = (
                 (*prefix, Const("."), *self.texts.template(key, place)) if prefix else self.texts.template(key, place)
             )

@@ -18,6 +18,8 @@ from rosward.source.location import Place
 _SUBSTITUTION: Final = "launch.substitution.Substitution"
 _CONDITION: Final = "launch.condition.Condition"
 _STR: Final = Native("builtins.str")
+_DEEPEST: Final = 40
+_MOST: Final = 2_000
 
 
 class _Form(NamedTuple):
@@ -68,6 +70,7 @@ _TABLES: Final = {
     "nav2_common.launch.RewrittenYaml": ("rewrites", "key_rewrites", "value_rewrites"),
     "nav2_common.launch.ReplaceString": ("replacements",),
 }
+_TAKE_NUMBERS: Final = frozenset({"var", "equals", "not-equals", "parameter-file", "rewritten-yaml"})
 _CONDITIONS: Final = {
     "launch.conditions.IfCondition": _Form("if", ("predicate",)),
     "launch.conditions.UnlessCondition": _Form("unless", ("predicate",)),
@@ -82,6 +85,8 @@ class Texts:
 
     def __init__(self, objects: Objects) -> None:
         self.objects = objects
+        self._depth = 0
+        self._pieces = 0
 
     def is_substitution(self, value: Value) -> bool:
         """Whether a value is a substitution object."""
@@ -89,6 +94,18 @@ class Texts:
 
     def template(self, value: Value | None, place: Place) -> Template:
         """The text that a str, a path, a substitution or a list of them stands for; `place` is that of what it is given to."""
+        if self._depth == 0:
+            self._pieces = 0
+        self._pieces += 1
+        if self._depth > _DEEPEST or self._pieces > _MOST:
+            return (self.objects.unknown("text of too many parts", place),)
+        self._depth += 1
+        try:
+            return self._template(value, place)
+        finally:
+            self._depth -= 1
+
+    def _template(self, value: Value | None, place: Place) -> Template:
         if value is None or value == NONE:
             return ()
         if self.objects.is_text(value):
@@ -179,12 +196,12 @@ class Texts:
             elif name.endswith("@"):
                 found.append((Substitution("var", (self.template(value, place),), place),))
             elif value is not None or not name.endswith("?"):
-                found.append(self._argument(value, place))
+                found.append(self._argument(value, place, form.kind))
         return tuple(found)
 
-    def _argument(self, value: Value | None, place: Place) -> Template:
-        """One argument: switches and the defaults of configurations may be numbers."""
-        if isinstance(value, Const) and isinstance(value.value, (bool, int, float)):
+    def _argument(self, value: Value | None, place: Place, kind: str) -> Template:
+        """One argument: switches, what is compared and the defaults of configurations may be numbers."""
+        if kind in _TAKE_NUMBERS and isinstance(value, Const) and isinstance(value.value, (bool, int, float)):
             return (Const(str(value.value), value.origins),)
         return self.template(value, place)
 

@@ -77,7 +77,6 @@ class EffectLog:
         self.classes: dict[Class, None] = {}
         self.functions: dict[int, Code] = {}
         self.ends: list[frozenset[tuple[object, ...]]] = []
-        self.setup_calls: list[dict[str, Value]] = []
         self._addresses: set[int] = set()
 
     def add_node(self, machine: Interpreter, effect: NodeEffect) -> None:

@@ -8,7 +8,7 @@ context.launch_configurations['robot']      the value that the launch has now, w
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, lift, options
 from rosward.domain.heap import Obj
@@ -39,6 +39,7 @@ _OLD: Final = {
 """Keywords of early releases, which raise TypeError now."""
 
 _DEEPEST: Final = 6
+_MOST: Final = 5_000
 
 
 # Objects
@@ -53,7 +54,8 @@ def _keep(call: NativeCall) -> Value:
         if not isinstance(ref, Ref) or machine.obj(ref).kind != "instance":
             continue
         obj = machine.obj(ref)
-        kept = {FIELD + n: v if n in _LIVE else copied(machine, v, (n,)) for n, v in fields.items()}
+        copier = _Copier(machine)
+        kept = {FIELD + n: v if n in _LIVE else copier.copy(v, (n,)) for n, v in fields.items()}
         attrs = {**obj.attrs, **kept, PLACE: Tuple((Const(place.file), Const(place.line), Const(place.column)))}
         if len(call.args) > 1 and isinstance(call.args[1], Ref):
             attrs = _checked(machine, obj, attrs, call.args[1])
@@ -78,30 +80,38 @@ def _checked(machine: Machine, obj: Obj, attrs: dict[str, Value], kwargs: Ref) -
     return {**attrs, **{FIELD + _OLD[name]: value for name, value in given.items() if name in _OLD}}
 
 
-def copied(machine: Machine, value: Value, path: tuple[object, ...]) -> Value:
-    """The value with all lists and dicts in it copied, as they are now."""
-    if len(path) > _DEEPEST:
-        return value
-    if isinstance(value, Tuple):
-        return Tuple(tuple(copied(machine, v, (*path, n)) for n, v in enumerate(value.items)))
-    if not isinstance(value, Ref):
-        found = options(value)
-        if len(found) == 1:
+@final
+class _Copier:
+    """Copies a value as it is now, with all lists and dicts in it, up to a number of elements: what is beyond it is shared."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        self._left = _MOST
+
+    def copy(self, value: Value, path: tuple[object, ...]) -> Value:
+        self._left -= 1
+        if len(path) > _DEEPEST or self._left < 0:
             return value
-        return join_all(copied(machine, v, (*path, n)) for n, v in enumerate(found))
-    obj = machine.obj(value)
-    site = ("copy", path)
-    if obj.kind in ("list", "set"):
-        items = None if obj.items is None else tuple(copied(machine, v, (*path, n)) for n, v in enumerate(obj.items))
-        return machine.allocate(obj.replace(kind="list", items=items, many=False), site)
-    if obj.kind == "generator":
-        known, rest = machine.iterate(value)
-        items = tuple(copied(machine, v, (*path, n)) for n, v in enumerate(known))
-        return machine.allocate(_listed(items, rest), site)
-    if obj.kind == "dict":
-        entries = {k: copied(machine, v, (*path, n)) for n, (k, v) in enumerate(obj.entries.items())}
-        return machine.allocate(obj.replace(entries=entries, many=False), site)
-    return value
+        if isinstance(value, Tuple):
+            return Tuple(tuple(self.copy(v, (*path, n)) for n, v in enumerate(value.items)))
+        if isinstance(value, Ref):
+            return self._object(value, path)
+        found = options(value)
+        return value if len(found) == 1 else join_all(self.copy(v, (*path, n)) for n, v in enumerate(found))
+
+    def _object(self, ref: Ref, path: tuple[object, ...]) -> Value:
+        machine, site = self._machine, ("copy", path)
+        obj = machine.obj(ref)
+        if obj.kind in ("list", "set") and obj.items is None:
+            return machine.allocate(obj.replace(kind="list", many=False), site)
+        if obj.kind in ("list", "set", "generator"):
+            known, rest = machine.iterate(ref)
+            items = tuple(self.copy(v, (*path, n)) for n, v in enumerate(known))
+            return machine.allocate(_listed(items, rest), site)
+        if obj.kind == "dict":
+            entries = {k: self.copy(v, (*path, n)) for n, (k, v) in enumerate(obj.entries.items())}
+            return machine.allocate(obj.replace(entries=entries, many=False), site)
+        return ref
 
 
 def _listed(items: tuple[Value, ...], rest: Value | None) -> Obj:

@@ -17,7 +17,7 @@ import yaml
 from rosward.domain.choice import lift, reasons_of
 from rosward.domain.text import origins_of, pattern
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, Ref, Text, Unknown, Value
+from rosward.domain.values import Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import MAX_DEPTH, NotKnown, from_plain, text_of, to_plain, unknown_from
 
@@ -102,6 +102,9 @@ def _reader(parse: Callable[[str], object], name: str) -> NativeFunction:
         source = call.arg(0, name)
         if source is None:
             return call.machine.die("TypeError", f"{call.name}() missing 1 required positional argument: '{name}'")
+        loader = call.arg(1, "Loader") if call.name == "yaml.load" else None
+        if isinstance(loader, Class) and loader.name == "BaseLoader":  # it leaves every scalar a text
+            return unknown_from(call, "", (source,))
         return _read(parse, call, source)
 
     return read

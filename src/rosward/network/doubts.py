@@ -40,8 +40,9 @@ def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) ->
 
 def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:
     """A node whose name or namespace is not wholly known."""
-    known = "is not known" if option.resolution is Resolution.UNKNOWN else f"is only known as {option.text}"
-    return Finding("RW105", f"the {part} of this node {known}{_because(option.reasons)}", place)
+    if option.resolution is Resolution.UNKNOWN:
+        return Finding("RW105", f"the {part} of this node is not known{_because(option.reasons)}", place)
+    return Finding("RW102", f"the {part} of this node is only known as {option.text}{_because(option.reasons)}", place)
 
 
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:

@@ -174,7 +174,9 @@ class _Reader:
             case "add_subdirectory" if arguments:
                 inner = self._inside(arguments[0])
                 if inner is not None and os.path.isfile(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH113, PTH118
+                    name = self._variables["PROJECT_NAME"]  # a project within has a name of its own
                     self.read(inner, depth + 1)
+                    self._variables["PROJECT_NAME"] = name
             case "include" if arguments and arguments[0].endswith(".cmake"):
                 inner = self._inside(arguments[0])
                 if inner is not None and os.path.isfile(inner):  # noqa: PTH113

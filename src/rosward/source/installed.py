@@ -25,6 +25,7 @@ from rosward.source.workspace import Package, SourceFile, Workspace
 
 _PACKAGE: Final = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,200}")
 _LIMIT: Final = 20_000
+_PATH_LIMIT: Final = 4096
 DATA_LIMIT: Final = 1_000_000
 """Bytes above which a file is not read as data."""
 
@@ -151,7 +152,11 @@ def _normal(relative: str) -> str | None:
             parts.pop()
         elif part not in ("", "."):
             parts.append(part)
-    return None if "\0" in relative or len(relative) > 4096 else "/".join(parts)
+    try:
+        too_long = len(os.fsencode(relative)) > _PATH_LIMIT
+    except UnicodeEncodeError:
+        return None
+    return None if "\0" in relative or too_long else "/".join(parts)
 
 
 def _layer(path: Path) -> _Layer:
@@ -327,20 +332,20 @@ class _Prefix:
     def share(self, package: str, relative: str) -> SourceFile | None:
         """The file at `relative` below the package's share folder."""
         folder = self._folder(package)
-        path = None if folder is None else folder / relative
-        if path is None or not path.is_file():
+        path = "" if folder is None else f"{folder}/{relative}"
+        if not os.path.isfile(path):  # noqa: PTH113  Path raises for a name that is too long
             return None
-        return SourceFile(path, "/" + place_name(path, "/"))
+        return SourceFile(Path(path), "/" + place_name(path, "/"))
 
     def is_folder(self, package: str, relative: str) -> bool:
         """Whether there is a folder at `relative`."""
         folder = self._folder(package)
-        return folder is not None and (folder / relative).is_dir()
+        return folder is not None and os.path.isdir(f"{folder}/{relative}")  # noqa: PTH112
 
     def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
         """The names in that folder, sorted."""
         folder = self._folder(package)
-        names = None if folder is None else _names_in(os.fspath(folder / relative))
+        names = None if folder is None else _names_in(f"{folder}/{relative}")
         return None if names is None or len(names) > _LIMIT else tuple(sorted(names))
 
     def _folder(self, package: str) -> Path | None:

@@ -71,8 +71,8 @@ class SetParameter(Action):
 
 
 class SetParametersFromFile(Action):
-    def __init__(self, filename, node_name=None, **kwargs):
-        keep(self, None, path=filename, node=node_name)
+    def __init__(self, filename, **kwargs):
+        keep(self, None, path=filename)
         super().__init__(**kwargs)
 
 
