@@ -86,6 +86,72 @@ EXPECTED = """
 /porter/teleop/mux sub /porter/teleop/mux/remote
 """
 
+FLEET = "delivery_bringup:fleet.launch.py"
+BUILDING = """
+/building/door_gateway pub /building/doors/laboratory/open
+/building/door_gateway pub /building/doors/lobby/open
+/building/door_gateway ss /building/doors/open
+/fleet/gateway ac /porter1/deliver bound
+/fleet/gateway ac /porter2/deliver bound
+/fleet/gateway pub /fleet/deliveries
+/fleet/gateway ss /fleet/request_delivery
+/fleet/watch pub /building/alarms
+/fleet/watch ss /fleet/watch/reset
+/fleet/watch sub /diagnostics default
+/fleet/watch sub /fleet/heartbeat bound
+"""
+EACH_ROBOT = """
+/ROBOT/base_driver pub /diagnostics
+/ROBOT/base_driver pub /fleet/heartbeat
+/ROBOT/base_driver pub /ROBOT/battery
+/ROBOT/base_driver pub /ROBOT/odom
+/ROBOT/base_driver pub /tf
+/ROBOT/base_driver ss /ROBOT/base_driver/enable
+/ROBOT/base_driver sub /ROBOT/cmd_vel
+/ROBOT/battery_monitor pub /diagnostics
+/ROBOT/battery_monitor pub /fleet/heartbeat
+/ROBOT/battery_monitor pub /ROBOT/battery_low
+/ROBOT/battery_monitor sub /ROBOT/battery bound
+/ROBOT/delivery_planner as /ROBOT/deliver
+/ROBOT/delivery_planner pub /fleet/heartbeat
+/ROBOT/delivery_planner pub /ROBOT/teleop/mux/planner
+/ROBOT/delivery_planner sc /building/doors/open conditional
+/ROBOT/delivery_planner sub /ROBOT/battery_low
+/ROBOT/delivery_planner sub /ROBOT/pose
+/ROBOT/lidar_filter pub /fleet/heartbeat
+/ROBOT/lidar_filter pub /ROBOT/scan
+/ROBOT/lidar_filter sub /ROBOT/sensors/front/scan bound
+/ROBOT/lidar_filter sub /ROBOT/sensors/mast/scan bound
+/ROBOT/lidar_filter sub /ROBOT/sensors/rear/scan bound
+/ROBOT/localisation pub /fleet/heartbeat
+/ROBOT/localisation pub /ROBOT/pose
+/ROBOT/localisation pub /tf
+/ROBOT/localisation pub /tf_static
+/ROBOT/localisation sub /map
+/ROBOT/localisation sub /ROBOT/initial_pose
+/ROBOT/localisation sub /ROBOT/scan
+/ROBOT/localisation sub /tf
+/ROBOT/localisation sub /tf_static
+/ROBOT/teleop/mux pub /fleet/heartbeat
+/ROBOT/teleop/mux pub /ROBOT/cmd_vel
+/ROBOT/teleop/mux pub /ROBOT/teleop/mux/active
+/ROBOT/teleop/mux sub /ROBOT/teleop/mux/joystick
+/ROBOT/teleop/mux sub /ROBOT/teleop/mux/planner
+/ROBOT/teleop/mux sub /ROBOT/teleop/mux/remote
+"""
+CAMERA = """
+/porter1/camera_mount pub /tf_static
+/porter1/dock_detector pub /fleet/heartbeat
+/porter1/dock_detector pub /porter1/dock/pose
+/porter1/dock_detector pub /tf
+/porter1/dock_detector ss /porter1/dock/find
+/porter1/dock_detector sub /porter1/eye/camera_info bound
+/porter1/dock_detector sub /porter1/eye/image_raw bound
+/porter1/eye pub /porter1/eye/camera_info conditional
+/porter1/eye pub /porter1/eye/image_raw conditional
+"""
+PORTER_1, PORTER_2 = (EACH_ROBOT.replace("ROBOT", name) for name in ("porter1", "porter2"))
+
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -107,7 +173,8 @@ def node(network: dict[str, Any], fqn: str) -> dict[str, Any]:
     return next(n for n in network["nodes"] if n["fqn"] == fqn)
 
 
-def test_every_entity_is_found_and_no_other(network: dict[str, Any]) -> None:
+def rows_of(network: dict[str, Any]) -> list[str]:
+    """A row for each entity that is not the client library's, as in the tables above."""
     found = []
     for each in network["nodes"]:
         for kind, word in KINDS.items():
@@ -115,7 +182,11 @@ def test_every_entity_is_found_and_no_other(network: dict[str, Any]) -> None:
                 resolution = [] if entity["resolution"] == "exact" else [entity["resolution"]]
                 conditional = ["conditional"] if entity["conditional"] else []
                 found.append(" ".join([each["fqn"], word, entity["name"], *resolution, *conditional]))
-    assert sorted(found) == sorted(EXPECTED.split("\n")[1:-1])
+    return sorted(found)
+
+
+def test_every_entity_is_found_and_no_other(network: dict[str, Any]) -> None:
+    assert rows_of(network) == sorted(EXPECTED.split("\n")[1:-1])
 
 
 def test_the_example_is_complete_and_without_doubts(network: dict[str, Any]) -> None:
@@ -175,6 +246,114 @@ def test_the_policy_grants_the_late_client_and_no_wildcard(written: Path) -> Non
     requested = [services for services in planner.iter("services") if services.get("request") == "ALLOW"]
     assert [service.text for services in requested for service in services] == ["/building/doors/open"]
     assert not [e for e in ET.parse(written / "policy.xml").iter() if "*" in (e.text or "")]
+
+
+@pytest.fixture(scope="module")
+def fleet(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The outputs for the launched fleet: two robots, of which the first has a camera, and the building."""
+    folder = tmp_path_factory.mktemp("fleet")
+    formats = ["--format", "json,policy"]
+    assert main(["extract", str(ROOT / "examples"), "--launch", FLEET, "-q", "-o", str(folder), *formats]) == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def fleet_network(fleet: Path) -> dict[str, Any]:
+    """network.json of the fleet."""
+    parsed: dict[str, Any] = json.loads((fleet / "network.json").read_text(encoding="utf-8"))
+    return parsed
+
+
+def test_the_launched_fleet_is_found_and_nothing_else(fleet_network: dict[str, Any]) -> None:
+    expected = [row for table in (BUILDING, PORTER_1, PORTER_2, CAMERA) for row in table.split("\n")[1:-1]]
+    assert rows_of(fleet_network) == sorted(expected)
+    assert {n["fqn"] for n in fleet_network["nodes"]} == {row.split()[0] for row in expected}
+    assert fleet_network["diagnostics"] == []
+
+
+def test_bound_names_say_which_parameter_binds_them(fleet_network: dict[str, Any]) -> None:
+    bound = {
+        (n["fqn"].rpartition("/")[2], *e["depends_on"])
+        for n in fleet_network["nodes"]
+        for kind in KINDS
+        for e in n[kind]
+        if e["resolution"] == "bound"
+    }
+    assert bound == {
+        ("battery_monitor", "input"),
+        ("dock_detector", "camera"),
+        ("gateway", "robots"),
+        ("lidar_filter", "inputs"),
+        ("watch", "topics.heartbeat"),
+    }
+
+
+def test_each_launched_process_says_where_it_is_started(fleet_network: dict[str, Any]) -> None:
+    launch = ROOT / "examples"
+    executables = {n["fqn"]: f"{n['package']}/{n['executable']}" for n in fleet_network["nodes"]}
+    assert executables["/fleet/watch"] == "delivery_fleet/monitor"
+    assert executables["/porter1/eye"] == "delivery_perception/camera"
+    assert len({n["process"] for n in fleet_network["nodes"]}) == len(executables) == 18
+    for each in fleet_network["nodes"]:
+        place = each["launched_by"]
+        line = (launch / place["file"]).read_text(encoding="utf-8").splitlines()[place["line"] - 1]
+        assert "<node " in line or "Node(" in line, place
+
+
+def test_the_policy_of_the_fleet_has_an_enclave_for_each_node(fleet: Path, fleet_network: dict[str, Any]) -> None:
+    nodes = {n["fqn"] for n in fleet_network["nodes"]}
+    policy = ET.parse(fleet / "policy.xml")
+    profiles = {
+        e.get("path"): [f"{p.get('ns')}/{p.get('node')}" for p in e.iter("profile")] for e in policy.iter("enclave")
+    }
+    assert profiles == {name: [name] for name in nodes}
+    xmlschema.XMLSchema10(str(SCHEMAS / "policy.xsd")).validate(str(fleet / "policy.xml"))
+
+
+def test_no_robot_may_do_anything_with_the_names_of_the_other(fleet: Path) -> None:
+    for enclave in ET.parse(fleet / "policy.xml").iter("enclave"):
+        own = str(enclave.get("path")).split("/")[1]
+        others = {"porter1", "porter2"} - {own}
+        named = {(e.text or "").strip().split("/")[1] for e in enclave.iter() if (e.text or "").strip().startswith("/")}
+        assert own == "fleet" or not named & others, enclave.get("path")
+
+
+def test_the_list_of_enclaves_names_the_option_for_each(fleet: Path, fleet_network: dict[str, Any]) -> None:
+    _, *paragraphs = (fleet / "enclaves.txt").read_text(encoding="utf-8").strip().split("\n\n")
+    starts = dict(p.split("\n", 1) for p in paragraphs)
+    assert set(starts) == {n["fqn"] for n in fleet_network["nodes"]}
+    for enclave, start in starts.items():
+        assert re.search(rf"--enclave\W+{enclave}\b", start), start
+
+
+def test_the_launch_tree_shows_each_process_with_its_program(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["launch-tree", str(ROOT / "examples"), "--launch", FLEET]) == 0
+    shown = capsys.readouterr().out
+    assert len(re.findall(r"^\W*program +\S+\.py$", shown, re.MULTILINE)) == 17
+    assert len(re.findall(r"^\W*program +declared: ", shown, re.MULTILINE)) == 1
+
+
+def test_other_systems_of_the_same_launch_files(tmp_path: Path) -> None:
+    """As examples/README.md tells of them."""
+    page = (ROOT / "examples" / "README.md").read_text(encoding="utf-8")
+    told = re.findall(r"`--launch '?(delivery_bringup:[^`']*)'?`", page)
+    assert told == ["delivery_bringup:robot.launch.py", "delivery_bringup:building.launch.xml,robots:=[anna, berta]"]
+    networks = []
+    for number, launch in enumerate(told):
+        folder = tmp_path / str(number)
+        assert (
+            main(["extract", str(ROOT / "examples"), "--launch", launch, "-q", "-o", str(folder), "--format", "json"])
+            == 0
+        )
+        networks.append(json.loads((folder / "network.json").read_text(encoding="utf-8")))
+    robot, building = networks
+    assert [n["fqn"] for n in robot["nodes"] if n["resolution"] != "default"] == []
+    (server,) = node(robot, "/porter/delivery_planner")["action_servers"]
+    assert (server["name"], server["resolution"], server["depends_on"]) == ("/porter/deliver", "default", ["robot"])
+    assert [c["name"] for c in node(building, "/fleet/gateway")["action_clients"]] == [
+        "/anna/deliver",
+        "/berta/deliver",
+    ]
 
 
 def test_the_readme_shows_what_the_terminal_prints(

@@ -9,10 +9,11 @@ Each launch file is executed by itself (never for real); `--node` and `--params`
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from rosward.deployment.declared import Declarations
 from rosward.deployment.execute import Execution
@@ -90,10 +91,20 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
 
 
 def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest, str]]:
-    known = {f.relative for f in outset.workspace.launch_files}
     if request.all_launch:
-        return [(LaunchRequest(file), file) for file in sorted(known)]
+        known = sorted(f.relative for f in outset.workspace.launch_files)
+        return [(LaunchRequest(file), file) for file in known if not _is_for_ros_1(file, outset)]
     return [(launch, _find(launch, outset)) for launch in request.launches]
+
+
+_ROS_1: Final = re.compile(r"<node\b[^>]*\stype\s*=")
+_ROS_2: Final = re.compile(r"<node\b[^>]*\sexec\s*=")
+
+
+def _is_for_ros_1(file: str, outset: Outset) -> bool:
+    """Whether an XML launch file speaks the language of roslaunch, of which ROS 2 refuses every node."""
+    text = outset.files.text(file) if not file.endswith(".py") else None
+    return text is not None and _ROS_1.search(text) is not None and _ROS_2.search(text) is None
 
 
 def _find(launch: LaunchRequest, outset: Outset) -> str:

@@ -51,7 +51,7 @@ def complaint(body: str, head: str = HEAD) -> str:
         ("executables: &x {a: *x}", "aliases are not used here"),
         ("executables: {a: {node: a, node: b}}", "'node' stands here twice"),
         ("executables: [", "no YAML"),
-        ("executables: " + "[" * 60 + "]" * 60, "nested too deep"),
+        ("executables: " + "[" * 120 + "]" * 120, "nested too deep"),
         ("executables: {a: {node: [1]}}", "a text is expected here"),
     ],
 )
@@ -187,3 +187,31 @@ def test_any_text_ends_in_a_package_or_a_finding(text: str) -> None:
     for head in ("", HEAD):
         package, findings = read_package(head + text, "acme.yaml", "acme")
         assert (package is None) == bool(findings)
+
+
+HOSTILE = """
+interfaces:
+  a: {include: [acme/b, acme/b, acme/b, acme/b]}
+  b: {include: [acme/c, acme/c, acme/c, acme/c]}
+  c: {include: [other/a, other/a, other/a, other/a]}
+executables:
+  bomb: {node: bomb, include: [a]}
+  loops:
+    node: loops
+    parameters: {many: {type: string_array, default_value: [MANY]}}
+    groups:
+      - for_each: [{as: x, list: many}, {as: y, list: many}, {as: z, list: many}]
+        when: {value: '${x}', is: never}
+        publishers: [{name: x, type: p/msg/T, qos: 1}]
+  long: {node: 'LONG'}
+"""
+
+
+@pytest.mark.parametrize("name", ["bomb", "loops", "long"])
+def test_hostile_files_end_in_bounded_time(name: str, tmp_path: Path) -> None:
+    body = HOSTILE.replace("MANY", ", ".join(f"n{n}" for n in range(150))).replace("LONG", "${random}" * 3000)
+    write(tmp_path, body)
+    other = HEAD.replace("acme", "other") + "interfaces: {a: {include: [acme/a, acme/a, acme/a, acme/a]}}"
+    (tmp_path / "other.yaml").write_text(other)
+    log = start("acme", name, folders=[tmp_path])
+    assert codes(log)[-1:] == ([] if name == "long" else ["RW201"])

@@ -78,8 +78,10 @@ def _label(draft: Draft) -> str:
     name = draft.fresh("node")
     if draft.chooser.chance(70):
         return repr(name)
-    top = Scope()
+    top, open_ = Scope(), draft.known
+    draft.known = True
     text = word(draft, top, 1)
+    draft.known = open_
     draft.module += top.lines
     return f"({name + '_'!r} + ({text}).replace('/', '_'))"
 

@@ -18,11 +18,11 @@ from .values import condition, word
 def maybe_attribute(draft: Draft, scope: Scope, depth: int) -> str:
     """An attribute that only one way sets, over one of the class or a default."""
     cls, thing = draft.fresh("Maybe"), draft.fresh("maybe")
-    draft.define(f"class {cls}:\n    topic = {_plain(draft)}\n    def __getattr__(self, name):\n        return 'dyn_' + name")
+    draft.define(f"class {cls}:\n    topic = {_plain(draft)}")
     scope.add(f"{thing} = {cls}()\nif {condition(draft, scope, 0)}:\n    {thing}.topic = {word(draft, scope, depth)}\n    {thing}.extra = 'ex'")
     if draft.chooser.chance(30):
         scope.add(f"{thing}.topic = 'del_me'\ndel {thing}.topic")
-    return draft.chooser.pick([f"{thing}.topic", f"{thing}.extra", f"getattr({thing}, 'extra', 'none')", f"('has' if 'extra' in vars({thing}) else 'not')", f"vars({thing}).get('topic', 'unset')"])
+    return draft.chooser.pick([f"{thing}.topic", f"getattr({thing}, 'extra', 'none')", f"('has' if 'extra' in vars({thing}) else 'not')", f"vars({thing}).get('topic', 'unset')"])
 
 
 def maybe_keyword(draft: Draft, scope: Scope, depth: int) -> str:
@@ -105,7 +105,7 @@ def classes(draft: Draft, scope: Scope, depth: int) -> str:
         return f"{cls}C().get()"
     if kind == 1:
         draft.define(f"class {cls}Root:\n    def get(self):\n        return 'root'\n\n\nclass {cls}L({cls}Root):\n    def get(self):\n        return 'l_' + super().get()\n\n\nclass {cls}R({cls}Root):\n    def get(self):\n        return 'r_' + super().get()\n\n\nclass {cls}({cls}L, {cls}R):\n    pass")
-        return draft.chooser.pick([f"{cls}().get()", f"{cls}L().get()", f"'_'.join(c.__name__ for c in {cls}.__mro__[:-1])", f"{cls}.__bases__[1]().get()"])
+        return draft.chooser.pick([f"{cls}().get()", f"{cls}L().get()", f"'_'.join(c.__name__ for c in {cls}.__mro__[:2])", f"{cls}.__bases__[1]().get()"])
     if kind == 2:
         draft.define(f"def {cls}_make(topic):\n    class Made:\n        name = topic + '_made'\n    return Made")
         return f"{cls}_make({text}).name"

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -176,22 +175,11 @@ def test_command_lines(what: str, tmp_path: Path, capfd: pytest.CaptureFixture[s
 @pytest.mark.parametrize("what", NESTED)
 def test_nested_names(what: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     """A nested name begins an entry of its own; a plain one joins the first entry of its name; the last entry holds."""
-
-    def held(_fqn: str, rows: Iterable[Given]) -> dict[str, Value]:
-        entries: dict[str, list[Given]] = {}
-        for row in rows:
-            known = entries.setdefault(row.name, [])
-            if row.nested or not known:
-                known.append(row)
-            else:
-                known[0] = row
-        return {name: known[-1].value for name, known in entries.items()}
-
-    compare(NESTED[what], tmp_path, held)
+    compare(NESTED[what], tmp_path)
     capfd.readouterr()
 
 
-def compare(run: Run, folder: Path, held: Callable[[str, Iterable[Given]], dict[str, Value]] = given_to) -> None:
+def compare(run: Run, folder: Path) -> None:
     """Start the real node; what it is given must be what the files and rules say."""
     words, rows, refused = ours(run, folder)
     fqn = f"/{run.namespace.strip('/')}/{run.name}".replace("//", "/")
@@ -210,7 +198,7 @@ def compare(run: Run, folder: Path, held: Callable[[str, Iterable[Given]], dict[
             node.destroy_node()
     finally:
         context.try_shutdown()
-    assert repr({name: plain(value) for name, value in sorted(held(fqn, rows).items())}) == repr(real)
+    assert repr({name: plain(value) for name, value in sorted(given_to(fqn, rows).items())}) == repr(real)
 
 
 def ours(run: Run, folder: Path) -> tuple[list[str], list[Given], bool]:

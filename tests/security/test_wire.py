@@ -114,12 +114,7 @@ def wires(
         yield started
 
 
-def known_to_differ(program: Case) -> pytest.MarkDecorator | tuple[()]:
-    why = "the parameter start_type_description_service is not read: its service is granted although it is off"
-    return pytest.mark.xfail(reason=why, strict=True) if program.title == "No type description" else ()
-
-
-@pytest.mark.parametrize("program", [pytest.param(p, id=p.title, marks=known_to_differ(p)) for p in PROGRAMS])
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.title)
 def test_a_real_node_makes_what_it_may(
     program: Case,
     wires: dict[str, Future[frozenset[Endpoint]]],

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.deployment.declared_found import Found, Open, ReadFile
-from rosward.deployment.declared_items import expansions, type_value
+from rosward.deployment.declared_items import Steps, expansions, type_value
 from rosward.deployment.declared_programs import READERS
 from rosward.deployment.declared_read import read_package
 from rosward.deployment.declared_shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
@@ -41,6 +41,7 @@ MODELS: Final = Path(__file__).parent.parent / "models" / "nodes"
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]+")
 _LARGEST_FILE: Final = 2_000_000
 _MOST_ENDPOINTS: Final = 2_000
+_MOST_STEPS: Final = 50_000
 _DEEPEST_INCLUDE: Final = 16
 _SIM_TIME: Final = DeclaredParameter("use_sim_time", "bool", False, Place(""))
 
@@ -142,6 +143,7 @@ class _Execution:
         self._log = EffectLog()
         self._log.configuration = configuration
         self._done: set[tuple[object, ...]] = set()
+        self._steps = Steps(_MOST_STEPS)
         parsed = parse_arguments([word_text(w) for w in configuration.words])
         self._arguments = tuple(configuration.words[i] for i in parsed.positions.user)
 
@@ -150,7 +152,7 @@ class _Execution:
         scope = Scope(Parameters({}, ()), self._arguments, {}, Const("/"), lambda name, _: name)
         main: Scope | None = None
         for shape in self._program.nodes:
-            for bound, certain in expansions(shape.group, main or scope, self._distro):
+            for bound, certain in expansions(shape.group, main or scope, self._distro, self._steps):
                 inner, address = self._node(shape, bound, first=main is None, certain=certain)
                 for pass_ in _Pass:
                     self._contents(shape.group, inner, address, (self._program.package,), pass_, certain=certain)
@@ -161,6 +163,8 @@ class _Execution:
             self._open(self._program.open)
         if not self._program.nodes and self._program.reader:
             self._read(scope, None, certain=False)
+        if self._steps.left < 0:
+            self._limit(f"asks for more than {_MOST_STEPS} groups and items")
         self._log.ends.append(frozenset(self._done))
         return self._log
 
@@ -245,7 +249,7 @@ class _Execution:
             inner.append((found, bound, certain, package or here))
         inner += [(g, scope, certain and sure, here) for g, sure in self._cases(group, scope)]
         for each, outer, sure, home in inner:
-            for bound, holds in expansions(each, outer, self._distro):
+            for bound, holds in expansions(each, outer, self._distro, self._steps):
                 self._contents(each, bound, address, (*way, home), pass_, certain=sure and holds)
 
     @staticmethod
@@ -279,7 +283,7 @@ class _Execution:
         if not endpoint.window.has(self._distro):
             return
         as_group = Group(when=endpoint.when)
-        for bound, holds in expansions(as_group, scope, self._distro):
+        for bound, holds in expansions(as_group, scope, self._distro, self._steps):
             self._add(
                 Found(
                     endpoint.kind,
@@ -308,8 +312,7 @@ class _Execution:
 
     def _add(self, found: Found, address: int) -> None:
         if len(self._log.entities) >= _MOST_ENDPOINTS:
-            message = f"{self._via.capitalize()} has more than {_MOST_ENDPOINTS} endpoints here."
-            self._log.findings[Finding("RW201", message, self._place)] = None
+            self._limit(f"has more than {_MOST_ENDPOINTS} endpoints")
             return
         type_ = lift(lambda t: type_value(t, found.kind), found.type)
         effect = EntityEffect(
@@ -318,6 +321,10 @@ class _Execution:
         self._log.entities[effect] = None
         if found.certain:
             self._done.add(EffectLog.key(effect))
+
+    def _limit(self, what: str) -> None:
+        message = f"The declared interface of {self._program.package}/{self._program.name} {what} here."
+        self._log.findings[Finding("RW201", message, self._place)] = None
 
     def _open(self, reason: str) -> None:
         message = f"The interface of {self._program.package}/{self._program.name} is not wholly known: {reason}."

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Final
+from typing import Final, final
 
 from rosward.deployment.declared_shapes import Group, Loop
 from rosward.deployment.declared_text import Scope, expand, holds
@@ -25,11 +25,26 @@ _TYPE: Final = re.compile(r"([A-Za-z]\w*)/(?:(msg|srv|action)/)?([A-Z]\w*)")
 _PARTS: Final = {"publisher": "msg", "subscription": "msg", "service": "srv", "action": "action"}
 
 
-def expansions(group: Group, scope: Scope, distro: Distro) -> Iterator[tuple[Scope, bool]]:
+@final
+class Steps:
+    """How many groups and items are still looked at: files of users can ask for any number."""
+
+    def __init__(self, left: int) -> None:
+        self.left = left
+
+    def take(self) -> bool:
+        """One more; False where there are none left."""
+        self.left -= 1
+        return self.left >= 0
+
+
+def expansions(group: Group, scope: Scope, distro: Distro, steps: Steps) -> Iterator[tuple[Scope, bool]]:
     """The scopes in which a group exists, and whether it surely does."""
     if not group.window.has(distro):
         return
     for bound, sure in _bound(group.loops, scope):
+        if not steps.take():
+            return
         answers = [holds(condition, bound) for condition in group.when]
         if False not in answers:
             yield bound, sure and None not in answers

@@ -88,12 +88,13 @@ class Scope(NamedTuple):
 
 def expand(template: str, scope: Scope, depth: int = 0) -> Value:
     """The text that a template stands for."""
-    if "${" not in template or depth > DEEPEST:
-        return Const(template)
-    before, _, rest = template.partition("${")
-    inside, behind = _matching(rest)
-    value = _spoken(expand(inside, scope, depth + 1), scope)
-    return joined(joined(Const(before), value), expand(behind, scope, depth))
+    found: Value = EMPTY
+    rest = template
+    while "${" in rest and depth <= DEEPEST:
+        before, _, rest = rest.partition("${")
+        inside, rest = _matching(rest)
+        found = joined(joined(found, Const(before)), _spoken(expand(inside, scope, depth + 1), scope))
+    return Const(rest) if found is EMPTY and rest == template else joined(found, Const(rest))
 
 
 def joined(left: Value, right: Value) -> Value:
@@ -101,7 +102,7 @@ def joined(left: Value, right: Value) -> Value:
     if left == EMPTY:
         return lift(as_text, right)
     if right == EMPTY:
-        return left
+        return lift(as_text, left)
     return lift2(lambda a, b: concat((as_text(a), as_text(b))), left, right)
 
 

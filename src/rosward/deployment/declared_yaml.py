@@ -16,7 +16,7 @@ import yaml
 from rosward.deployment.declared_shapes import Scalar
 from rosward.source.location import Place
 
-DEEPEST: Final = 40
+DEEPEST: Final = 100
 LARGEST: Final = 2_000_000
 
 Plain = Scalar | None

@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.deployment import tree
 from rosward.deployment.conditions import Verdict, decide
 from rosward.deployment.execute_include import Descriptions
+from rosward.deployment.execute_later import Agenda, Later
 from rosward.deployment.execute_nodes import At, container_name, load_component, start_node
 from rosward.deployment.execute_process import Launch, start_process
 from rosward.deployment.execute_settings import SETTINGS, change, performed
@@ -32,12 +33,6 @@ from rosward.source.location import Place
 
 MAX_INCLUDES: Final = 40
 MAX_NESTING: Final = 90
-_DOUBTFUL: Final = {
-    "process-io": "output of a process",
-    "lifecycle": "a transition of a lifecycle node",
-    "other": "an event",
-}
-"""Events that need not come, and what they are."""
 
 
 @final
@@ -46,18 +41,6 @@ class Budget:
 
     def __init__(self, actions: int) -> None:
         self.left = actions
-
-
-class Later(NamedTuple):
-    """Actions that wait for an event. `time` orders timers; `files` is the current launch file that a timer keeps."""
-
-    actions: tuple[tree.Action, ...]
-    at: At
-    place: Place
-    function: Value | None = None
-    target: Value | None = None
-    time: float = 0.0
-    files: tuple[Value | None, ...] = (None,)
 
 
 @final
@@ -69,12 +52,8 @@ class System:
         self.started: list[Started] = []
         self._descriptions = descriptions
         self._budget = budget
-        self._timers: list[Later] = []
-        self._handlers: list[Later] = []
-        self._now = 0.0
+        self._agenda = Agenda()
         self._containers: dict[tuple[Place, object, object], Value] = {}
-        self._seen: dict[Value, None] = {}
-        self._executed: dict[Value, At] = {}
 
     def run(self, file: str, path: Value, at: At) -> None:
         """Execute a launch file, and then what waits for timers and events."""
@@ -82,17 +61,10 @@ class System:
         description = self._descriptions.read(file, "any", self.scene)
         if description is not None:
             self.walk(description.actions, at)
-        while self._timers or self._next_handler() is not None:
-            if self._timers:
-                timer = min(self._timers, key=lambda each: each.time)
-                self._timers.remove(timer)
-                self._now = timer.time
-                self._fire(timer)
-            else:
-                handler = self._next_handler()
-                if handler is not None:
-                    self._handlers.remove(handler)
-                    self._fire(handler)
+        later = self._agenda.next()
+        while later is not None:
+            self._fire(later)
+            later = self._agenda.next()
 
     # Order
 
@@ -101,22 +73,12 @@ class System:
         for action in actions:
             if not self._allowed(action.place, at):
                 return
-            if action.identity is not None:
-                self._seen[action.identity] = None
+            self._agenda.see(action)
             verdict = decide(action.condition, self.scene)
             if verdict.true:
                 self._by(verdict, lambda way, a=action: self._execute(a, way), at)  # type: ignore[misc]
             else:
-                self._note(_inside(action))
-
-    def _note(self, actions: Iterable[tree.Action]) -> None:
-        """Actions that exist: a handler that waits for one of them waits until it is executed."""
-        left = list(actions)
-        while left:
-            action = left.pop()
-            if action.identity is not None:
-                self._seen[action.identity] = None
-            left.extend(_inside(action))
+                self._agenda.see_inside(action)
 
     def _by(self, verdict: Verdict, execute: Callable[[At], None], at: At) -> None:
         """Execute, or where that is open, join the state behind with the state before."""
@@ -136,8 +98,7 @@ class System:
         return False
 
     def _execute(self, action: tree.Action, at: At) -> None:
-        if action.identity is not None:
-            self._executed[action.identity] = at
+        self._agenda.executed(action, at)
         inner = at._replace(depth=at.depth + 1)
         if isinstance(action, SETTINGS):
             change(action, self.scene)
@@ -177,7 +138,7 @@ class System:
             self._containers[_key(action)] = container_name(action, self.scene)
         self.started += start_node(action, self.scene, at)
         self._load_into(self._containers.get(_key(action), Const("")), action.components, at)
-        self._on_exit(action.on_exit, action.place, at)
+        self._agenda.add_on_exit(action.on_exit, action.place, at)
 
     def _load(self, action: tree.LoadComponents, at: At) -> None:
         if not isinstance(action.target, tree.StartNode):
@@ -205,7 +166,7 @@ class System:
                 self.started.append(found)
             else:
                 self._launch(found, action.place, at)
-        self._on_exit(action.on_exit, action.place, at)
+        self._agenda.add_on_exit(action.on_exit, action.place, at)
 
     def _launch(self, launch: Launch, place: Place, at: At) -> None:
         """`ros2 launch`: a system of its own, which gets the environment but no configurations."""
@@ -292,38 +253,16 @@ class System:
 
     # What waits
 
-    def _on_exit(self, actions: tuple[tree.Action, ...], place: Place, at: At) -> None:
-        if actions:
-            self._handlers.append(Later(actions, at._replace(event="process-exit"), place))
-            self._note(actions)
-
     def _wait(self, action: tree.Timer | tree.OnEvent, at: At) -> None:
         if isinstance(action, tree.Timer):
-            time = self._now + _seconds(self.scene.text(action.period))
-            later = at._replace(event="timer")
-            self._timers.append(Later(action.actions, later, action.place, time=time, files=self.scene.context.files))
-        elif action.event != "shutdown":  # what is started while launch shuts down never runs
-            later = at._replace(event=action.event)
-            doubt = _DOUBTFUL.get(action.event)
-            later = later.maybe(doubt) if doubt else later
-            self._handlers.append(Later(action.actions, later, action.place, action.function, action.target))
-            self._note(action.actions)
-
-    def _next_handler(self) -> Later | None:
-        """The first handler whose event can come: its target, where it is an action that is known, was executed."""
-        return next((h for h in self._handlers if not self._waits_in_vain(h)), None)
-
-    def _waits_in_vain(self, handler: Later) -> bool:
-        target = handler.target
-        return target is not None and target in self._seen and target not in self._executed
+            self._agenda.add_timer(action, _seconds(self.scene.text(action.period)), self.scene.context.files, at)
+        else:
+            self._agenda.add_handler(action, at)
 
     def _fire(self, later: Later) -> None:
         self.scene.context.files = later.files
         self.scene.turn = {}
-        at = later.at._replace(depth=0)
-        if later.target is not None and later.target in self._executed:
-            for why in self._executed[later.target].why:
-                at = at.maybe(why)
+        at = self._agenda.circumstances(later)
         verdict = Verdict(why=at.why[-1]) if at.conditional and at.why else Verdict(false=False)
         self._by(verdict, lambda way: self._react(later, way), at)
 
@@ -334,15 +273,6 @@ class System:
             alone = later.at.event == "process-io"  # the one handler that is not given the context
             function = later.function if alone else Partial(later.function, (event,), ())
             self.walk(self._called(function, (event,) if alone else (), {}, context=not alone), at)
-
-
-def _inside(action: tree.Action) -> tuple[tree.Action, ...]:
-    """The actions that an action holds."""
-    if isinstance(action, (tree.Group, tree.Maybe, tree.Timer, tree.OnEvent)):
-        return action.actions
-    if isinstance(action, (tree.Include, tree.ForEach)):
-        return action.body
-    return action.on_exit if isinstance(action, (tree.StartNode, tree.StartProcess)) else ()
 
 
 def _key(node: tree.StartNode) -> tuple[Place, object, object]:

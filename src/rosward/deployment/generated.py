@@ -164,9 +164,7 @@ class Generated:
     def _fails_without(self, content: Content, path: Value, place: Place) -> None:
         if content.absent:
             shown = self._files.show(path)
-            self._findings.tell(
-                "RW320", f"launch fails here: the file {shown}, which is to be rewritten, is not there.", place
-            )
+            self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, is not there.", place)
 
 
 def _ways(pieces: Sequence[Value]) -> list[tuple[str, list[Hole]]]:

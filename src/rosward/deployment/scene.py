@@ -90,7 +90,7 @@ class Scene:
 
     def fails(self, what: str, place: Place) -> None:
         """Tell that the real launch raises an exception here."""
-        self.findings.tell("RW320", f"launch fails here: {what}.", place)
+        self.findings.tell("RW320", f"{what[:1].upper()}{what[1:]}.", place)
 
     # As a Performer
 

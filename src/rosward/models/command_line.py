@@ -126,18 +126,22 @@ def from_plain(value: object, like: Value) -> Value:
 
 def given_to(node_fqn: str, rows: Iterable[Given]) -> dict[str, Value]:
     """The values that rows, in their order, give the node of a full name; see `ros.arguments.parameters_of_node` for the precedence."""
-    by_key: dict[str, dict[str, list[Given]]] = {}
+    by_key: dict[str, dict[str, list[list[Given]]]] = {}
     for row in rows:
-        by_key.setdefault(row.node, {}).setdefault(row.name, []).append(row)
+        entries = by_key.setdefault(row.node, {}).setdefault(row.name, [])
+        if row.nested or not entries:
+            entries.append([row])  # a nested name never joins an earlier one: it replaces it
+        else:
+            entries[0].append(row)
     found: dict[str, Value] = {}
     for key, values in by_key.items():
         fits = arguments.key_fits_node(key, node_fqn)
         if fits is False:
             continue
-        for name, several in values.items():
-            value = _effective([g.value for g in several])
+        for name, entries in values.items():
+            value = _effective([g.value for g in entries[-1]])
             if fits is None and found.get(name) != value:
-                value = Unknown((Reason(Cause.PARAMETER, name, several[-1].place or Place("")),))
+                value = Unknown((Reason(Cause.PARAMETER, name, entries[-1][-1].place or Place("")),))
             found[name] = value
     return found
 

@@ -207,15 +207,21 @@ def _words(machine: Interpreter, value: Value | None) -> tuple[Value, ...]:
     return known if rest is None else (*known, rest)
 
 
-def _sim_time(machine: Interpreter, overrides: Value | None) -> tuple[tuple[str, Value], ...]:
-    """`use_sim_time` among the parameter overrides of the code itself."""
+_READ_BY_LIBRARY: Final = ("use_sim_time", "start_type_description_service")
+"""Parameters that decide what the client library itself creates."""
+
+
+def _own_overrides(machine: Interpreter, overrides: Value | None) -> tuple[tuple[str, Value], ...]:
+    """Those among the parameter overrides of the code itself that the client library reads."""
     if overrides is None or overrides == NONE:
         return ()
+    found: list[tuple[str, Value]] = []
     for item in machine.iterate(overrides).known:
         attrs = machine.obj(item).attrs if isinstance(item, Ref) else {}
-        if text_of(attrs.get("_name")) == "use_sim_time":
-            return (("use_sim_time", attrs.get("_value", NONE)),)
-    return ()
+        name = text_of(attrs.get("_name"))
+        if name in _READ_BY_LIBRARY:
+            found.append((name, attrs.get("_value", NONE)))
+    return tuple(found)
 
 
 def _create_node(call: NativeCall) -> Value:
@@ -235,7 +241,7 @@ def _create_node(call: NativeCall) -> Value:
                 node.address,
                 call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE),
                 keywords.get("namespace", NONE),
-                tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _sim_time(machine, overrides),
+                tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _own_overrides(machine, overrides),
                 _words(machine, keywords.get("cli_args")),
                 words,
                 machine.obj(node).cls,

@@ -273,7 +273,9 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
 
     own, general = command_lines(log, effect)
     fqn = names.fully_qualified(identity.namespace, identity.name)
-    given = values_of(log, effect).get("use_sim_time")
+    values = values_of(log, effect)
+    given = values.get("use_sim_time")
+    description = switches.get("start_type_description_service", values.get("start_type_description_service"))
     sim = (given is not None and _may_be_true(given)) or any(
         p.address == effect.address and isinstance(p.name, Const) and p.name.value == "use_sim_time" and _true(p.value)
         for p in log.parameters
@@ -283,6 +285,7 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
         node_fqn=fqn,
         enable_rosout=switch("enable_rosout", True) and own.rosout_logs and general.rosout_logs,
         start_parameter_services=switch("start_parameter_services", True),
+        type_description=not (isinstance(description, Const) and description.value is False),
         logger_service=switch("enable_logger_service", False),
         use_sim_time=sim or switch("use_sim_time", False),
         lifecycle=switch("lifecycle", False),
