@@ -95,7 +95,7 @@ BUILDING = """
 /fleet/gateway ac /porter2/deliver bound
 /fleet/gateway pub /fleet/deliveries
 /fleet/gateway ss /fleet/request_delivery
-/fleet/watch pub /building/alarms
+/fleet/watch pub /building/alarms default
 /fleet/watch ss /fleet/watch/reset
 /fleet/watch sub /diagnostics default
 /fleet/watch sub /fleet/heartbeat bound

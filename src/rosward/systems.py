@@ -77,14 +77,21 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
     findings: dict[Finding, None] = {}
     extra = _parameter_files(request.params, outset.workspace.root, findings)
     found: list[System] = []
+    unread: dict[str, list[str]] = {}
     for launch, file in _launch_files(request, outset):
-        started = _execute(file, {**dict(request.arguments), **dict(launch.arguments)}, outset, findings)
-        found.append(_system(str(launch), file, [_with_files(s, extra) for s in started], outset, findings))
+        ran = _execute(file, {**dict(request.arguments), **dict(launch.arguments)}, outset, findings)
+        for name in ran.unread:
+            unread.setdefault(name, []).append(file)
+        found.append(_system(str(launch), file, [_with_files(s, extra) for s in ran.started], outset, findings))
+    own = {name for launch in request.launches for name, _ in launch.arguments}
+    for name, files in unread.items():
+        if name in own or len(files) == len(found):  # what is given to all files is for those that know it
+            message = f"No launch file declares or reads the launch argument '{name}'."
+            findings.update((Finding("RW322", message, Place(file)), None) for file in files)
     if request.nodes:
-        started = [_with_files(_node(n), extra) for n in request.nodes]
-        found.append(
-            _system(", ".join(f"{n.package}/{n.executable}" for n in request.nodes), "", started, outset, findings)
-        )
+        named = [_with_files(_node(n), extra) for n in request.nodes]
+        title = ", ".join(f"{n.package}/{n.executable}" for n in request.nodes)
+        found.append(_system(title, "", named, outset, findings))
         _check_nodes(found[-1])
     findings.update(outset.declarations.findings)
     return found, list(findings)
@@ -133,14 +140,19 @@ def _find(launch: LaunchRequest, outset: Outset) -> str:
     )
 
 
-def _execute(
-    file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]
-) -> tuple[Started, ...]:
+class _Ran(NamedTuple):
+    """What a launch file starts, and which arguments nobody read."""
+
+    started: tuple[Started, ...]
+    unread: tuple[str, ...]
+
+
+def _execute(file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]) -> _Ran:
     python = LaunchPython(outset.library, outset.budget)
     execution = Execution(outset.files, python, outset.distro, {n: Const(v) for n, v in arguments.items()})
     started = execution.run(file, outset.files.place_value(file))
     findings.update(dict.fromkeys(execution.findings))
-    return started
+    return _Ran(started, execution.unread)
 
 
 def _system(name: str, file: str, started: Sequence[Started], outset: Outset, findings: dict[Finding, None]) -> System:

@@ -133,6 +133,7 @@ class Run:
         execution = Execution(Files(texts), Code(programs, functions or {}), distro, given, limit)
         self.started = execution.run(name, share("demo", name.removeprefix("demo")))
         self.findings = execution.findings
+        self.unread = execution.unread
 
     @property
     def lines(self) -> list[str]:

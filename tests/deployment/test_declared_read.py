@@ -215,3 +215,12 @@ def test_hostile_files_end_in_bounded_time(name: str, tmp_path: Path) -> None:
     (tmp_path / "other.yaml").write_text(other)
     log = start("acme", name, folders=[tmp_path])
     assert codes(log)[-1:] == ([] if name == "long" else ["RW201"])
+
+
+def test_includes_that_fan_out_are_read_once() -> None:
+    body = (
+        "interfaces:\n" + "".join(f"  i{n}: {{include: [i{n + 1}, i{n + 1}]}}\n" for n in range(150)) + "  i150: {}\n"
+    )
+    package, findings = read_package(HEAD + body, "acme.yaml", "acme")
+    assert package is not None, findings
+    assert "more than 200 interfaces" in complaint("interfaces: {" + ", ".join(f"i{n}: {{}}" for n in range(300)) + "}")

@@ -113,8 +113,8 @@ def test_a_typed_parameter_keeps_its_origin() -> None:
 
 
 def test_arguments_that_nothing_asks_for() -> None:
-    assert Run(NODE, typo="1").codes == ["RW322"]
-    assert Run('<node pkg="p" exec="$(var read)"/>', read="1").codes == []
+    assert Run(NODE, typo="1").unread == ("typo",)
+    assert Run('<node pkg="p" exec="$(var read)"/>', read="1").unread == ()
 
 
 def test_an_argument_that_is_required() -> None:

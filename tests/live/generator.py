@@ -15,7 +15,7 @@ from .calls import CALL_WAYS
 from .draft import Chooser, Draft, Scope, block
 from .entities import create
 from .hazards import HAZARDS
-from .values import WAYS, word
+from .values import WAYS, concatenation, constant, format_method, fstring, imported, percent, word
 
 _HEAD: Final = """import rclpy
 from rclpy.action import ActionClient, ActionServer
@@ -26,6 +26,8 @@ from std_srvs.srv import Trigger
 from test_msgs.action import Fibonacci
 """
 _DEPTH: Final = 2
+_LABELS: Final = (constant, concatenation, fstring, format_method, imported, percent)
+"""What the names of nodes are made by: one node has one name."""
 
 
 class Written(NamedTuple):
@@ -78,10 +80,10 @@ def _label(draft: Draft) -> str:
     name = draft.fresh("node")
     if draft.chooser.chance(70):
         return repr(name)
-    top, open_ = Scope(), draft.known
-    draft.known = True
+    top, ways = Scope(), draft.ways
+    draft.ways = _LABELS
     text = word(draft, top, 1)
-    draft.known = open_
+    draft.ways = ways
     draft.module += top.lines
     return f"({name + '_'!r} + ({text}).replace('/', '_'))"
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What does a real DDS with DDS Security say? Cyclone DDS of Debian (`libddsc0debian`), called by ctypes.
 
-    with cyclone().participant(7, Path("keystore/talker")) as talker:
+    with Cyclone().participant(7, Path("keystore/talker")) as talker:
         talker.may(Endpoint("write", "rt/chatter", "std_msgs::msg::dds_::String_"))   -> True
         talker.may(Endpoint("write", "rt/evil", "std_msgs::msg::dds_::String_"))      -> False
 
@@ -21,7 +21,7 @@ from typing import Any, Final
 
 from .endpoints import Endpoint
 
-__all__ = ["Channel", "Cyclone", "DdsError", "Participant", "UnavailableError", "cyclone"]
+__all__ = ["Channel", "Cyclone", "DdsError", "Participant", "UnavailableError"]
 
 _LIBRARY: Final = "libddsc.so.0debian"
 _PLUGINS: Final = "libddsc0debian"
@@ -320,8 +320,3 @@ def _taken(library: Cyclone, reader: int) -> Iterator[int]:
     finally:
         if number:
             library.call("dds_return_loan", reader, samples, number)
-
-
-def cyclone() -> Cyclone:
-    """The library; UnavailableError where it is not installed."""
-    return Cyclone()

@@ -30,6 +30,7 @@ from rosward.deployment.declared_yaml import Item, Malformed, read_yaml
 from rosward.findings import Finding
 from rosward.ros.distro import ClientLibrary, Distro
 from rosward.ros.entities import Qos
+from rosward.source.location import Place
 
 KINDS: Final = {
     "publishers": "publisher",
@@ -61,6 +62,7 @@ _ENDPOINT: Final = frozenset(("name", "type", "qos", "when", "since", "until", "
 _PARAMETER: Final = frozenset(("type", "default_value", "description", "read_only", "validation", "since", "until"))
 _CONDITION: Final = frozenset(("param", "argument", "value", "is", "not", "in", "set", "installed"))
 _LOOPS: Final = frozenset(("family", "words", "list", "below", "values"))
+_MOST_INTERFACES: Final = 200
 _VARIABLE: Final = re.compile(r"[a-z][a-z0-9_]*")
 _TYPE: Final = re.compile(r"[A-Za-z][A-Za-z0-9_]*/(?:msg|srv|action)/[A-Z][A-Za-z0-9_]*")
 _PART: Final = {"publishers": "msg", "subscriptions": "msg"}
@@ -109,7 +111,7 @@ def _package(item: Item, wanted: str | None) -> Package:
         for kind in ("executables", "components")
     }
     executables, components = _shared(top, "executables", programs), _shared(top, "components", programs)
-    _check_includes(interfaces, name)
+    _check_includes(interfaces, name, item.place)
     return Package(name, executables, components, interfaces)
 
 
@@ -129,8 +131,11 @@ def _shared(top: Mapping[str, Item], kind: str, programs: Mapping[str, Mapping[s
     return found
 
 
-def _check_includes(interfaces: Mapping[str, Group], package: str) -> None:
+def _check_includes(interfaces: Mapping[str, Group], package: str, place: Place) -> None:
     """No group of a file includes itself; what other files have is bounded when it is executed."""
+    if len(interfaces) > _MOST_INTERFACES:
+        raise Malformed(f"more than {_MOST_INTERFACES} interfaces", place)
+    checked: set[str] = set()
 
     def visit(name: str, way: tuple[str, ...]) -> None:
         for include in _includes(interfaces[name]):
@@ -141,10 +146,13 @@ def _check_includes(interfaces: Mapping[str, Group], package: str) -> None:
                 raise Malformed(f"no interface is called {short}", include.place)
             if short in (*way, name):
                 raise Malformed(f"{short} includes itself", include.place)
-            visit(short, (*way, name))
+            if short not in checked:
+                visit(short, (*way, name))
+        checked.add(name)
 
     for each in interfaces:
-        visit(each, ())
+        if each not in checked:
+            visit(each, ())
 
 
 def _includes(group: Group) -> tuple[Include, ...]:

@@ -51,6 +51,8 @@ class Execution:
         self._python = python
         self._arguments = arguments
         self._findings = Findings()
+        self.unread: tuple[str, ...] = ()
+        """The arguments that no launch file declared or read."""
 
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
@@ -62,10 +64,8 @@ class Execution:
         descriptions = Descriptions(self._files, self._python, self._findings)
         system = System(scene, descriptions, Budget(self._limit))
         system.run(file, path or _in_sources(file), At())
-        for name in self._arguments:
-            if name not in scene.asked and not scene.asked_all:
-                message = f"No launch file declares or reads the launch argument '{name}'."
-                self._findings.tell("RW322", message, Place(file, 0))
+        asked = self._arguments if scene.asked_all else scene.asked
+        self.unread = tuple(name for name in self._arguments if name not in asked)
         return tuple(system.started)
 
     @property

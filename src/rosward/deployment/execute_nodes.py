@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from rosward.deployment.component_parameters import ComponentParameters
 from rosward.deployment.namespaces import full_name, prefixed, scopes
 from rosward.deployment.parameters import Parameters
-from rosward.deployment.started import Started, StartKind
+from rosward.deployment.started import Inclusion, Started, StartKind
 from rosward.deployment.tree import Component, NodeKind, StartNode, Template
 from rosward.deployment.yaml_values import plain_text
 from rosward.domain.choice import join, lift2, options
@@ -46,8 +46,12 @@ class At(NamedTuple):
     conditional: bool = False
     why: tuple[str, ...] = ()
     event: str = ""
-    trail: tuple[Place, ...] = ()
+    trail: tuple[Inclusion, ...] = ()
     depth: int = 0
+
+    def inside(self, file: str) -> At:
+        """In the file that the last include names."""
+        return self._replace(trail=(*self.trail[:-1], self.trail[-1]._replace(file=file)))
 
     def maybe(self, why: str) -> At:
         """Only under a condition that is not known."""

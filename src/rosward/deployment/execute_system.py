@@ -22,7 +22,7 @@ from rosward.deployment.execute_settings import SETTINGS, change, performed
 from rosward.deployment.loops import Turn, turns
 from rosward.deployment.perform_paths import folder, joined, normal_path
 from rosward.deployment.scene import Scene
-from rosward.deployment.started import Started
+from rosward.deployment.started import Inclusion, Started
 from rosward.deployment.yaml_values import plain_text
 from rosward.domain.choice import options
 from rosward.domain.text import pattern
@@ -175,7 +175,7 @@ class System:
             share = folder(Cause.SHARE, launch.package, place)
             paths = [joined(share, joined(Const(f), launch.file)) for f in ("launch", "")]
             path = next((p for p in paths if self.scene.files.find(p) is not None), paths[0])
-        inner = at._replace(trail=(*at.trail, place))
+        inner = at._replace(trail=(*at.trail, Inclusion(place, "", self._budget.left)))
         if not self._allowed(place, inner):
             return
         file = self._descriptions.find(path, place)
@@ -188,7 +188,7 @@ class System:
         for name, value in launch.arguments.items():
             scene.set_configuration(name, value)
         system = System(scene, self._descriptions, self._budget)
-        system.run(file, path, inner)
+        system.run(file, path, inner.inside(file))
         self.started += system.started
 
     # What holds other actions
@@ -211,7 +211,7 @@ class System:
             context.pop_configurations()
 
     def _include(self, action: tree.Include, at: At) -> None:
-        inner = at._replace(trail=(*at.trail, action.place))
+        inner = at._replace(trail=(*at.trail, Inclusion(action.place, "", self._budget.left)))
         if action.path is None:
             self._set_arguments(action)
             self.walk(action.body, inner)
@@ -229,8 +229,8 @@ class System:
             description = self._descriptions.read(file, action.format, self.scene)
         self.scene.context.files = (normal_path(path),)
         self._set_arguments(action)
-        if description is not None:
-            self.walk(description.actions, at)
+        if description is not None and file is not None:
+            self.walk(description.actions, at.inside(file))
 
     def _set_arguments(self, action: tree.Include) -> None:
         for name, value in action.arguments:

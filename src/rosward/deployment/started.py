@@ -43,6 +43,14 @@ class Setting(NamedTuple):
     place: Place | None = None
 
 
+class Inclusion(NamedTuple):
+    """One include on the way to what is started: where it is written, the file that it includes, and a number that tells its turns apart."""
+
+    place: Place
+    file: str
+    turn: int = 0
+
+
 @final
 @dataclass(frozen=True, slots=True, eq=False)
 class Started:
@@ -50,7 +58,7 @@ class Started:
 
     `namespace` has the pushed namespaces in it. `remaps` has SetRemap's first. `configuration` is the command line that this makes.
     `conditional`: some execution with these arguments does not start it; `why` says what that depends on. `event`: what has to happen first
-    ('' : nothing), as 'timer', 'process-exit', … `trail` are the places of the includes that led here, outermost first;
+    ('' : nothing), as 'timer', 'process-exit', … `trail` are the includes that led here, outermost first;
     `container` is the (full, as given) name of a component's container, `plugin` its class.
     """
 
@@ -69,4 +77,4 @@ class Started:
     conditional: bool = False
     why: tuple[str, ...] = ()
     event: str = ""
-    trail: tuple[Place, ...] = ()
+    trail: tuple[Inclusion, ...] = ()

@@ -213,8 +213,16 @@ def _resolved(
     result: list[tuple[str, NameOption]] = []
     for text in found:
         target = remapped_by(text, option.text, remap, rules, own, space) if rules else None
-        result.append((text, option if target is None else name_options(target)[0]))
+        result.append((text, option if target is None else _behind_rule(option, name_options(target)[0])))
     return result
+
+
+def _behind_rule(name: NameOption, target: NameOption) -> NameOption:
+    """How a name was found that a remap rule gives: as the rule's target was, and, since the rule fits this name only, as that was."""
+    depends = tuple(sorted({*name.depends_on, *target.depends_on}))
+    known = name.resolution in _KNOWN and target.resolution in _KNOWN
+    resolution = max(name.resolution, target.resolution, key=_ORDER.__getitem__) if known else target.resolution
+    return target._replace(depends_on=depends, resolution=resolution)
 
 
 def _entity(

@@ -25,10 +25,18 @@ class SetParameter(NamedTuple):
     place: Place | None
 
 
+class Inclusion(NamedTuple):
+    """An include: where it is written, the file that it includes, and a number that tells its turns apart."""
+
+    place: Place
+    file: str
+    turn: int
+
+
 class LaunchEntry(NamedTuple):
     """One node, component, container or process. `program` says what is behind it: its source, a declaration, or why that is not known.
 
-    `trail` are the places of the includes that lead to it, outermost first; `event` is what has to happen before it is started.
+    `trail` are the includes that lead to it, outermost first; `event` is what has to happen before it is started.
     """
 
     kind: str
@@ -43,7 +51,7 @@ class LaunchEntry(NamedTuple):
     words: tuple[Shown, ...]
     environment: tuple[tuple[str, Shown], ...]
     place: Place
-    trail: tuple[Place, ...]
+    trail: tuple[Inclusion, ...]
     program: str
     conditional: bool
     why: tuple[str, ...]

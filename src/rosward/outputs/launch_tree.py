@@ -15,7 +15,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rosward.findings import Finding
-from rosward.network.launch_tree import LaunchEntry, LaunchSystem, Shown
+from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.safe import printable
 from rosward.source.location import Place
 
@@ -33,21 +33,21 @@ def launch_tree_text(systems: Iterable[LaunchSystem], findings: Sequence[Finding
 
 def _branch(entries: Sequence[LaunchEntry], depth: int, indent: str) -> list[str]:
     """The entries below the includes that they share; includes stand where their first entry does."""
-    groups: list[tuple[Place | None, list[LaunchEntry]]] = []
+    groups: list[tuple[Inclusion | None, list[LaunchEntry]]] = []
     for each in entries:
-        place = each.trail[depth] if len(each.trail) > depth else None
-        if place is not None and groups and groups[-1][0] == place:
+        step = each.trail[depth] if len(each.trail) > depth else None
+        if step is not None and groups and groups[-1][0] == step:
             groups[-1][1].append(each)
         else:
-            groups.append((place, [each]))
+            groups.append((step, [each]))
     lines: list[str] = []
-    for number, (place, members) in enumerate(groups):
+    for number, (step, members) in enumerate(groups):
         last = number == len(groups) - 1
         mark, below = ("└─ ", "   ") if last else ("├─ ", "│  ")
-        if place is None:
+        if step is None:
             lines += _entry(members[0], indent + mark, indent + below)
         else:
-            lines.append(f"{indent}{mark}include ({place})")
+            lines.append(f"{indent}{mark}include {step.file}  ({step.place})")
             lines += _branch(members, depth + 1, indent + below)
     return lines
 

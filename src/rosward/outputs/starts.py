@@ -2,17 +2,20 @@
 """How is each process started so that it runs in its enclave?
 
     /left/talker
-      demo/talker, started at bringup/launch/robot.launch.py:12: add ros_arguments=['--enclave', '/left/talker'] there
+      demo/talker, started at bringup/launch/robot.launch.py:12: ros_arguments=['--enclave', '/left/talker']
 
 A process has one enclave; which, its command line or ROS_SECURITY_ENCLAVE_OVERRIDE says (rcl, init.c).
 """
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable
+
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.outputs.safe import printable
 from rosward.ros.entities import Node
+from rosward.source.location import Place
 
 _HEAD = """\
 # The enclave of each process, and how it gets there. Without --enclave a process runs in /, and its rights are those of /.
@@ -25,11 +28,12 @@ def starts_text(network: Network) -> str:
     by_enclave: dict[str, dict[str, list[Node]]] = {}
     for node in network.nodes:
         by_enclave.setdefault(paths[node.enclave], {}).setdefault(node.process, []).append(node)
+    shared = _shared_places(network.nodes)
     lines = [_HEAD]
     for enclave in sorted(by_enclave):
         lines.append(enclave)
         for process, members in sorted(by_enclave[enclave].items()):
-            lines.append(f"  {printable(process)}{_nodes(members, enclave)}{_how(members[0], enclave)}")
+            lines.append(f"  {printable(process)}{_nodes(members, enclave)}{_how(members[0], enclave, shared)}")
         lines.append("")
     return "\n".join(lines)
 
@@ -39,11 +43,33 @@ def _nodes(members: list[Node], enclave: str) -> str:
     return "" if names == [enclave] else f" (nodes {printable(', '.join(names))})"
 
 
-def _how(node: Node, enclave: str) -> str:
+def _how(node: Node, enclave: str, shared: Collection[Place]) -> str:
+    place = node.launched_by
     if node.given_enclave == enclave:
         return ": its start says so"
-    if node.launched_by is not None:
-        return f", started at {printable(str(node.launched_by))}: add ros_arguments=['--enclave', '{enclave}'] there"
+    if place is not None and place in shared:
+        return (
+            f", started at {printable(str(place))} as others are: give it --enclave {enclave} among its ROS arguments"
+        )
+    if place is not None:
+        return f", started at {printable(str(place))}: {_option(place.file, enclave)}"
     if node.package and node.executable:
         return f": ros2 run {node.package} {node.executable} --ros-args --enclave {enclave}"
     return f": start it with --ros-args --enclave {enclave}"
+
+
+def _option(file: str, enclave: str) -> str:
+    """What to add in the launch file, in its own language."""
+    if file.endswith(".py"):
+        return f"ros_arguments=['--enclave', '{enclave}']"
+    word = "ros_args: " if file.endswith((".yaml", ".yml")) else "ros_args="
+    return f'{word}"--enclave {enclave}"'
+
+
+def _shared_places(nodes: Iterable[Node]) -> set[Place]:
+    """The places in launch files that start several processes."""
+    processes: dict[Place, set[str]] = {}
+    for node in nodes:
+        if node.launched_by is not None:
+            processes.setdefault(node.launched_by, set()).add(node.process)
+    return {place for place, several in processes.items() if len(several) > 1}
