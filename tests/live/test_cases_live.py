@@ -33,9 +33,16 @@ NOT_RUN: Final = {
 }
 """Cases that cannot run here, and why; those that need a library of which there is no wheel are skipped with its name."""
 
+NEED_INSTALL: Final = frozenset({"data_files"})
+"""Documents whose programs ask for the share folders of installed packages."""
+
 FAILS: Final = {
     "found: Topic and type in the order of ROS 1": "TypeError",
     "found: A topic whose default is empty": "InvalidTopicNameException",
+    "alternatives: One of two functions does not fit": "TypeError",
+    "containers: One of several containers": "TypeError",
+    "iteration: A generator that may return early": "ParameterNotDeclaredException",
+    "iteration: A list that may grow for ever": "ParameterNotDeclaredException",
     "invalid: A node name with a slash": "InvalidNodeNameException",
     "invalid: Assigning to a property of Node": "AttributeError",
 }
@@ -70,6 +77,8 @@ def _case(case: Case) -> object:
     marks = []
     if case.name in NOT_RUN:
         marks.append(pytest.mark.skip(reason=NOT_RUN[case.name]))
+    elif case.file.stem in NEED_INSTALL:
+        marks.append(pytest.mark.skip(reason="needs an installed package"))
     if case.name in KNOWN:
         marks.append(pytest.mark.xfail(reason=KNOWN[case.name], strict=True))
     return pytest.param(case, marks=marks, id=case.name)
@@ -105,4 +114,4 @@ def test_enough_programs() -> None:
     """The tables speak of cases that exist, and enough of the cases run."""
     names = {case.name for case in CASES}
     assert not ({*NOT_RUN, *FAILS, *INPUTS, *KNOWN} - names)
-    assert len(names - set(NOT_RUN)) >= LEAST
+    assert len([c for c in CASES if c.name not in NOT_RUN and c.file.stem not in NEED_INSTALL]) >= LEAST

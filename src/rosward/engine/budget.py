@@ -12,6 +12,8 @@ class Budget(NamedTuple):
     """Limits of the interpretation of one process.
 
     `steps`: operations interpreted before the process is given up; `entry_steps`: the same for each callback, afterwards.
+    `coarse`: the part of either after which precision is given up, so that what computes much comes to rest: loops are no longer followed
+    turn by turn, nor calls in contexts of their own. `loop_steps`: the same for one outermost loop, until it ends.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
     known; `unroll_forever`: for `while True`.
@@ -23,6 +25,8 @@ class Budget(NamedTuple):
 
     steps: int = 300_000
     entry_steps: int = 60_000
+    coarse: float = 0.4
+    loop_steps: int = 30_000
     depth: int = 60
     recursion: int = 4
     unroll: int = 300

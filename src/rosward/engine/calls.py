@@ -7,11 +7,11 @@ call trees do not explode; recursion beyond a few levels is solved by a fixpoint
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING
 
-from rosward.domain.choice import join, join_all, lost_behaviour, options, widen
+from rosward.domain.choice import join_all, lost_behaviour, options
 from rosward.domain.heap import Obj
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
     UNBOUND,
@@ -29,42 +29,19 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, classes, declared
+from rosward.engine import activation, attributes, classes, declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, BadCallError, bind_arguments
-from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import note_import
 from rosward.engine.escape import escape, name_of
-from rosward.engine.frame import Frame, Snapshot
-from rosward.engine.state import EventKey, State, join_states
 from rosward.ir.ops import Argument
-from rosward.models.native import Items, NativeCall
+from rosward.models.native import NativeCall
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
 Arguments = tuple[Value, ...]
 Keywords = dict[str, Value]
-
-
-@final
-class Summary:
-    """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
-
-    __slots__ = ("after", "before", "registers", "value", "yields")
-
-    def __init__(self, registers: list[Value], before: State) -> None:
-        self.registers = registers
-        self.before = before
-        self.value: Value = UNBOUND
-        self.yields: Value = UNBOUND  # what a generator yields, joined
-        self.after: State | None = None
-
-    @property
-    def seen(self) -> tuple[object, ...]:
-        """What must not change any more."""
-        after = self.after.version if self.after is not None else -1
-        return (tuple(self.registers), self.before.version, self.value, self.yields, after)
 
 
 def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
@@ -291,151 +268,7 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
     if code.is_generator or code.is_coroutine:
         payload = (function, tuple(registers))
         return machine.allocate(Obj("generator", NONE, payload=payload), id(code))
-    return invoke(machine, function, registers)[0]
-
-
-def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
-    """Run a function body on bound registers; the value returned, and what it yields."""
-    code = function.code
-    depth = sum(1 for f in machine.frames if f.code is code)
-    if depth >= machine.budget.recursion or len(machine.frames) >= machine.budget.depth:
-        return _summarised(machine, function, registers)
-    key = (function, tuple(registers), machine.state.version)
-    remembered = machine.memo.get(key)
-    if remembered is not None:
-        return remembered, Items(())
-    raised, version, provisional = machine.raised, machine.state.version, machine.provisional
-    value, items = _run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
-    quiet = (
-        machine.state.version == version
-        and machine.raised == raised
-        and machine.provisional == provisional
-        and not items.known
-        and items.rest is None
-    )
-    if quiet and value is not UNBOUND and not declared.is_model(function):
-        machine.memo[key] = value
-    return value, items
-
-
-def _run_body(
-    machine: Interpreter, function: Function, registers: list[Value], caller: Frame | None, context: int | None = None
-) -> tuple[Value, Items]:
-    code = function.code
-    machine.entered.add(id(code))
-    machine.choosing = False
-    if context is None:
-        context = (
-            machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
-        )
-    full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
-    frame = Frame(code, full, (), function.module, context, declared.is_model(function))
-    frame.cells = (*machine.new_cells(code, context), *function.cells)
-    frame.raised = machine.raised
-    machine.frames.append(frame)
-    machine.check_time()
-    try:
-        if machine.run(code.ops, frame):
-            frame.exits.value = join(frame.exits.value, NONE)
-            if frame.exits.returned is None:
-                frame.exits.returned = Snapshot(frame.registers, machine.state)
-            else:
-                machine.state = join_states(frame.exits.returned.state, machine.state, machine.fresh_version)
-                frame.exits.returned = Snapshot(frame.registers, machine.state)
-    finally:
-        machine.frames.pop()
-    rest = None if frame.yield_rest is UNBOUND else frame.yield_rest
-    items = Items(tuple(frame.yields), rest)
-    machine.yielded = frame.yielded
-    if frame.exits.returned is None:
-        return UNBOUND, items
-    machine.state = frame.exits.returned.state
-    return frame.exits.value, items
-
-
-def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
-    """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
-    key = (id(function.code), function.cells)
-    summary = machine.summaries.get(key)
-    reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
-
-    def widening(old: Value, new: Value) -> Value:
-        return widen(old, new, reason)
-
-    if summary is not None:
-        summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
-        summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
-        machine.provisional += 1  # what is computed from it now may not be its last word
-        if summary.after is None:
-            return UNBOUND, Items(())
-        machine.state = summary.after.copy()
-        return summary.value, _any_number(summary.yields)
-    if len(machine.frames) >= machine.budget.depth * 2:
-        raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
-    summary = machine.summaries[key] = Summary(list(registers), machine.state.copy())
-    context = machine.context("summary", id(function.code))
-    try:
-        for _ in range(machine.budget.fixpoint):
-            reads, seen = machine.provisional, summary.seen
-            machine.state = summary.before.copy()
-            value, items = _run_body(machine, function, list(summary.registers), machine.frames[-1], context)
-            for item in (*items.known, *(() if items.rest is None else (items.rest,))):
-                summary.yields = item if summary.yields is UNBOUND else widening(summary.yields, item)
-            if value is not UNBOUND:
-                summary.value = widening(summary.value, value) if summary.value is not UNBOUND else value
-                summary.after = (
-                    machine.state.copy()
-                    if summary.after is None
-                    else join_states(summary.after, machine.state.copy(), machine.fresh_version, widening)
-                )
-            if machine.provisional == reads:
-                break  # nothing inside asked for the summary: this turn was exact
-            if seen == summary.seen:
-                break
-        else:
-            machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
-    finally:
-        del machine.summaries[key]
-    machine.yielded = None
-    if summary.after is None:
-        return UNBOUND, _any_number(summary.yields)
-    machine.state = summary.after
-    return summary.value, _any_number(summary.yields)
-
-
-def _any_number(value: Value) -> Items:
-    """Any number of an item; none where there is none."""
-    return Items((), None if value is UNBOUND else value)
-
-
-class Suspended(NamedTuple):
-    """What running a suspended call gave: what it yields, what it returns, what it surely did before its first item (None: it has none)."""
-
-    items: Items
-    value: Value
-    begun: frozenset[EventKey] | None = None
-
-
-def run_generator(machine: Interpreter, obj: Obj) -> Suspended:
-    """Run a suspended generator or coroutine to its end. The state behind it covers those at its yields: there its consumer works."""
-    if obj.payload is None:
-        return Suspended(Items(()), NONE)
-    assert isinstance(obj.payload, tuple)
-    function, registers = obj.payload
-    value, items = invoke(machine, function, list(registers))
-    yielded = machine.take_yielded()
-    begun = None
-    if yielded is not None:
-        begun, done = yielded.done, machine.state.done
-        machine.state = join_states(machine.state, yielded, machine.fresh_version)
-        machine.state.done = done
-    if obj.many:
-        items = (
-            Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))]))
-            if items.known
-            else items
-        )
-    return Suspended(items, value, begun)
+    return activation.invoke(machine, function, registers)[0]
 
 
 def wait_for(machine: Interpreter, value: Value) -> Value:
@@ -445,7 +278,7 @@ def wait_for(machine: Interpreter, value: Value) -> Value:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":
-            return run_generator(machine, obj).value
+            return activation.run_generator(machine, obj).value
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:

@@ -102,9 +102,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number = True, 0
-    if not machine.loops:
-        machine.turns = 0
-    machine.loops += 1
+    machine.begin_loop(op)
     while True:
         note(machine)
         frame.context = machine.context(context, id(op), number)
@@ -116,7 +114,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
         if decided is False:
             alive = machine.run(op.orelse, frame)
             break
-        if decided is None or number >= limit or machine.turns >= machine.budget.turns:
+        if decided is None or number >= limit or machine.turns >= machine.budget.turns or machine.coarse:
             frame.context = machine.context(context, id(op), "*")
             alive = until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
             break
@@ -137,7 +135,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
         number += 1
         machine.turns += 1
         machine.check_time()
-    machine.loops -= 1
+    machine.end_loop(op)
     frame.context = context
     return behind(machine, frame, alive, saved)
 
@@ -162,10 +160,14 @@ def until_stable(
         return widen(old, new, reason)
 
     head = machine.snapshot(frame)
+    done = head.state.done
+    if machine.coarse:  # where it came to rest before it probably does again
+        head = join_into(machine, machine.heads.pop(id(op), None), head, widening)
+        head = Snapshot(head.registers.copy(), head.state.copy())
     ended: Snapshot | None = None
     frame.uncertain += 1
     # Inside a loop that is followed to a fixpoint itself, each turn would be joined many times over: there it widens at once.
-    patience = 0 if machine.fixpoints else machine.budget.widen_after
+    patience = 0 if machine.fixpoints or machine.coarse else machine.budget.widen_after
     machine.fixpoints += 1
     for number in range(machine.budget.fixpoint * 4):
         machine.resume(frame, Snapshot(head.registers.copy(), head.state.copy()))
@@ -195,8 +197,11 @@ def until_stable(
         machine.report("RW201", "the loop did not come to rest; what later turns create may be missing")
     frame.uncertain -= 1
     machine.fixpoints -= 1
+    if machine.coarse:
+        machine.heads[id(op)] = head
     if ended is None:
         machine.log.blocks(machine)
         return False
+    ended.state.done |= done  # the heads of other times knew less
     machine.resume(frame, ended)
     return True

@@ -21,7 +21,19 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, catcher, classes, equality, escape, items, iteration, modules, namespaces
+from rosward.engine import (
+    activation,
+    attributes,
+    calls,
+    catcher,
+    classes,
+    equality,
+    escape,
+    items,
+    iteration,
+    modules,
+    namespaces,
+)
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.schedule import Schedule
@@ -55,6 +67,12 @@ class Interpreter:
         self.schedule_book = Schedule()
         self.steps = 0
         self.step_limit = budget.steps
+        self.coarse = False  # precision is given up: too many steps were spent
+        self.always_coarse = False  # the callback that is running took too many steps when it ran before
+        self.coarse_limit = int(budget.steps * budget.coarse)
+        self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
+        self.heavy: set[int] = set()  # id() of the outermost loops that took too many steps
+        self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
         self.deadline = time.process_time() + budget.seconds
         self.choosing = False  # what is being called is one of several alternatives
         self.raised = 0
@@ -64,7 +82,9 @@ class Interpreter:
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.yielded: State | None = None  # the states at the yields of the generator that was run last, joined
         self.ends: State | None = None  # where the program ends early, joined
-        self.summaries: dict[object, calls.Summary] = {}
+        self.summaries: dict[object, activation.Summary] = {}
+        self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
+        self.large: dict[int, bool] = {}  # whether a code body, by its id(), has loops
         self.memo: dict[object, Value] = {}
         self.instantiated: set[Place] = set()
         self.entered: set[int] = set()  # id() of each code body that was run
@@ -82,6 +102,8 @@ class Interpreter:
         self.steps += len(block)
         if self.steps > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
+        if self.steps > self.loop_limit:
+            self.coarse = True
         if self.catchers:
             return catcher.run_noting(self, block, frame)
         table = self.table
@@ -89,6 +111,24 @@ class Interpreter:
             if table[op.__class__](self, op, frame) is False:
                 return False
         return True
+
+    def begin_loop(self, op: ops.Op) -> None:
+        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
+        if not self.loops:
+            self.turns = 0
+            self.loop_limit = min(self.coarse_limit, self.steps + self.budget.loop_steps)
+            self.coarse = self.coarse or id(op) in self.heavy
+        self.loops += 1
+
+    def end_loop(self, op: ops.Op) -> None:
+        """A loop has ended."""
+        self.loops -= 1
+        if not self.loops:
+            if self.coarse and not self.always_coarse:
+                self.heavy.add(id(op))
+                self.always_coarse = self.schedule_book.running  # in a callback, until it ends
+            self.loop_limit = self.coarse_limit
+            self.coarse = self.always_coarse or self.steps > self.coarse_limit
 
     def take_yielded(self) -> State | None:
         """The states at the yields of the generator that was run last, joined; they are given once."""

@@ -24,7 +24,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes
+from rosward.engine import activation, attributes, calls, classes
 from rosward.engine.alternatives import each_apart
 from rosward.engine.catcher import Catcher, throw
 from rosward.engine.control import behind, turn, until_stable
@@ -50,12 +50,10 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None
     source = frame.registers[op.iterable]
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
-    if not machine.loops:
-        machine.turns = 0
     begun: frozenset[EventKey] | None = None
     returned = frame.exits.returned
     source = _made(machine, source, asynchronous=op.is_async)
-    machine.loops += 1
+    machine.begin_loop(op)
     if source is UNBOUND:
         alive = False
     elif _steps(machine, source, asynchronous=op.is_async):
@@ -63,7 +61,7 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None
     else:
         known, rest, begun = _run_source(machine, source)
         alive = _over_items(machine, op, frame, context, source, Items(known, rest))
-    machine.loops -= 1
+    machine.end_loop(op)
     frame.context = context
     if alive:
         alive = machine.run(op.orelse, frame)
@@ -81,7 +79,7 @@ def _run_source(
 ) -> tuple[tuple[Value, ...], Value | None, frozenset[EventKey] | None]:
     """What a source yields; where it is a generator also what it surely did before its first item."""
     if isinstance(source, Ref) and machine.obj(source).kind == "generator":
-        run = calls.run_generator(machine, machine.obj(source))
+        run = activation.run_generator(machine, machine.obj(source))
         return (*run.items, run.begun)
     return (*iterate(machine, source), None)
 
@@ -92,7 +90,7 @@ def _over_items(machine: Interpreter, op: ops.ForEach, frame: Frame, context: in
     live = source if isinstance(source, Ref) and _is_list(machine, source) else None
     sizes = _sizes(machine, source)
     budget = machine.budget
-    if len(known) > budget.unroll or machine.turns + len(known) > budget.turns:
+    if machine.coarse or len(known) > budget.unroll or machine.turns + len(known) > budget.turns:
         rest = join_all([*known, *(() if rest is None else (rest,))])
         known = ()
     number, alive = 0, True
@@ -113,6 +111,13 @@ def _over_items(machine: Interpreter, op: ops.ForEach, frame: Frame, context: in
             return False
         number += 1
         machine.check_time()
+        if machine.coarse:
+            now = known if live is None else machine.obj(live).items
+            left = (*(now or ())[number:], *(() if rest is None else (rest,)))
+            if now is not None and not left:
+                return True
+            rest, known = join_all(left) if left else rest, ()
+            break
     if rest is None and live is None and _sizes(machine, source) != sizes:
         rest = _elements_now(machine, source)
     if rest is None:
@@ -167,7 +172,7 @@ def _steps(machine: Interpreter, source: Value, *, asynchronous: bool) -> bool:
 def _over_iterator(machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, iterator: Value) -> bool:
     """`__next__`, turn, `__next__`, turn, …: one by one while it surely gives an item, then to a fixpoint."""
     number = 0
-    while number < machine.budget.unroll_while and machine.turns < machine.budget.turns:
+    while number < machine.budget.unroll_while and machine.turns < machine.budget.turns and not machine.coarse:
         frame.context = machine.context(context, id(op), number)
         before = machine.snapshot(frame)
         item, ended = _advance(machine, frame, iterator, asynchronous=op.is_async)
@@ -287,7 +292,7 @@ def iterate(machine: Interpreter, value: Value) -> Items:
     if cls is Ref:
         obj = machine.obj(value)  # type: ignore[arg-type]
         if obj.kind == "generator":
-            return calls.run_generator(machine, obj).items
+            return activation.run_generator(machine, obj).items
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
     if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]

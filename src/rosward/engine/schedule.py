@@ -38,7 +38,7 @@ _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 class Entry:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
-    __slots__ = ("args", "callback", "context", "event", "exhausted", "place", "state")
+    __slots__ = ("args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
 
     def __init__(
         self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State, context: int
@@ -49,6 +49,7 @@ class Entry:
         self.place = place
         self.state = state
         self.context = context
+        self.coarse = False  # it took many steps: from now on it is followed with less precision
         self.exhausted = False  # it hit a limit: it is not run again
 
 
@@ -98,6 +99,7 @@ class Schedule:
         frames, machine.frames = machine.frames, []
         loops, machine.loops = machine.loops, 0
         fixpoints, machine.fixpoints = machine.fixpoints, 0
+        coarse, limits = machine.coarse, (machine.coarse_limit, machine.loop_limit)
         try:
             yield
         finally:
@@ -105,6 +107,7 @@ class Schedule:
             machine.frames = frames
             machine.catchers = catchers
             machine.loops, machine.fixpoints = loops, fixpoints
+            machine.coarse, (machine.coarse_limit, machine.loop_limit) = coarse, limits
 
     def _context(self, machine: Interpreter, callback: Value, event: str) -> int:
         """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
@@ -154,6 +157,11 @@ class Schedule:
         machine.frames.append(frame)
         machine.loops = machine.fixpoints = 0
         machine.step_limit = max(machine.step_limit, machine.steps + machine.budget.entry_steps)
+        heavy = len(machine.heavy)
+        machine.coarse = machine.always_coarse = entry.coarse
+        machine.coarse_limit = machine.loop_limit = machine.steps + int(
+            machine.budget.entry_steps * machine.budget.coarse
+        )
         try:
             if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
                 machine.iterate(entry.callback)
@@ -167,4 +175,6 @@ class Schedule:
             machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")
             machine.check_time()
         finally:
+            entry.coarse = machine.coarse or len(machine.heavy) > heavy
+            machine.always_coarse = False
             machine.frames.clear()

@@ -66,7 +66,8 @@ def _wildcards(nodes: Iterable[Node], unknown: UnknownNames) -> Iterator[Finding
     """RW302, once for each node and name; what a node's own unknown name brings with it is said once for the node."""
     told = {Resolution.PATTERN} if unknown == "deny" else {Resolution.PATTERN, Resolution.UNKNOWN}
     for node in nodes:
-        if "*" in node.fqn and any(e.system and "*" in e.name for e in node.entities):
+        granted = unknown == "wildcard" or node.resolution is not Resolution.UNKNOWN
+        if granted and "*" in node.fqn and any(e.system and "*" in e.name for e in node.entities):
             message = (
                 f"the system services and topics of node {node.fqn} are granted for every node that its name matches"
             )

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Running the body of a function: its frame, its memo, and one summary for all calls of a recursion.
+
+def walk(n): …; walk(n - 1)      four activations are followed, all deeper ones share a summary that is solved by iteration
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.domain.choice import join, join_all, widen
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import NONE, UNBOUND, Function, Value
+from rosward.engine import declared
+from rosward.engine.budget import LimitReachedError
+from rosward.engine.catcher import Catcher, throw
+from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.state import EventKey, State, join_states
+from rosward.ir.ops import Block, ForEach, If, Try, While, With
+from rosward.models.native import Items
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+    from rosward.ir.program import Code
+
+_LARGE: Final = 50
+
+
+@final
+class Summary:
+    """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
+
+    __slots__ = ("after", "before", "catcher", "registers", "value", "yields")
+
+    def __init__(self, registers: list[Value], before: State) -> None:
+        self.registers = registers
+        self.before = before
+        self.value: Value = UNBOUND
+        self.yields: Value = UNBOUND  # what a generator yields, joined
+        self.after: State | None = None
+        self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
+
+    @property
+    def seen(self) -> tuple[object, ...]:
+        """What must not change any more."""
+        after = self.after.version if self.after is not None else -1
+        return (tuple(self.registers), self.before.version, self.value, self.yields, after)
+
+
+def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
+    """Run a function body on bound registers; the value returned, and what it yields."""
+    code = function.code
+    depth = sum(1 for f in machine.frames if f.code is code)
+    limit = machine.budget.recursion
+    if machine.coarse:
+        limit = 0 if _is_large(machine, code) else 1
+    if depth >= limit or len(machine.frames) >= machine.budget.depth:
+        return _summarised(machine, function, registers)
+    key = (function, tuple(registers), machine.state.version)
+    remembered = machine.memo.get(key)
+    if remembered is not None:
+        return remembered, Items(())
+    raised, version, provisional = machine.raised, machine.state.version, machine.provisional
+    value, items = run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
+    quiet = (
+        machine.state.version == version
+        and machine.raised == raised
+        and machine.provisional == provisional
+        and not items.known
+        and items.rest is None
+    )
+    if quiet and value is not UNBOUND and not declared.is_model(function):
+        machine.memo[key] = value
+    return value, items
+
+
+def _is_large(machine: Interpreter, code: Code) -> bool:
+    """Whether running a body again costs more than asking for its summary."""
+    found = machine.large.get(id(code))
+    if found is None:
+        found = machine.large[id(code)] = _weight(code.ops) > _LARGE
+    return found
+
+
+def _weight(block: Block) -> int:
+    """About how much there is to interpret in a block: loops go round several times."""
+    weight = len(block)
+    for op in block:
+        if isinstance(op, (While, ForEach)):
+            weight += _LARGE + _weight(op.body)
+        elif isinstance(op, If):
+            weight += _weight(op.then) + _weight(op.orelse)
+        elif isinstance(op, (Try, With)):
+            weight += _weight(op.body)
+    return weight
+
+
+def run_body(
+    machine: Interpreter, function: Function, registers: list[Value], caller: Frame | None, context: int | None = None
+) -> tuple[Value, Items]:
+    """Interpret a body in a frame of its own; the value returned, and what it yields."""
+    code = function.code
+    machine.entered.add(id(code))
+    machine.choosing = False
+    if context is None:
+        context = _context(machine, code, caller)
+    full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
+    frame = Frame(code, full, (), function.module, context, declared.is_model(function))
+    frame.cells = (*machine.new_cells(code, context), *function.cells)
+    frame.raised = machine.raised
+    machine.frames.append(frame)
+    machine.check_time()
+    try:
+        if machine.run(code.ops, frame):
+            frame.exits.value = join(frame.exits.value, NONE)
+            if frame.exits.returned is None:
+                frame.exits.returned = Snapshot(frame.registers, machine.state)
+            else:
+                machine.state = join_states(frame.exits.returned.state, machine.state, machine.fresh_version)
+                frame.exits.returned = Snapshot(frame.registers, machine.state)
+    finally:
+        machine.frames.pop()
+    rest = None if frame.yield_rest is UNBOUND else frame.yield_rest
+    items = Items(tuple(frame.yields), rest)
+    machine.yielded = frame.yielded
+    if frame.exits.returned is None:
+        return UNBOUND, items
+    machine.state = frame.exits.returned.state
+    return frame.exits.value, items
+
+
+def _context(machine: Interpreter, code: Code, caller: Frame | None) -> int:
+    """The context of a call: the chain of calls that led to it."""
+    if machine.coarse:
+        return machine.context("coarse", id(code))
+    return machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
+
+
+def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
+    """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
+    key = (id(function.code), function.cells)
+    summary = machine.summaries.get(key)
+    reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
+
+    def widening(old: Value, new: Value) -> Value:
+        return widen(old, new, reason)
+
+    if summary is not None:
+        summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+        summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
+        machine.provisional += 1  # what is computed from it now may not be its last word
+        if summary.after is None:
+            return UNBOUND, Items(())
+        _enter(machine, summary.after.copy())
+        return summary.value, _any_number(summary.yields)
+    if len(machine.frames) >= machine.budget.depth * 2:
+        raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
+    done, outer = machine.state.done, machine.catchers
+    summary = machine.finished.pop(key, None) if machine.coarse else None
+    if summary is None:
+        summary = Summary(list(registers), machine.state.copy())
+    else:
+        before = (list(summary.registers), summary.before.version)
+        summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+        summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
+        if before == (summary.registers, summary.before.version):  # a call like those before
+            machine.finished[key] = summary
+            return _of_summary(machine, summary, done)
+    machine.summaries[key] = summary
+    if machine.coarse:
+        summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
+        machine.catchers = [*outer, summary.catcher]
+    context = machine.context("summary", id(function.code))
+    try:
+        for _ in range(machine.budget.fixpoint):
+            reads, seen = machine.provisional, summary.seen
+            machine.state = summary.before.copy()
+            value, items = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
+            for item in (*items.known, *(() if items.rest is None else (items.rest,))):
+                summary.yields = item if summary.yields is UNBOUND else widening(summary.yields, item)
+            if value is not UNBOUND:
+                summary.value = widening(summary.value, value) if summary.value is not UNBOUND else value
+                summary.after = (
+                    machine.state.copy()
+                    if summary.after is None
+                    else join_states(summary.after, machine.state.copy(), machine.fresh_version, widening)
+                )
+            if machine.provisional == reads:
+                break  # nothing inside asked for the summary: this turn was exact
+            if seen == summary.seen:
+                break
+        else:
+            machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
+    finally:
+        del machine.summaries[key]
+        machine.catchers = outer
+    if summary.catcher is not None:
+        machine.finished[key] = summary
+    return _of_summary(machine, summary, done)
+
+
+def _of_summary(machine: Interpreter, summary: Summary, done: frozenset[EventKey]) -> tuple[Value, Items]:
+    """What a call gives by its summary, where `done` had surely happened before it."""
+    machine.yielded = None
+    if summary.catcher is not None:
+        _throw(machine, summary.catcher)
+    if summary.after is None:
+        return UNBOUND, _any_number(summary.yields)
+    _enter(machine, summary.after.copy())
+    machine.state.done |= done
+    return summary.value, _any_number(summary.yields)
+
+
+def _throw(machine: Interpreter, inner: Catcher) -> None:
+    """What leaves a call by exceptions reaches the `try` around it."""
+    if machine.catchers and inner.reached:
+        machine.catchers[-1].take_over(machine, inner)
+    if inner.raised is not UNBOUND:
+        machine.state = inner.snapshot.state.copy()
+        throw(machine, inner.raised)
+
+
+def _enter(machine: Interpreter, state: State) -> None:
+    """Go on in a state that was computed before: a `try` around sees all of it."""
+    machine.state = state
+    if machine.catchers:
+        machine.catchers[-1].take(machine, state)
+
+
+def _any_number(value: Value) -> Items:
+    """Any number of an item; none where there is none."""
+    return Items((), None if value is UNBOUND else value)
+
+
+class Suspended(NamedTuple):
+    """What running a suspended call gave: what it yields, what it returns, what it surely did before its first item (None: it has none)."""
+
+    items: Items
+    value: Value
+    begun: frozenset[EventKey] | None = None
+
+
+def run_generator(machine: Interpreter, obj: Obj) -> Suspended:
+    """Run a suspended generator or coroutine to its end. The state behind it covers those at its yields: there its consumer works."""
+    if obj.payload is None:
+        return Suspended(Items(()), NONE)
+    assert isinstance(obj.payload, tuple)
+    function, registers = obj.payload
+    value, items = invoke(machine, function, list(registers))
+    yielded = machine.take_yielded()
+    begun = None
+    if yielded is not None:
+        begun, done = yielded.done, machine.state.done
+        machine.state = join_states(machine.state, yielded, machine.fresh_version)
+        machine.state.done = done
+    if obj.many:
+        items = (
+            Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))]))
+            if items.known
+            else items
+        )
+    return Suspended(items, value, begun)
