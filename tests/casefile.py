@@ -14,7 +14,8 @@
 An expectation has one line for each node, entity and finding, sorted: `node`, `pub`, `sub`, `ss`, `sc`, `as`, `ac` with the full name and type, then
 `default`, `bound`, `pattern` or `unknown` where the name is not exact, and `conditional`; `finding CODE file:line`. Entities of the client
 library are left out unless a line `show system` stands among the expectations; `show findings` adds their messages.
-`options:` before the files passes arguments on (`options: distro=humble`).
+`options:` before the files passes arguments on (`options: distro=humble`); `known:` says what rosward still
+does otherwise than it is written.
 """
 
 from __future__ import annotations
@@ -45,6 +46,7 @@ class Case(NamedTuple):
     files: dict[str, str]
     expected: list[str]
     options: dict[str, str]
+    known: str = ""
 
     @property
     def name(self) -> str:
@@ -65,7 +67,8 @@ def read_cases(file: Path) -> list[Case]:
                 files[name.strip() or "main.py"] = text
         given = re.search(r"^options: (.*)$", body, re.MULTILINE)
         options = dict(o.split("=", 1) for o in given.group(1).split()) if given else {}
-        cases.append(Case(file, title.strip(), files, expected, options))
+        known = re.search(r"^known: (.*)$", body, re.MULTILINE)
+        cases.append(Case(file, title.strip(), files, expected, options, known.group(1) if known else ""))
     return cases
 
 

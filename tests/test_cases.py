@@ -11,7 +11,12 @@ from casefile import Case, read_cases, rewrite, run_case
 CASES = [case for file in sorted((Path(__file__).parent / "cases").glob("*.md")) for case in read_cases(file)]
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def _case(case: Case) -> object:
+    marks = [pytest.mark.xfail(reason=case.known, strict=True)] if case.known else []
+    return pytest.param(case, id=case.name, marks=marks)
+
+
+@pytest.mark.parametrize("case", [_case(case) for case in CASES])
 def test_case(case: Case, tmp_path: Path, request: pytest.FixtureRequest) -> None:
     """What is written below a program is what comes out of it, no more and no less."""
     found = run_case(case, tmp_path)

@@ -155,7 +155,7 @@ _TABLE: Final = (
         "RW311",
         "included launch file not found",
         _E,
-        "Add the package that has it (--underlay): what it starts is not in the result.",
+        "Name the folder of its package (--underlay): what it starts and sets is not in the result.",
     ),
     Rule("RW312", "launch argument without a value", _E, "Give it on the command line: --arg NAME:=VALUE."),
     Rule(
@@ -168,10 +168,13 @@ _TABLE: Final = (
         "RW314",
         "node of unknown interface",
         _E,
-        "Add its source to the analysis, or declare its interface in a file of the folder given by --models.",
+        "Add its Python source to the analysis, or declare its interface in a file of the folder given by --models.",
     ),
     Rule(
-        "RW315", "parameter file not found", _W, "launch goes on without it; name the package that has it (--underlay)."
+        "RW315",
+        "parameter file not found",
+        _W,
+        "launch goes on without it, and so does the analysis: correct the path, or build what makes the file.",
     ),
     Rule("RW316", "launch condition not known", _N, "Both ways are taken; settle it with --arg NAME:=VALUE."),
     Rule("RW317", "parameter file cannot be read", _E, "rcl refuses this file: the node ends when it starts."),
@@ -182,11 +185,19 @@ _TABLE: Final = (
         "Nothing starts the container that this component is loaded into: it is analysed as if something did.",
     ),
     Rule("RW319", "program that is no known node", _W, "If it talks over ROS, declare its interface (--models)."),
-    Rule("RW320", "launch fails here", _W, "The real launch raises an exception here: what follows is not started."),
-    Rule("RW321", "launch entity not understood", _E, "Please report it: what it would start is not in the result."),
     Rule(
-        "RW322", "launch argument that nothing declares", _W, "Check the spelling: no launch file declares or reads it."
+        "RW320",
+        "launch fails here",
+        _W,
+        "The real launch ends here, or the process when it starts; the result holds also what would follow.",
     ),
+    Rule(
+        "RW321",
+        "launch entity not understood",
+        _E,
+        "What it would start is not in the result: start that by --node, or declare it. Please report it.",
+    ),
+    Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
     Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
     Rule(

@@ -158,7 +158,7 @@ def read_sources(
     """Read what is under `paths`, and the launch files that a request names by their path."""
     wanted = [Path(p) for p in paths] or [Path()]
     named = [path for launch in request.launches if launch.package is None and (path := Path(launch.file)).is_file()]
-    workspace = discover([*wanted, *named], include_tests=tests)
+    workspace = discover(wanted, launch_files=named, include_tests=tests)
     if not workspace.files and not workspace.launch_files:
         raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
     sources = SourceTree(workspace, [Path(u) for u in underlays])

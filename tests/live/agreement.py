@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Do the static graph and the real one agree? Both directions, and how precise the static one is.
 
-    static: pub /robot_*/cmd      real: pub /robot_1/cmd     covered
-    static: pub /a                real: nothing              missing, unless it is conditional
-    static: nothing               real: pub /b               uncovered
+static: pub /robot_*/cmd      real: pub /robot_1/cmd     covered
+static: pub /a                real: nothing              missing, unless it is conditional
+static: nothing               real: pub /b               uncovered
 """
 
 from __future__ import annotations

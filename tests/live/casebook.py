@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which programs does a case hold, and what do they need to run?
 
-    setup.py with console_scripts `a = demo.nodes:main_a`    -> Program(start="demo.nodes:main_a")
-    main.py with `if __name__ == "__main__"`                 -> Program(start="main.py")
-    robot.py with a node class and nothing that starts it    -> Program(start="class:robot")
+setup.py with console_scripts `a = demo.nodes:main_a`    -> Program(start="demo.nodes:main_a")
+main.py with `if __name__ == "__main__"`                 -> Program(start="main.py")
+robot.py with a node class and nothing that starts it    -> Program(start="class:robot")
 """
 
 from __future__ import annotations
@@ -53,8 +53,7 @@ def programs_of(files: Mapping[str, str], folder: Path) -> list[Program]:
 
 def _scripts(name: str, text: str) -> Iterator[str]:
     if name.endswith("setup.py"):
-        for found in re.findall(r"[\"']\s*[\w-]+\s*=\s*([\w.]+:\w+)\s*[\"']", text):
-            yield found
+        yield from re.findall(r"[\"']\s*[\w-]+\s*=\s*([\w.]+:\w+)\s*[\"']", text)
     if name.endswith("setup.cfg"):
         config = configparser.ConfigParser()
         config.read_string(text)
@@ -73,7 +72,9 @@ def _imports(tree: ast.Module) -> Iterator[str]:
 
 def _acts(tree: ast.Module) -> bool:
     """Whether the file does something with rclpy by itself."""
-    rest = [node for node in tree.body if not isinstance(node, (ast.Import, ast.ImportFrom, ast.FunctionDef, ast.ClassDef))]
+    rest = [
+        node for node in tree.body if not isinstance(node, (ast.Import, ast.ImportFrom, ast.FunctionDef, ast.ClassDef))
+    ]
     return any(
         "rclpy" in ast.dump(node) or "__name__" in ast.dump(node) or "'main'" in ast.dump(node)
         for node in rest

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a random program is written into: files, definitions of the main module, names that are not used twice.
 
-    draft = Draft(chooser)
-    draft.define("TOPIC = 'scan'")        a statement of main.py, before what uses it
-    draft.fresh("topic")                  topic1, topic2, …
+draft = Draft(chooser)
+draft.define("TOPIC = 'scan'")        a statement of main.py, before what uses it
+draft.fresh("topic")                  topic1, topic2, …
 """
 
 from __future__ import annotations
@@ -83,6 +83,7 @@ class Draft:
     used: set[str] = field(default_factory=set)
     numbers: dict[str, int] = field(default_factory=dict)
     ways: tuple[Way, ...] = ()
+    node_ways: tuple[Way, ...] = ()
 
     def fresh(self, prefix: str) -> str:
         """A name that is not used yet."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Statements that create entities on a node, as real code writes them: in loops, methods, callbacks, through aliases.
 
-    create(draft, scope, 2)    adds to the scope   for name in NAMES1: self.create_publisher(String, f"{name}/cmd", 10)
+create(draft, scope, 2)    adds to the scope   for name in NAMES1: self.create_publisher(String, f"{name}/cmd", 10)
 """
 
 from __future__ import annotations
@@ -27,13 +27,26 @@ def creation(draft: Draft, scope: Scope, name: str, node: str | None = None) -> 
     node = node or scope.node
     kind = draft.chooser.number(0, 9)
     if kind <= 3:
-        return draft.chooser.pick([f"{node}.create_publisher(String, {name}, 10)", f"{node}.create_publisher(msg_type=String, topic={name}, qos_profile=1)", f"{node}.create_publisher(String, {name}, qos_profile=QoSProfile(depth=5))"])
+        return draft.chooser.pick(
+            [
+                f"{node}.create_publisher(String, {name}, 10)",
+                f"{node}.create_publisher(msg_type=String, topic={name}, qos_profile=1)",
+                f"{node}.create_publisher(String, {name}, qos_profile=QoSProfile(depth=5))",
+            ]
+        )
     if kind <= 5:
-        return draft.chooser.pick([f"{node}.create_subscription(String, {name}, lambda m: None, 10)", f"{node}.create_subscription(String, topic={name}, callback=print, qos_profile=qos_profile_sensor_data)"])
+        return draft.chooser.pick(
+            [
+                f"{node}.create_subscription(String, {name}, lambda m: None, 10)",
+                f"{node}.create_subscription(String, topic={name}, callback=print, qos_profile=qos_profile_sensor_data)",
+            ]
+        )
     if kind == 6:
         return f"{node}.create_service(Trigger, {name}, lambda q, r: r)"
     if kind == 7:
-        return draft.chooser.pick([f"{node}.create_client(Trigger, {name})", f"{node}.create_client(srv_name={name}, srv_type=Trigger)"])
+        return draft.chooser.pick(
+            [f"{node}.create_client(Trigger, {name})", f"{node}.create_client(srv_name={name}, srv_type=Trigger)"]
+        )
     if kind == 8:
         return f"ActionClient({node}, Fibonacci, {name})"
     return f"ActionServer({node}, Fibonacci, {name}, lambda handle: Fibonacci.Result())"
@@ -107,7 +120,16 @@ def method(draft: Draft, scope: Scope, depth: int) -> None:
     create(draft, inside, depth - 1)
     scope.methods.append(f"def {name}(self, name, suffix='sfx'):\n{block(inside.lines)}")
     argument = word(draft, scope, depth - 1)
-    draft_call = draft.chooser.pick([f"self.{name}({argument})", f"self.{name}(name={argument}, suffix='s2')", f"getattr(self, {name!r})({argument})", f"type(self).{name}(self, {argument})", f"[self.{name}(x) for x in ({argument}, 'twice')]", f"self.{name}(*[{argument}], **{{'suffix': 'kw'}})"])
+    draft_call = draft.chooser.pick(
+        [
+            f"self.{name}({argument})",
+            f"self.{name}(name={argument}, suffix='s2')",
+            f"getattr(self, {name!r})({argument})",
+            f"type(self).{name}(self, {argument})",
+            f"[self.{name}(x) for x in ({argument}, 'twice')]",
+            f"self.{name}(*[{argument}], **{{'suffix': 'kw'}})",
+        ]
+    )
     scope.add(draft_call if scope.node == "self" else f"self.{name}({argument})")
 
 
@@ -117,7 +139,16 @@ def function(draft: Draft, scope: Scope, depth: int) -> None:
     create(draft, inside, depth - 1)
     draft.define(f"def {name}(node, name='dflt'):\n{block(inside.lines)}")
     argument = word(draft, scope, depth - 1)
-    scope.add(draft.chooser.pick([f"{name}({scope.node}, {argument})", f"{name}(name={argument}, node={scope.node})", f"list(map(lambda a: {name}({scope.node}, a), [{argument}, 'mapped']))", f"{name}({scope.node})"]))
+    scope.add(
+        draft.chooser.pick(
+            [
+                f"{name}({scope.node}, {argument})",
+                f"{name}(name={argument}, node={scope.node})",
+                f"list(map(lambda a: {name}({scope.node}, a), [{argument}, 'mapped']))",
+                f"{name}({scope.node})",
+            ]
+        )
+    )
 
 
 def composition(draft: Draft, scope: Scope, depth: int) -> None:
@@ -127,7 +158,11 @@ def composition(draft: Draft, scope: Scope, depth: int) -> None:
     later = Scope([], "self.node", ["self.prefix"], None)
     create(draft, later, depth - 1)
     start = ["self.node = node", "self.prefix = prefix", "self._parent = self"]
-    draft.define(f"class {cls}:\n    def __init__(self, node, prefix):\n{block([*start, *inside.lines], 2)}\n    def start(self):\n{block(later.lines, 2)}\n        return self")
+    draft.define(
+        f"class {cls}:\n    def __init__(self, node, prefix):\n"
+        f"{block([*start, *inside.lines], 2)}\n    def start(self):\n{block(later.lines, 2)}\n"
+        "        return self"
+    )
     keep = "self.part = " if scope.node == "self" and draft.chooser.chance(50) else ""
     scope.add(f"{keep}{cls}({scope.node}, {word(draft, scope, depth - 1)}){draft.chooser.pick(['', '.start()'])}")
 
@@ -135,7 +170,28 @@ def composition(draft: Draft, scope: Scope, depth: int) -> None:
 def alias(draft: Draft, scope: Scope, depth: int) -> None:
     maker, name = draft.fresh("make"), name_of(draft, scope, depth - 1)
     draft.need("from functools import partial")
-    scope.add(draft.chooser.pick([f"{maker} = {scope.node}.create_publisher\n{maker}(String, {name}, 10)", f"{maker} = partial({scope.node}.create_publisher, String, qos_profile=10)\n{maker}(topic={name})", f"getattr({scope.node}, 'create_' + 'publisher')(String, {name}, 10)", f"{maker} = [{scope.node}.create_publisher(String, x + '_l', 10) for x in ({name}, 'l2')]", f"{maker} = {{x: {scope.node}.create_client(Trigger, x + '_d') for x in [{name}]}}", f"{maker} = lambda n: {scope.node}.create_subscription(String, n, print, 10)\n{maker}({name})", f"{scope.node}.destroy_publisher({scope.node}.create_publisher(String, {name}, 10))", f"{maker} = {{'pub': {scope.node}.create_publisher}}\n{maker}['pub'](String, {name}, 10)", f"Node.create_publisher({scope.node}, String, {name}, 10)", f"{maker} = (String, {name}, 10)\n{scope.node}.create_publisher(*{maker})", f"{maker} = dict(topic={name}, qos_profile=10)\n{scope.node}.create_publisher(String, **{maker})", f"list(map(lambda n: {scope.node}.create_publisher(String, n, 10), [{name}]))", f"{maker} = {scope.node}.create_publisher(String, {name}, 10)\n{scope.node}.create_publisher(String, {maker}.topic_name + '_of', 10)"]))
+    scope.add(
+        draft.chooser.pick(
+            [
+                f"{maker} = {scope.node}.create_publisher\n{maker}(String, {name}, 10)",
+                f"{maker} = partial({scope.node}.create_publisher, String, qos_profile=10)\n{maker}(topic={name})",
+                f"getattr({scope.node}, 'create_' + 'publisher')(String, {name}, 10)",
+                f"{maker} = [{scope.node}.create_publisher(String, x + '_l', 10) for x in ({name}, 'l2')]",
+                f"{maker} = {{x: {scope.node}.create_client(Trigger, x + '_d') for x in [{name}]}}",
+                f"{maker} = lambda n: {scope.node}.create_subscription(String, n, print, 10)\n{maker}({name})",
+                f"{scope.node}.destroy_publisher({scope.node}.create_publisher(String, {name}, 10))",
+                f"{maker} = {{'pub': {scope.node}.create_publisher}}\n{maker}['pub'](String, {name}, 10)",
+                f"Node.create_publisher({scope.node}, String, {name}, 10)",
+                f"{maker} = (String, {name}, 10)\n{scope.node}.create_publisher(*{maker})",
+                f"{maker} = dict(topic={name}, qos_profile=10)\n{scope.node}.create_publisher(String, **{maker})",
+                f"list(map(lambda n: {scope.node}.create_publisher(String, n, 10), [{name}]))",
+                (
+                    f"{maker} = {scope.node}.create_publisher(String, {name}, 10)\n"
+                    f"{scope.node}.create_publisher(String, {maker}.topic_name + '_of', 10)"
+                ),
+            ]
+        )
+    )
 
 
 def callback(draft: Draft, scope: Scope, depth: int) -> None:
@@ -167,15 +223,24 @@ def callback(draft: Draft, scope: Scope, depth: int) -> None:
         inside.lines += [creation(draft, inside, "given + '_h'")]
     else:
         flag = draft.fresh("flag")
-        scope.add(f"self.{flag} = None\nself.create_timer(1.0, self.{name})\nself.create_subscription(String, {source}, lambda m: setattr(self, {flag!r}, 'got'), 10)")
-        arguments, result = "self", f"if self.{flag} is not None:\n    self.create_publisher(String, self.{flag} + '_late', 10)"
+        scope.add(
+            f"self.{flag} = None\nself.create_timer(1.0, self.{name})\n"
+            f"self.create_subscription(String, {source}, lambda m: setattr(self, {flag!r}, 'got'), 10)"
+        )
+        arguments, result = (
+            "self",
+            f"if self.{flag} is not None:\n    self.create_publisher(String, self.{flag} + '_late', 10)",
+        )
     scope.methods.append(f"def {name}({arguments}):\n{block([*inside.lines, *result.splitlines()])}")
 
 
 def thread(draft: Draft, scope: Scope, depth: int) -> None:
     draft.need("import threading")
     name, worker = name_of(draft, scope, depth - 1), draft.fresh("worker")
-    scope.add(f"{worker} = threading.Thread(target={scope.node}.create_publisher, args=(String, {name}, 10))\n{worker}.start()\n{worker}.join()")
+    scope.add(
+        f"{worker} = threading.Thread(target={scope.node}.create_publisher, args=(String, {name}, 10))\n"
+        f"{worker}.start()\n{worker}.join()"
+    )
 
 
 def nothing(_draft: Draft, _scope: Scope, _depth: int) -> None:
@@ -185,8 +250,22 @@ def nothing(_draft: Draft, _scope: Scope, _depth: int) -> None:
 def dispatch(draft: Draft, scope: Scope, depth: int) -> None:
     table, node = draft.fresh("table"), scope.node
     name, key = name_of(draft, scope, depth - 1), draft.chooser.pick(["pub", "sub", "none"])
-    draft.define(f"def {table}_pub(node, name):\n    return node.create_publisher(String, name, 10)\n\n\ndef {table}_sub(node, name):\n    return node.create_subscription(String, name, print, 10)\n\n\n{table} = {{'pub': {table}_pub, 'sub': {table}_sub}}")
-    scope.add(draft.chooser.pick([f"{table}.get({key!r}, {table}_pub)({node}, {name})", f"for action in {table}.values():\n    action({node}, {name})", f"[a({node}, k + 'x') for k, a in {table}.items()]"]))
+    draft.define(
+        f"def {table}_pub(node, name):\n"
+        "    return node.create_publisher(String, name, 10)\n\n\n"
+        f"def {table}_sub(node, name):\n"
+        "    return node.create_subscription(String, name, print, 10)\n\n\n"
+        f"{table} = {{'pub': {table}_pub, 'sub': {table}_sub}}"
+    )
+    scope.add(
+        draft.chooser.pick(
+            [
+                f"{table}.get({key!r}, {table}_pub)({node}, {name})",
+                f"for action in {table}.values():\n    action({node}, {name})",
+                f"[a({node}, k + 'x') for k, a in {table}.items()]",
+            ]
+        )
+    )
 
 
 STATEMENTS: Final[tuple[Statement, ...]] = (

@@ -76,7 +76,9 @@ def _without_one(text: str) -> Iterator[str]:
         for field in ("body", "orelse", "finalbody"):
             body = getattr(node, field, None)
             if isinstance(body, list):
-                spots += [(s, len(body), field) for s in body if isinstance(s, ast.stmt) and not isinstance(s, ast.Pass)]
+                spots += [
+                    (s, len(body), field) for s in body if isinstance(s, ast.stmt) and not isinstance(s, ast.Pass)
+                ]
     for statement, count, field in sorted(spots, key=lambda s: _first(s[0]) - (s[0].end_lineno or 0)):
         first, last = _first(statement), statement.end_lineno or statement.lineno
         indent = lines[first - 1][: len(lines[first - 1]) - len(lines[first - 1].lstrip())]
@@ -131,10 +133,17 @@ def _run(real: RealRclpy, seeds: Iterable[int], given: argparse.Namespace) -> in
             if given.keep:
                 _keep(real, seed, written, text, given.keep, interrupt=seed % 10 == 9)
         elif given.vague and (verdict.vague or verdict.told or (verdict.unseen and outcome.seen.whole)):
-            print(f"seed {seed}: vague {verdict.vague} unseen {verdict.unseen} findings {_findings(outcome.result)}", flush=True)
+            print(
+                f"seed {seed}: vague {verdict.vague} unseen {verdict.unseen} findings {_findings(outcome.result)}",
+                flush=True,
+            )
     total = sum(ends.values())
-    print(f"{total} programs with {entities} entities, {wrong} disagreements; {compared} ran to their end: {dict(ends)}")
-    print(f"not exact: {vague} programs with a partly known name, {unseen} with an entity that did not show, {told} that say so")
+    print(
+        f"{total} programs with {entities} entities, {wrong} disagreements; {compared} ran to their end: {dict(ends)}"
+    )
+    print(
+        f"not exact: {vague} programs with a partly known name, {unseen} with an entity that did not show, {told} that say so"
+    )
     return int(wrong > 0)
 
 
@@ -143,7 +152,7 @@ def _findings(result: rosward.Result) -> list[str]:
 
 
 def _keep(real: RealRclpy, seed: int, written: Written, text: str, folder: Path, *, interrupt: bool) -> None:
-    kind = text.split()[0]
+    kind = text.split(maxsplit=1)[0]
 
     def fails(files: dict[str, str]) -> bool:
         try:
@@ -157,7 +166,9 @@ def _keep(real: RealRclpy, seed: int, written: Written, text: str, folder: Path,
     outcome = compare(real, files, interrupt=interrupt)
     folder.mkdir(parents=True, exist_ok=True)
     body = "\n".join(f"# {name}\n{content}" for name, content in sorted(files.items()))
-    (folder / f"seed{seed}.txt").write_text(f"# {complaint(outcome.verdict)}\n# {outcome.seen.end}\n{body}", encoding="utf-8")
+    (folder / f"seed{seed}.txt").write_text(
+        f"# {complaint(outcome.verdict)}\n# {outcome.seen.end}\n{body}", encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from .calls import CALL_WAYS
 from .draft import Chooser, Draft, Scope, block
 from .entities import create
 from .hazards import HAZARDS
+from .node_values import NODE_WAYS
 from .values import WAYS, concatenation, constant, format_method, fstring, imported, percent, word
 
 _HEAD: Final = """import rclpy
@@ -39,7 +40,7 @@ class Written(NamedTuple):
 
 def write(chooser: Chooser, *, known: bool = True) -> Written:
     """A program of one to three nodes."""
-    draft = Draft(chooser, known, ways=(*WAYS, *CALL_WAYS, *HAZARDS))
+    draft = Draft(chooser, known, ways=(*WAYS, *CALL_WAYS, *HAZARDS), node_ways=NODE_WAYS)
     nodes = [_node(draft) for _ in range(chooser.pick([1, 1, 1, 2, 3]))]
     main = _main(draft, nodes)
     files = {name: "\n".join(lines) + "\n" for name, lines in draft.files.items()}
@@ -60,19 +61,50 @@ def _node(draft: Draft) -> str:
     label = _label(draft)
     parts = block(["\n".join(methods)] if methods else [], 1) if methods else ""
     if kind <= 3:
-        draft.define(f"class {name}(Node):\n    def __init__(self):\n        super().__init__({label}{options})\n{block(own, 2)}\n{parts}")
+        draft.define(
+            f"class {name}(Node):\n    def __init__(self):\n"
+            f"        super().__init__({label}{options})\n{block(own, 2)}\n{parts}"
+        )
         return f"{name}()"
     if kind == 4:
-        draft.define(f"class {name}Base(Node):\n    def __init__(self, name, *args, **kw):\n        super().__init__(name, *args, **kw)\n        self.setup_all()\n    def setup_all(self):\n        self.create_publisher(String, 'base_only', 10)\n    def after(self):\n        pass\n\n\nclass {name}({name}Base):\n    def __init__(self):\n        super().__init__({label}{options})\n        self.after()\n    def setup_all(self):\n        super().setup_all()\n{block(own, 2)}\n{parts}")
+        draft.define(
+            f"class {name}Base(Node):\n    def __init__(self, name, *args, **kw):\n"
+            "        super().__init__(name, *args, **kw)\n        self.setup_all()\n"
+            "    def setup_all(self):\n        self.create_publisher(String, 'base_only', 10)\n"
+            f"    def after(self):\n        pass\n\n\nclass {name}({name}Base):\n"
+            f"    def __init__(self):\n        super().__init__({label}{options})\n"
+            "        self.after()\n    def setup_all(self):\n        super().setup_all()\n"
+            f"{block(own, 2)}\n{parts}"
+        )
         return f"{name}()"
     if kind == 5:
-        draft.define(f"class {name}Mixin:\n    def add_state(self, topic):\n        self.state = self.create_publisher(String, topic + '_state', 10)\n\n\nclass {name}({name}Mixin, Node):\n    def __init__(self, name, namespace=''):\n        Node.__init__(self, name, namespace=namespace)\n        self.add_state(name)\n{block(own, 2)}\n{parts}")
+        draft.define(
+            f"class {name}Mixin:\n    def add_state(self, topic):\n"
+            "        self.state = self.create_publisher(String, topic + '_state', 10)\n\n\n"
+            f"class {name}({name}Mixin, Node):\n    def __init__(self, name, namespace=''):\n"
+            "        Node.__init__(self, name, namespace=namespace)\n"
+            f"        self.add_state(name)\n{block(own, 2)}\n{parts}"
+        )
         return f"{name}({label}, namespace={chooser.pick(['None', repr('given'), repr('/given/ns')])})"
     if kind == 6:
-        draft.define(f"class {name}(Node):\n    def create_publisher(self, msg_type, topic, *args, **kw):\n        if topic.startswith('/'):\n            return super().create_publisher(msg_type, topic, *args, **kw)\n        return super().create_publisher(msg_type, 'over_' + topic.replace('~/', ''), *args, **kw)\n    def __init__(self):\n        super().__init__({label}{options})\n{block(own, 2)}\n{parts}")
+        draft.define(
+            f"class {name}(Node):\n    def create_publisher(self, msg_type, topic, *args, **kw):\n"
+            "        if topic.startswith('/'):\n"
+            "            return super().create_publisher(msg_type, topic, *args, **kw)\n"
+            "        return super().create_publisher(msg_type, 'over_' + topic.replace('~/', ''), *args, **kw)\n"
+            f"    def __init__(self):\n        super().__init__({label}{options})\n"
+            f"{block(own, 2)}\n{parts}"
+        )
         return f"{name}()"
-    draft.define(f"class {name}(Node):\n    default_name = {label}\n    def __init__(self, name=None, **kw):\n        super().__init__(name or self.default_name, **kw)\n{block(own, 2)}\n{parts}\n    @classmethod\n    def make(cls, *args):\n        return cls(*args)")
-    return chooser.pick([f"{name}()", f"{name}.make()", f"{name}({draft.fresh('given')!r})", f"{name}(namespace='spaced')"])
+    draft.define(
+        f"class {name}(Node):\n    default_name = {label}\n"
+        "    def __init__(self, name=None, **kw):\n"
+        f"        super().__init__(name or self.default_name, **kw)\n{block(own, 2)}\n{parts}\n"
+        "    @classmethod\n    def make(cls, *args):\n        return cls(*args)"
+    )
+    return chooser.pick(
+        [f"{name}()", f"{name}.make()", f"{name}({draft.fresh('given')!r})", f"{name}(namespace='spaced')"]
+    )
 
 
 def _label(draft: Draft) -> str:
@@ -94,13 +126,31 @@ def _options(draft: Draft) -> str:
     if chooser.chance(30):
         options += f", namespace={chooser.pick([repr('ns'), repr('/deep/ns'), repr(''), 'None'])}"
     if chooser.chance(20):
-        rules = chooser.pick(["'left:=renamed'", "'__ns:=/cli'", "'__node:=' + 'cli_node'", "'~/left:=/priv'", "'scan:=~/own_scan'", "'/abs/left:=rel_left'"])
+        rules = chooser.pick(
+            [
+                "'left:=renamed'",
+                "'__ns:=/cli'",
+                "'__node:=' + 'cli_node'",
+                "'~/left:=/priv'",
+                "'scan:=~/own_scan'",
+                "'/abs/left:=rel_left'",
+            ]
+        )
         options += f", cli_args=['--ros-args', '-r', {rules}]"
     if chooser.chance(15):
         draft.need("from rclpy.parameter import Parameter")
         options += ", parameter_overrides=[Parameter('param1', Parameter.Type.STRING, 'overridden')]"
     if chooser.chance(15):
-        options += chooser.pick([", enable_rosout=False", ", start_parameter_services=False", ", allow_undeclared_parameters=True", ", automatically_declare_parameters_from_overrides=True", ", use_global_arguments=False", ", enable_logger_service=True"])
+        options += chooser.pick(
+            [
+                ", enable_rosout=False",
+                ", start_parameter_services=False",
+                ", allow_undeclared_parameters=True",
+                ", automatically_declare_parameters_from_overrides=True",
+                ", use_global_arguments=False",
+                ", enable_logger_service=True",
+            ]
+        )
     return options
 
 
@@ -117,23 +167,60 @@ def _without_class(draft: Draft) -> str:
     scope = Scope([], "node", [], None)
     create(draft, scope, _DEPTH)
     maker = draft.chooser.pick(["rclpy.create_node", "Node"])
-    draft.define(f"def {name}():\n    node = {maker}({_label(draft)}{_options(draft)})\n{block(scope.lines)}\n    return node")
+    draft.define(
+        f"def {name}():\n    node = {maker}({_label(draft)}{_options(draft)})\n{block(scope.lines)}\n    return node"
+    )
     return f"{name}()"
 
 
 def _main(draft: Draft, nodes: list[str]) -> str:
     chooser = draft.chooser
-    start = chooser.pick(["rclpy.init()", "rclpy.init()", "rclpy.init(args=None)", "rclpy.init(args=['prog', '--ros-args', '-r', 'left:=all_left', '-r', 'scan:=/all/scan'])", "rclpy.init(args=['--ros-args', '-r', '__ns:=/global'])", "rclpy.init(args=['--ros-args', '-p', 'param1:=from_line'])"])
+    start = chooser.pick(
+        [
+            "rclpy.init()",
+            "rclpy.init()",
+            "rclpy.init(args=None)",
+            "rclpy.init(args=['prog', '--ros-args', '-r', 'left:=all_left', '-r', 'scan:=/all/scan'])",
+            "rclpy.init(args=['--ros-args', '-r', '__ns:=/global'])",
+            "rclpy.init(args=['--ros-args', '-p', 'param1:=from_line'])",
+        ]
+    )
     made = "[" + ", ".join(nodes) + "]"
     if len(nodes) > 1 or chooser.chance(30):
         draft.need("from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor")
         executor = chooser.pick(["MultiThreadedExecutor", "SingleThreadedExecutor"])
-        spin = [f"nodes = {made}", f"executor = {executor}()", "for each in nodes:", "    executor.add_node(each)", "executor.spin()", "for each in nodes:", "    each.destroy_node()"]
+        spin = [
+            f"nodes = {made}",
+            f"executor = {executor}()",
+            "for each in nodes:",
+            "    executor.add_node(each)",
+            "executor.spin()",
+            "for each in nodes:",
+            "    each.destroy_node()",
+        ]
     else:
-        spin = [f"node = {nodes[0]}", *chooser.pick([["rclpy.spin(node)"], ["while rclpy.ok():", "    rclpy.spin_once(node, timeout_sec=0.1)"], ["for _ in range(3):", "    rclpy.spin_once(node)"], []])]
+        spin = [
+            f"node = {nodes[0]}",
+            *chooser.pick(
+                [
+                    ["rclpy.spin(node)"],
+                    ["while rclpy.ok():", "    rclpy.spin_once(node, timeout_sec=0.1)"],
+                    ["for _ in range(3):", "    rclpy.spin_once(node)"],
+                    [],
+                ]
+            ),
+        ]
     shape = chooser.number(0, 4)
     if shape == 0:
-        body = [start, "try:", *block(spin).splitlines(), "except KeyboardInterrupt:", "    pass", "finally:", "    rclpy.try_shutdown()"]
+        body = [
+            start,
+            "try:",
+            *block(spin).splitlines(),
+            "except KeyboardInterrupt:",
+            "    pass",
+            "finally:",
+            "    rclpy.try_shutdown()",
+        ]
     elif shape == 1 and "args=" not in start:
         body = ["with rclpy.init():", *block(spin).splitlines()]
     else:

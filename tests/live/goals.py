@@ -9,15 +9,17 @@ The handles are rclpy's own; only the way over the middleware is left out.
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Final
 
-from action_msgs.msg import GoalInfo
 from rclpy.action.client import ClientGoalHandle
 from rclpy.action.server import ServerGoalHandle
 from rclpy.impl.implementation_singleton import rclpy_implementation as _rclpy
 from rclpy.task import Future
-from unique_identifier_msgs.msg import UUID
+
+GoalInfo: Final[Any] = importlib.import_module("action_msgs.msg").GoalInfo
+UUID: Final[Any] = importlib.import_module("unique_identifier_msgs.msg").UUID
 
 Call = Callable[..., Any]
 

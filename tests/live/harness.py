@@ -63,7 +63,9 @@ class RealRclpy:
     def __enter__(self) -> RealRclpy:
         return self
 
-    def __exit__(self, _type: type[BaseException] | None, _error: BaseException | None, _trace: TracebackType | None) -> None:
+    def __exit__(
+        self, _type: type[BaseException] | None, _error: BaseException | None, _trace: TracebackType | None
+    ) -> None:
         self.close()
 
     def send(self, program: Program) -> None:

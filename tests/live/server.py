@@ -33,12 +33,6 @@ import rclpy.executors
 import rclpy.lifecycle
 import rclpy.parameter_client
 import rclpy.wait_for_message
-import rosgraph_msgs.msg
-import sensor_msgs.msg
-import std_msgs.msg
-import std_srvs.srv
-import test_msgs.action
-import yaml
 from rclpy.node import Node
 
 from .recorder import Recorder
@@ -49,12 +43,14 @@ PATIENCE: Final = 2.0
 _NEW_NETWORK: Final = 0x40000000  # CLONE_NEWNET
 _NEW_MOUNTS: Final = 0x00020000  # CLONE_NEWNS
 _PRIVATE: Final = 0x44000  # MS_REC | MS_PRIVATE
-_IMPORTED: Final = (rosgraph_msgs.msg, sensor_msgs.msg, std_msgs.msg, std_srvs.srv, test_msgs.action, yaml)
+_IMPORTED: Final = ("rosgraph_msgs.msg", "sensor_msgs.msg", "std_msgs.msg", "std_srvs.srv", "test_msgs.action", "yaml")
 
 
 def serve() -> None:
     """Answer until the standard input ends."""
     _stay_alone()
+    for module in _IMPORTED:
+        importlib.import_module(module)
     for number, line in enumerate(sys.stdin):
         print(json.dumps(_in_a_fork(json.loads(line), number % 90 + 1)), flush=True)
 
@@ -171,7 +167,11 @@ def _start(what: str) -> None:
 def _instantiate(module: Any) -> None:
     """Each node class of a module from which no other one of it is derived."""
     rclpy.init()
-    classes = [c for c in vars(module).values() if isinstance(c, type) and issubclass(c, Node) and c.__module__ == module.__name__]
+    classes = [
+        c
+        for c in vars(module).values()
+        if isinstance(c, type) and issubclass(c, Node) and c.__module__ == module.__name__
+    ]
     made = [c() for c in classes if not any(c is not other and issubclass(other, c) for other in classes)]
     for node in made:
         rclpy.spin(node)

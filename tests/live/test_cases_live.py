@@ -15,15 +15,17 @@ import pytest
 
 pytest.importorskip("rclpy")
 
-from casefile import Case, read_cases  # noqa: E402
+from casefile import Case, read_cases
 
-import rosward  # noqa: E402
+import rosward
 
-from .agreement import judge  # noqa: E402
-from .casebook import programs_of, runnable  # noqa: E402
-from .harness import RealRclpy  # noqa: E402
+from .agreement import judge
+from .casebook import programs_of, runnable
+from .harness import RealRclpy
 
-CASES: Final = [case for file in sorted((Path(__file__).parents[1] / "cases").glob("*.md")) for case in read_cases(file)]
+CASES: Final = [
+    case for file in sorted((Path(__file__).parents[1] / "cases").glob("*.md")) for case in read_cases(file)
+]
 LEAST: Final = 150
 """How many programs have to run at least, besides the generated ones."""
 
@@ -63,8 +65,6 @@ INPUTS: Final = {
     "loops: A loop of unknown length": Input(arguments=("--ros-args", "-p", "count:=2")),
     "parameters: A parameter without a default": Input(arguments=("--ros-args", "-p", "robot:=r1")),
 }
-KNOWN: Final[dict[str, str]] = {}
-"""Cases in which rosward is wrong, and what is."""
 
 
 @pytest.fixture(scope="module")
@@ -79,8 +79,8 @@ def _case(case: Case) -> object:
         marks.append(pytest.mark.skip(reason=NOT_RUN[case.name]))
     elif case.file.stem in NEED_INSTALL:
         marks.append(pytest.mark.skip(reason="needs an installed package"))
-    if case.name in KNOWN:
-        marks.append(pytest.mark.xfail(reason=KNOWN[case.name], strict=True))
+    if case.known:
+        marks.append(pytest.mark.xfail(reason=case.known, strict=True))
     return pytest.param(case, marks=marks, id=case.name)
 
 
@@ -113,5 +113,5 @@ def test_case(case: Case, real: RealRclpy, tmp_path: Path) -> None:
 def test_enough_programs() -> None:
     """The tables speak of cases that exist, and enough of the cases run."""
     names = {case.name for case in CASES}
-    assert not ({*NOT_RUN, *FAILS, *INPUTS, *KNOWN} - names)
+    assert not ({*NOT_RUN, *FAILS, *INPUTS} - names)
     assert len([c for c in CASES if c.name not in NOT_RUN and c.file.stem not in NEED_INSTALL]) >= LEAST

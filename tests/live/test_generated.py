@@ -14,13 +14,13 @@ import pytest
 
 pytest.importorskip("rclpy")
 
-from hypothesis import HealthCheck, Phase, given, settings  # noqa: E402
-from hypothesis import strategies as st  # noqa: E402
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
 
-from .draft import Drawn  # noqa: E402
-from .generate import compare, complaint  # noqa: E402
-from .generator import write  # noqa: E402
-from .harness import RealRclpy  # noqa: E402
+from .draft import Drawn
+from .generate import compare, complaint
+from .generator import write
+from .harness import RealRclpy
 
 COUNT: Final = int(os.environ.get("LIVE_PROGRAMS", "200"))
 GENERATED: Final = settings(

@@ -21,7 +21,7 @@ import pytest
 
 pytest.importorskip("rclpy")
 
-import rosward.models  # noqa: E402
+import rosward.models
 
 STUBS: Final = Path(rosward.models.__file__).parent / "stubs"
 
@@ -53,12 +53,17 @@ def modules() -> list[str]:
 def declared(function: Function) -> list[Parameter]:
     """The parameters of a function of a model."""
     args = function.args
-    positional = [*((a, "POSITIONAL_ONLY") for a in args.posonlyargs), *((a, "POSITIONAL_OR_KEYWORD") for a in args.args)]
+    positional = [
+        *((a, "POSITIONAL_ONLY") for a in args.posonlyargs),
+        *((a, "POSITIONAL_OR_KEYWORD") for a in args.args),
+    ]
     first = len(positional) - len(args.defaults)
     found = [Parameter(a.arg, kind, number >= first) for number, (a, kind) in enumerate(positional)]
     if args.vararg:
         found.append(Parameter(args.vararg.arg, "VAR_POSITIONAL", True))
-    found += [Parameter(a.arg, "KEYWORD_ONLY", d is not None) for a, d in zip(args.kwonlyargs, args.kw_defaults, strict=True)]
+    found += [
+        Parameter(a.arg, "KEYWORD_ONLY", d is not None) for a, d in zip(args.kwonlyargs, args.kw_defaults, strict=True)
+    ]
     if args.kwarg:
         found.append(Parameter(args.kwarg.arg, "VAR_KEYWORD", True))
     return found
@@ -73,7 +78,9 @@ def real(function: Any) -> list[Parameter] | None:
     found = []
     for parameter in signature.parameters.values():
         variable = parameter.kind in {parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD}
-        found.append(Parameter(parameter.name, parameter.kind.name, variable or parameter.default is not parameter.empty))
+        found.append(
+            Parameter(parameter.name, parameter.kind.name, variable or parameter.default is not parameter.empty)
+        )
     return found
 
 
@@ -114,4 +121,8 @@ def test_what_is_allowed_to_differ_exists() -> None:
 
 def _told(parameter: Parameter) -> str:
     mark = {"VAR_POSITIONAL": "*", "VAR_KEYWORD": "**", "KEYWORD_ONLY": "keyword ", "POSITIONAL_ONLY": "positional "}
-    return mark.get(parameter.kind, "") + parameter.name + ("=" if parameter.optional and "VAR" not in parameter.kind else "")
+    return (
+        mark.get(parameter.kind, "")
+        + parameter.name
+        + ("=" if parameter.optional and "VAR" not in parameter.kind else "")
+    )

@@ -170,7 +170,7 @@ class World:
             self._wait()
             return ok(context=context) and not self.over
 
-        def nap(seconds: float) -> None:
+        def nap(seconds: Any) -> None:
             self._wait()
             sleep(min(seconds, 0.001))
 
@@ -178,10 +178,10 @@ class World:
         rclpy.ok = rclpy.utilities.ok = still
         rclpy.timer.Rate.sleep = lambda _: nap(0.0)
         rclpy.client.Client.service_is_ready = lambda _: True
-        rclpy.client.Client.wait_for_service = lambda _, timeout_sec=None: True
-        rclpy.client.Client.call = lambda client, request, timeout_sec=None: client.srv_type.Response()
+        rclpy.client.Client.wait_for_service = _is_there
+        rclpy.client.Client.call = _answered
         ActionClient.server_is_ready = lambda _: True
-        ActionClient.wait_for_server = lambda _, timeout_sec=None: True
+        ActionClient.wait_for_server = _is_there
 
     def _wait(self) -> None:
         """One more turn in which nothing is left to happen."""
@@ -190,6 +190,14 @@ class World:
             self.over = True
         if self._idle > 4 * IDLE:
             raise KeyboardInterrupt if threading.current_thread() is threading.main_thread() else SystemExit
+
+
+def _is_there(_client: Any, timeout_sec: float | None = None) -> bool:  # noqa: ARG001
+    return True
+
+
+def _answered(client: Any, request: Any, timeout_sec: float | None = None) -> Any:  # noqa: ARG001
+    return client.srv_type.Response()
 
 
 def _callbacks(node: Any) -> Iterable[tuple[Any, ...]]:

@@ -32,6 +32,7 @@ from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 from casefile import WORDS
+
 from rosward import EntityKind
 from rosward.cli import main
 

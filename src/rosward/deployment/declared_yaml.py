@@ -17,7 +17,7 @@ from rosward.deployment.declared_shapes import Scalar
 from rosward.source.location import Place
 
 DEEPEST: Final = 100
-LARGEST: Final = 2_000_000
+LARGEST: Final = 300_000
 
 Plain = Scalar | None
 

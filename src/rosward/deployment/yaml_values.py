@@ -23,6 +23,9 @@ from rosward.source.location import Place
 
 MAX_YAML: Final = 100_000
 """Characters of a text that is read as YAML; a longer one is taken for a str (a robot description)."""
+_DEEPEST: Final = 50
+_MOST_ITEMS: Final = 10_000
+_MOST_BITS: Final = 4_096
 _SCALARS: Final = (bool, int, float, str)
 _INDICATORS: Final = frozenset("[]{}#&*!|>%@`'\",")
 _PATHS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES))
@@ -40,15 +43,50 @@ class Loaded(NamedTuple):
 
 
 def load_yaml(text: str) -> Loaded:
-    """`yaml.safe_load`, without exceptions."""
+    """`yaml.safe_load`, without exceptions, and bounded: in depth, and in what aliases make of it."""
     if len(text) > MAX_YAML:
         return Loaded(text)
     try:
-        return Loaded(yaml.safe_load(text))
+        if not _is_flat(text):
+            return Loaded(None, "it is nested too deeply")
+        found = yaml.safe_load(text)
     except yaml.YAMLError:
         return Loaded(None, "it is not YAML")
     except (ValueError, OverflowError, RecursionError, KeyError, AttributeError, TypeError):
         return Loaded(None, "it is not YAML")
+    return Loaded(found) if _is_bounded(found) else Loaded(None, "it is too large")
+
+
+def _is_flat(text: str) -> bool:
+    """Whether collections are nested no deeper than we read: the time that a loader takes for them grows with the square."""
+    if text.count("[") + text.count("{") + text.count("- ") + text.count("? ") + text.count("\n") <= _DEEPEST:
+        return True
+    depth = 0
+    for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > _DEEPEST:
+                return False
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+    return True
+
+
+def _is_bounded(found: object) -> bool:
+    """Whether a value is small when each alias is written out; one that holds itself is not."""
+    work = [found]
+    count = 0
+    while work:
+        count += 1
+        each = work.pop()
+        if count > _MOST_ITEMS or (isinstance(each, int) and each.bit_length() > _MOST_BITS):
+            return False
+        if isinstance(each, dict):
+            work += each
+            work += each.values()
+        elif isinstance(each, (list, tuple, set)):
+            work += each
+    return True
 
 
 def is_path(value: Value) -> bool:

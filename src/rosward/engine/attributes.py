@@ -195,6 +195,8 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     in_class = lookup(machine, cls, name)
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         return bind(machine, in_class, ref, cls)
+    if _setter(machine, in_class) is not None:  # a data descriptor goes before what the object holds itself
+        return bind(machine, in_class or NONE, ref, cls)
     if own is not None and own is not UNBOUND:
         if (obj.many or name in obj.partial) and in_class is not None:
             return join(own, bind(machine, in_class, ref, cls))
@@ -362,6 +364,9 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
             machine.throw(Native("builtins.AttributeError"))
             return False
         return True
+    setter = _setter(machine, in_class)
+    if setter is not None:
+        return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
     hook = lookup(machine, obj.cls, "__setattr__") if obj.kind == "instance" else None
     if hook is not None and hook.__class__ is Function:
         machine.call(hook, (ref, Const(name), value))
@@ -378,9 +383,16 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     return True
 
 
+def _setter(machine: Interpreter, in_class: Value | None) -> Value | None:
+    """`__set__` of a descriptor that a class of the program defines."""
+    if not isinstance(in_class, Ref) or machine.obj(in_class).kind != "instance":
+        return None
+    return lookup(machine, machine.obj(in_class).cls, "__set__")
+
+
 def delete(machine: Interpreter, target: Value, name: str) -> None:
     """del target.name."""
-    if target.__class__ is Ref:
-        obj = machine.obj(target)
-        if name in obj.attrs and not obj.many:
-            machine.put(target.address, obj.with_attr(name, UNBOUND))
+    if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
+        record = machine.at(target.address)
+        if name in record.attrs and not record.many:
+            machine.put(target.address, record.with_attr(name, UNBOUND))

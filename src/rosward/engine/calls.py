@@ -267,7 +267,7 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
         return declared.result(machine, function, registers)
     if code.is_generator or code.is_coroutine:
         payload = (function, tuple(registers))
-        return machine.allocate(Obj("generator", NONE, payload=payload), id(code))
+        return machine.allocate(Obj("generator", NONE, payload=payload), (id(code), function.cells))
     return activation.invoke(machine, function, registers)[0]
 
 

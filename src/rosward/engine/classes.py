@@ -105,6 +105,7 @@ def _make(
         machine.frames.pop()
     _seal(machine, cls, body)
     machine.log.defined(cls)
+    _tell_members(machine, cls)
     if any(_is_enum_base(b) for b in cls.mro[1:]):
         machine.call(Native("enum.make_members"), (cls,))
     for base in bases:
@@ -116,6 +117,25 @@ def _make(
     return cls
 
 
+def _tell_members(machine: Interpreter, cls: Class) -> None:
+    """`__set_name__` of the objects in a class body."""
+    for name, value in list(machine.at(cls.address).attrs.items()):
+        if isinstance(value, Ref) and machine.obj(value).kind == "instance":
+            hook = attributes.method(machine, value, "__set_name__")
+            if hook is not None:
+                machine.call(hook, (cls, Const(name)))
+
+
+def _tell_metaclass(machine: Interpreter, metaclass: Value) -> None:
+    """A metaclass of the program may change how a class and its instances are made: that is not followed."""
+    for option in options(metaclass):
+        if option.__class__ is Class and not option.stub:
+            for name in ("__call__", "__new__", "__init__", "__prepare__"):
+                if attributes.lookup(machine, option, name) is not None:
+                    machine.report("RW206", f"{name} of the metaclass {option.name} is not followed")
+                    return
+
+
 def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[Value], dict[str, Value]]:
     """The base classes as written, and the keywords."""
     bases: list[Value] = []
@@ -123,7 +143,9 @@ def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[
     for argument in op.arguments:
         value = frame.registers[argument.register]
         if argument.kind == "keyword":
-            if argument.name != "metaclass":
+            if argument.name == "metaclass":
+                _tell_metaclass(machine, value)
+            else:
                 keywords[argument.name] = value
             continue
         several = machine.iterate(value).known if argument.kind == "star" else (value,)
@@ -200,6 +222,9 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
                     initialised.append(option)
             elif option is not UNBOUND:
                 initialised.append(option)
+        for option in initialised:
+            if isinstance(option, Ref) and not cls.stub:
+                _framework(machine, cls, option)
         return join_all(initialised)
     ref = new_instance(machine, cls)
     if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
@@ -237,8 +262,13 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
     for base in cls.mro:
         if base.__class__ is Class and not base.stub:
             for name, value in machine.at(base.address).attrs.items():
-                if value.__class__ is Function and not name.startswith("__"):
+                if name.startswith("__"):
+                    continue
+                if value.__class__ is Function:
                     machine.schedule_book.add(machine, BoundMethod(ref, value), None, "call by the base class")
+                elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
+                    method = attributes.bind(machine, value, ref, cls)
+                    machine.schedule_book.add(machine, method, None, "call by the base class")
 
 
 def type_of(machine: Interpreter, value: Value) -> Value | None:

@@ -27,6 +27,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import attributes
+from rosward.engine.alternatives import each_apart
 from rosward.models import operators
 
 if TYPE_CHECKING:
@@ -66,6 +67,10 @@ def _special(machine: Interpreter, value: Value, name: str) -> Value | None:
 
 def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, inplace: bool) -> Value:
     """left operator right."""
+    if _several_objects(machine, left):
+        return each_apart(machine, options(left), lambda o: binary(machine, operator, o, right, inplace=inplace))
+    if left.__class__ is not Ref and _several_objects(machine, right):
+        return each_apart(machine, options(right), lambda o: binary(machine, operator, left, o, inplace=inplace))
     if left.__class__ is Ref or right.__class__ is Ref:
         name = _BINARY[operator]
         if inplace:
@@ -90,6 +95,14 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
     return operators.binary(machine, operator, left, right)
 
 
+def _several_objects(machine: Interpreter, value: Value) -> bool:
+    """Whether a value is one of several, among them an object whose class may say what an operator does."""
+    return value.__class__ is Choice and any(
+        o.__class__ is Ref and machine.obj(o).kind == "instance" and machine.obj(o).cls.__class__ is Class
+        for o in value.options
+    )
+
+
 def _is_instance_object(machine: Interpreter, value: Value) -> bool:
     return value.__class__ is Ref and machine.obj(value).kind in ("instance", "generator")
 
@@ -98,6 +111,10 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
     """left operator right."""
     if operator in ("is", "is-not"):
         return _identity(machine, operator, left, right)
+    if _several_objects(machine, left):
+        return each_apart(machine, options(left), lambda o: compare(machine, operator, o, right))
+    if left.__class__ is not Ref and _several_objects(machine, right):
+        return each_apart(machine, options(right), lambda o: compare(machine, operator, left, o))
     name = _COMPARE.get(operator)
     if name is not None and (left.__class__ is Ref or right.__class__ is Ref):
         method = _special(machine, left, f"__{name}__")

@@ -118,12 +118,16 @@ def store(machine: Interpreter, target: Value, index: Value, value: Value) -> No
 
 def delete(machine: Interpreter, target: Value, index: Value) -> None:
     """del target[index]."""
-    for option in options(target):
+
+    def one(option: Value) -> Value:
         if option.__class__ is Ref:
             name = "__delitem__" if machine.obj(option).kind == "instance" else "pop"
             method = attributes.method(machine, option, name)
             if method is not None:
                 calls.call(machine, method, (index,), {})
+        return NONE
+
+    each_apart(machine, options(target), one)
 
 
 def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
@@ -188,16 +192,16 @@ def _answer(machine: Interpreter, answer: bool | None) -> Value:
 
 
 def _append(machine: Interpreter, target: Value, value: Value) -> None:
-    if target.__class__ is not Ref:
+    if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
     if obj.items is None or len(obj.items) >= machine.budget.items:
         before = element(obj)
         rest = value if before is None else join(before, value)
         if obj.items is not None or rest != obj.rest:
-            machine.put(target.address, obj.replace(items=None, rest=rest))
+            machine.update(target, obj.replace(items=None, rest=rest))
         return
-    machine.put(target.address, obj.replace(items=(*obj.items, value)))
+    machine.update(target, obj.replace(items=(*obj.items, value)))
 
 
 def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:

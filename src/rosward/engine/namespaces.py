@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.values import UNBOUND, Const, Ref, Value
+from rosward.domain.heap import Obj
+from rosward.domain.values import UNBOUND, Const, Native, Ref, Value
 from rosward.ir.program import CodeKind
 
 if TYPE_CHECKING:
@@ -21,11 +22,10 @@ def table_of(machine: Interpreter, address: int) -> Value:
     """A dict of the attributes kept at an address; what is stored in it becomes an attribute there."""
     attrs = machine.at(address).attrs
     partial = machine.at(address).partial
-    table = machine.new_dict({Const(k): v for k, v in attrs.items() if v is not UNBOUND and k.isidentifier()})
-    record = machine.obj(table)
-    maybe = frozenset(Const(k) for k in partial if Const(k) in record.entries)
-    machine.update(table, record.replace(payload=Ref(address), maybe=maybe))
-    return table
+    entries: dict[Value, Value] = {Const(k): v for k, v in attrs.items() if v is not UNBOUND and k.isidentifier()}
+    maybe = frozenset(k for k in map(Const, partial) if k in entries)
+    record = Obj("dict", Native("builtins.dict"), entries=entries, maybe=maybe, payload=Ref(address))
+    return machine.allocate(record, ("variables", address))
 
 
 def variables(machine: Interpreter, *, local: bool) -> Value | None:

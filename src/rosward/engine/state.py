@@ -78,11 +78,23 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     if right.many and not left.many:
         result = result.copy() if result is left else result
         result.many = True
-    if left.kind in ("list", "set"):
+    if left.kind == "generator" and left.payload != right.payload:
+        result = _join_suspended(result, left, right, merge)
+    elif left.kind in ("list", "set"):
         result = _join_elements(result, left, right, merge)
     elif left.kind == "dict":
         result = _join_entries(result, left, right, merge)
     return result
+
+
+def _join_suspended(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
+    """Two suspended calls of one function: its arguments are those of either."""
+    if not isinstance(left.payload, tuple) or not isinstance(right.payload, tuple):
+        return result if left.payload is not None else result.replace(payload=right.payload)
+    function, ours = left.payload
+    known = list(ours)
+    registers = join_registers(known, list(right.payload[1]), merge)
+    return result if registers is known else result.replace(payload=(function, tuple(registers)))
 
 
 def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -> dict[str, Value]:

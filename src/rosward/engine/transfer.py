@@ -125,6 +125,8 @@ def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
         modules.store_global(machine, frame.module, op.name, UNBOUND)
     elif op.kind == "item":
         items.delete(machine, frame.registers[op.obj], frame.registers[op.index])
+    elif op.kind == "name" and op.name in machine.at(frame.namespace).attrs:
+        machine.put(frame.namespace, machine.at(frame.namespace).with_attr(op.name, UNBOUND))
     elif op.kind == "attr":
         attributes.delete(machine, frame.registers[op.obj], op.name)
 

@@ -38,10 +38,12 @@ def _declare(call: NativeCall) -> Value:
     node, name = call.args[0], call.args[1]
     default = call.arg(2, "default", NONE) or NONE
     type_ = call.arg(3, "type", NONE) or NONE
+    ignored = call.arg(4, "ignore_override", FALSE) or FALSE
+    typed = call.arg(5, "dynamic", FALSE) in (FALSE, NONE)
     found: list[Value] = []
     for each in options(node):
         for key in options(name):
-            value = _initial(machine, each, key, default, _hint(machine, type_))
+            value = _initial(machine, each, key, default, _hint(machine, type_), ignored, typed=typed)
             address = each.address if isinstance(each, Ref) else None
             machine.log.parameters[ParameterEffect(address, key, default, value, type_, machine.place)] = None
             table = _table(machine, each)
@@ -63,14 +65,17 @@ def _hint(machine: Interpreter, type_: Value) -> str:
     return "list" if word.endswith("_ARRAY") else _HINTS.get(word, "")
 
 
-def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hint: str) -> Value:
+def _initial(
+    machine: Interpreter, node: Value, name: Value, default: Value, hint: str, ignored: Value, *, typed: bool
+) -> Value:
     """The value of a parameter when it is declared: what the code or the command line sets, else its default.
 
     Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
+    `ignored`: whether what is set from outside does not count (ignore_override). A parameter that is not `typed` takes a value of any type.
     """
     label = text_of(name, word_text(name))
-    override = _override(machine, node, label)
-    if override is not None:
+    override = _override(machine, node, label) if ignored != TRUE else None
+    if override is not None and typed:
         _check_type(machine, label, default, override)
     open_ = _open(machine, node)
     if override is not None and not open_:

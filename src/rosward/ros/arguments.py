@@ -289,8 +289,41 @@ def key_fits_node(key: str, node_fqn: str) -> bool | None:
     if HOLE in node_fqn:
         # `/**` covers all; of any other key with wildcards it is only known that it may fit
         return True if key == "/**" else None if may_be_equal(key.replace("/*", HOLE), node_fqn) else False
-    pattern = re.escape(key).replace(r"/\*\*", r"(?:/\w+)*").replace(r"/\*", r"/\w+")
-    return re.fullmatch(pattern, node_fqn, re.ASCII) is not None
+    return _matches(key, node_fqn)
+
+
+_KEY_PART: Final = re.compile(r"/\*\*|/\*|.", re.DOTALL)
+
+
+def _matches(key: str, fqn: str) -> bool:
+    """Whether rcl's pattern of the key (`/*` is one token, `/**` any number) is the whole name: place by place, since a regular
+    expression would try every division of the name among the `/**` of a key."""
+    token = [0] * (len(fqn) + 1)  # where the token that begins behind the slash at a place ends at the latest
+    for at in range(len(fqn) - 1, -1, -1):
+        token[at] = at if not _is_word(fqn[at]) else max(token[at + 1], at + 1)
+    reached = {0}
+    for part in _KEY_PART.findall(key):
+        if part == "/*":
+            reached = {end for at in reached for end in _tokens_at(fqn, at, token)}
+        elif part == "/**":
+            new = set(reached)
+            while new:
+                new = {end for at in new for end in _tokens_at(fqn, at, token)} - reached
+                reached |= new
+        else:
+            reached = {at + 1 for at in reached if fqn[at : at + 1] == part}
+        if not reached:
+            return False
+    return len(fqn) in reached
+
+
+def _tokens_at(fqn: str, at: int, token: list[int]) -> range:
+    """Where `/` and a word from `at` on may end."""
+    return range(at + 2, token[at + 1] + 1) if fqn[at : at + 1] == "/" else range(0)
+
+
+def _is_word(character: str) -> bool:
+    return character.isascii() and (character.isalnum() or character == "_")
 
 
 def parameters_of_node(rules: Iterable[ParameterRule], node_fqn: str) -> dict[str, ParameterValue]:

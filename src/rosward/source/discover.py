@@ -35,16 +35,21 @@ _LEVELS_ABOVE: Final = 12
 
 
 def discover(
-    paths: Sequence[Path], *, include_tests: bool = False, read_setup: Callable[[str, str], Declared] = read_setup_py
+    paths: Sequence[Path],
+    *,
+    launch_files: Sequence[Path] = (),
+    include_tests: bool = False,
+    read_setup: Callable[[str, str], Declared] = read_setup_py,
 ) -> Workspace:
-    """What the files and folders `paths` hold; `read_setup` reads a `setup.py` (path, name in findings)."""
+    """What the files and folders `paths` hold, and `launch_files`; `read_setup` reads a `setup.py` (path, name in findings)."""
     starts = list(dict.fromkeys(os.path.abspath(path) for path in paths)) or [os.path.abspath(".")]  # noqa: PTH100
-    root = _common_folder(starts)
+    named = {os.path.abspath(path) for path in launch_files}  # noqa: PTH100
+    root = _common_folder([*starts, *sorted(named)])
     tree = Tree()
     findings: list[Finding] = []
     chosen = _look(starts, tree, root, findings, include_tests=include_tests)
-    files = sorted({*tree.python.values()})
-    launch = {path for path in files if _is_launch(path)}
+    files = sorted({*tree.python.values()} - named)
+    launch = {path for path in files if _is_launch(path)} | named
     named_setup = [path for path in files if path.endswith(f"{os.sep}setup.py") and path not in chosen]
     scripts = {path for path in named_setup if is_build_script(path)}
     tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]

@@ -178,16 +178,18 @@ class Node:
     # Parameters
 
     def declare_parameter(self, name, value=None, descriptor=None, ignore_override=False):
+        dynamic = descriptor is not None and descriptor.dynamic_typing
         if isinstance(value, Parameter.Type):
-            return Parameter(name, value, declare_parameter(self, name, None, value))
-        return Parameter(name, None, declare_parameter(self, name, value))
+            return Parameter(name, value, declare_parameter(self, name, None, value, ignore_override, dynamic))
+        return Parameter(name, None, declare_parameter(self, name, value, None, ignore_override, dynamic))
 
     def declare_parameters(self, namespace, parameters, ignore_override=False):
         declared = []
         for entry in parameters:
             name = f"{namespace}.{entry[0]}" if namespace else entry[0]
             value = entry[1] if len(entry) > 1 else None
-            declared.append(Node.declare_parameter(self, name, value))
+            descriptor = entry[2] if len(entry) > 2 else None
+            declared.append(Node.declare_parameter(self, name, value, descriptor, ignore_override))
         return declared
 
     def undeclare_parameter(self, name) -> None: ...
