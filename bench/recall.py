@@ -24,6 +24,8 @@ from facts import Entity, Graph, Spot
 from measure import extract
 from sites import statement
 
+CERTAIN = "certain for us: the run ended before it, or ours to mend"
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Fact:
@@ -65,7 +67,8 @@ def main() -> int:
     parser.add_argument("--json", type=Path, help="write all verdicts to this file")
     options = parser.parse_args()
     verdicts: list[Verdict] = []
-    for repo, (hard, recorded) in sorted(_read(options.recording).items()):
+    beyond: Counter[str] = Counter()
+    for repo, (hard, recorded, interrupted) in sorted(_read(options.recording).items()):
         folder = options.checkouts / repo.replace("/", "+")
         if options.repo and not any(part in repo for part in options.repo):
             continue
@@ -83,26 +86,36 @@ def main() -> int:
         for verdict in of_repo:
             if not verdict.found or options.found:
                 print(f"  {'found ' if verdict.found else 'MISSED'} {verdict.fact}" + _why(verdict))
-        if options.extra:
-            for entity in _extra(graph, recorded):
+        for entity in _extra(graph, {f for f in recorded if f.file not in interrupted}):
+            group = _group(entity)
+            beyond[group] += 1
+            if options.extra:
                 spot = entity.spots[0]
-                print(f"  only ours {spot[0]}:{spot[1]}: {entity.kind} {entity.name} [{entity.type}] of {entity.node}")
+                print(
+                    f"  only ours {spot[0]}:{spot[1]}: {entity.kind} {entity.name} [{entity.type}] of {entity.node}: {group}"
+                )
     _summary(verdicts)
+    print(
+        "only ours, in files whose run came to its end: "
+        + (", ".join(f"{g} {n}" for g, n in beyond.most_common()) or "nothing")
+    )
     if options.json:
         text = json.dumps([asdict(verdict) for verdict in verdicts], indent=2)
         options.json.write_text(text + "\n", encoding="utf-8")
     return 0 if all(verdict.found for verdict in verdicts) else 1
 
 
-def _read(recording: Path) -> dict[str, tuple[set[Fact], set[Fact]]]:
-    """For each repository the facts of trust `hard`, and all facts."""
-    facts: dict[str, tuple[set[Fact], set[Fact]]] = defaultdict(lambda: (set(), set()))
+def _read(recording: Path) -> dict[str, tuple[set[Fact], set[Fact], set[str]]]:
+    """For each repository the facts of trust `hard`, all facts, and the files whose run did not come to its own end."""
+    facts: dict[str, tuple[set[Fact], set[Fact], set[str]]] = defaultdict(lambda: (set(), set(), set()))
     with recording.open(encoding="utf-8") as lines:
         for record in map(json.loads, lines):
             fact = Fact(*record["at"], *(record[key] or "" for key in ("file", "kind", "node", "name", "type")))
             facts[record["repo"]][1].add(fact)
             if record["trust"] == "hard":
                 facts[record["repo"]][0].add(fact)
+            else:
+                facts[record["repo"]][2].add(fact.file)
     return {repo: found for repo, found in facts.items() if found[0]}
 
 
@@ -166,6 +179,15 @@ def _extra(graph: Graph, recorded: set[Fact]) -> Iterator[Entity]:
         )
         if files and not seen and not entity.system:
             yield entity
+
+
+def _group(entity: Entity) -> str:
+    """Why no run may have shown an entity of ours."""
+    if "*" in entity.name or "*" in entity.node:
+        return "a name that is not known"
+    if entity.conditional:
+        return "conditional: an event, or a branch that the run did not take"
+    return CERTAIN
 
 
 def _why(verdict: Verdict) -> str:

@@ -200,12 +200,6 @@ _TABLE: Final = (
     Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
     Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
-    Rule(
-        "RW325",
-        "value depends on how it is started",
-        _N,
-        "A launch file of the workspace decides it: analyse with --launch.",
-    ),
 )
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}

@@ -7,6 +7,7 @@ result.network.nodes
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
@@ -157,9 +158,9 @@ def read_sources(
 ) -> SourcesRead:
     """Read what is under `paths`, and the launch files that a request names by their path."""
     wanted = [Path(p) for p in paths] or [Path()]
-    named = [path for launch in request.launches if launch.package is None and (path := Path(launch.file)).is_file()]
+    named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
     workspace = discover(wanted, launch_files=named, include_tests=tests)
-    if not workspace.files and not workspace.launch_files:
+    if not (workspace.files or workspace.launch_files or request.nodes):
         raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
     sources = SourceTree(workspace, [Path(u) for u in underlays])
     sources.read_all(lambda done: progress("reading", done, len(workspace.files)))
@@ -183,7 +184,7 @@ def _extract(
     else:
         configuration, doubts = parameters_for_all(request, read.workspace)
         gathered = of_sources(outset.library, sources, read.plan, outset.budget, outset.distro, configuration, progress)
-    findings.update(dict.fromkeys((*doubts, *gathered.findings)))
+    findings.update(dict.fromkeys((*doubts, *gathered.findings, *outset.library.findings)))
     return Result(_network(read, gathered, findings, unknown, mode), read.workspace.root)
 
 

@@ -11,7 +11,8 @@ from __future__ import annotations
 import sys
 from typing import NamedTuple
 
-from rosward.engine.library import STUBS, Library
+from rosward.engine.library import Library
+from rosward.engine.stub_files import STUBS
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Module
@@ -126,6 +127,8 @@ def _follow(name: str, file: str, library: Library, sources: SourceTree) -> str:
 def _is_ros(top: str) -> bool:
     """Whether a top-level module is a modelled library that is neither Python's own nor free of ROS."""
     if top in sys.stdlib_module_names or top in ("numpy", "yaml"):
+        return False
+    if len(top) > 200:  # no name of a file
         return False
     return (STUBS / top).is_dir() or (STUBS / f"{top}.pyi").is_file() or top in ("launch", "rclpy")
 

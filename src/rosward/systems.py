@@ -10,7 +10,7 @@ Each launch file is executed by itself (never for real); `--node` and `--params`
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -29,11 +29,12 @@ from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.findings import Finding
 from rosward.models.configuration import Configuration
+from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 from rosward.source.text import read_source
-from rosward.source.workspace import Workspace
+from rosward.source.workspace import SourceFile, Workspace
 
 
 class UnknownRequestError(Exception):
@@ -94,6 +95,7 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
         found.append(_system(title, "", named, outset, findings))
         _check_nodes(found[-1])
     findings.update(outset.declarations.findings)
+    findings.update(outset.library.findings)
     return found, list(findings)
 
 
@@ -118,26 +120,34 @@ def _find(launch: LaunchRequest, outset: Outset) -> str:
     """The launch file that is meant: by package and name as `ros2 launch` finds it, by path from here or from the root of the analysis."""
     files = (*outset.workspace.launch_files, *outset.workspace.files)
     if launch.package is not None:
-        named = [
-            f
-            for f in files
-            if f.package is not None and f.package.name == launch.package and f.path.name == Path(launch.file).name
-        ]
-        found = [f for f in named if f.relative.endswith(launch.file)] or named
-        if not found:
-            raise UnknownRequestError(f"the package {launch.package} has no launch file {launch.file}")
-        return found[0].relative
+        return _find_in_package(launch.package, launch.file, files, outset)
     path = Path(launch.file).absolute()
     for each in files:
         if each.path.absolute() == path or each.relative == launch.file:
             return each.relative
-    named = [f for f in files if f.relative.endswith(f"/{launch.file}")]
-    if len(named) == 1:
-        return named[0].relative
-    several = f": {', '.join(f.relative for f in named)}" if named else ""
-    raise UnknownRequestError(
-        f"{'several launch files are called' if named else 'no launch file'} {launch.file}{several}"
-    )
+    named = [f.relative for f in files if f.relative.endswith(f"/{launch.file}")]
+    if not named:
+        raise UnknownRequestError(f"no launch file {launch.file}")
+    return _only(named, launch.file)
+
+
+def _find_in_package(package: str, name: str, files: Iterable[SourceFile], outset: Outset) -> str:
+    """The launch file of a package, which may be of an underlay: what is installed counts first, as for `ros2 launch`."""
+    for folder in ("launch/", ""):
+        installed = outset.files.find(path_of(Location(package, f"{folder}{name}")))
+        if installed is not None:
+            return installed
+    own = [f for f in files if f.package is not None and f.package.name == package and f.path.name == Path(name).name]
+    named = [f.relative for f in own if f.relative.endswith(f"/{name}")] or [f.relative for f in own]
+    if not named:
+        raise UnknownRequestError(f"the package {package} has no launch file {name}")
+    return _only(named, f"{name} in the package {package}")
+
+
+def _only(named: Sequence[str], what: str) -> str:
+    if len(named) > 1:
+        raise UnknownRequestError(f"several launch files are called {what}: {', '.join(named)}")
+    return named[0]
 
 
 class _Ran(NamedTuple):
@@ -178,7 +188,7 @@ def _node(request: NodeRequest) -> Started:
 
 
 def _check_nodes(system: System) -> None:
-    missing = [f"{p.package}/{p.executable}" for p in system.programs if p.unknown is not None]
+    missing = [f"{p.package}/{p.executable} ({p.unknown})" for p in system.programs if p.unknown is not None]
     if missing:
         raise UnknownRequestError(f"no such executable: {', '.join(missing)}")
 

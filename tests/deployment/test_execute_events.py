@@ -87,7 +87,7 @@ def test_a_timer_knows_its_launch_file_a_handler_does_not() -> None:
     assert Run([handler]).codes == ["RW320"]
 
 
-@pytest.mark.parametrize("values", ["{name: a, id: 1};{name: b, id: 2}", "name=a, id=1; name=b, id=2;"])
+@pytest.mark.parametrize("values", ["{name: a, id: 1};{name: b, id: 2}", " ; {name: a, id: 1}; ;name: b\nid: 2;"])
 def test_for_each(values: str) -> None:
     seen: list[str] = []
 

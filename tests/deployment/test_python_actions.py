@@ -86,7 +86,7 @@ ACTIONS = {
         SetRemap source=a target=b
         SetRemap source=c target=d
         SetParameter parameter={use_sim_time: yaml $(var s)}
-        SetParameter parameter={use_sim_time: True}
+        Inert kind=SetUseSimTime
         SetParameter parameter=file f.yaml
         """,
     ),
@@ -120,12 +120,12 @@ ACTIONS = {
     ),
     "functions": (
         """OpaqueFunction(function=lambda context, a, b=1: [Node(package='p', executable=f'{a}{b}')], args=['x'], kwargs={'b': 2}),
-        ForLoop('2', function=lambda i: [], name='i'), ForEach('n=a; n=b', function=lambda n: [])""",
+        ForLoop('2', function=lambda i: [], name='i'), ForEach('{n: a}; {n: b}', function=lambda n: [])""",
         """
         Opaque
           StartNode package=p executable=x2
         ForEach values=2 count=True index_name=i
-        ForEach values=n=a; n=b
+        ForEach values={n: a}; {n: b}
         """,
     ),
     "conditions": (

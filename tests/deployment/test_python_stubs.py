@@ -7,7 +7,8 @@ import pytest
 
 from deployment.python_tree import Files
 from rosward.domain.values import External, ModuleValue, Unknown
-from rosward.engine.library import STUBS, Library
+from rosward.engine.library import Library
+from rosward.engine.stub_files import STUBS
 from rosward.models.tables import natives
 
 FOLDERS = (
@@ -19,6 +20,11 @@ FOLDERS = (
     "launch_testing_ros",
     "launch_pytest",
     "nav2_common",
+    "controller_manager",
+    "launch_param_builder",
+    "moveit_configs_utils",
+    "ros_gz_bridge",
+    "ros_gz_sim",
 )
 MODULES = sorted(
     ".".join(path.relative_to(STUBS).with_suffix("").parts).removesuffix(".__init__")

@@ -26,7 +26,9 @@ from .draft import Seeded
 from .generator import Written, write
 from .harness import Program, RealRclpy, Seen
 
-PATIENCE: Final = 40.0
+PATIENCE: Final = 4.0
+"""Seconds for a program to run: what is left of one that is made smaller may run for ever."""
+EFFORT: Final = 40.0
 """Seconds to make a program smaller."""
 
 
@@ -46,7 +48,7 @@ def compare(real: RealRclpy, files: dict[str, str], *, interrupt: bool = False) 
             path = folder / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
-        real.send(Program(folder, "main.py", interrupt=interrupt))
+        real.send(Program(folder, "main.py", interrupt=interrupt, patience=PATIENCE))
         result = rosward.extract(folder, distro="kilted")
         seen = real.receive()
         return Outcome(judge(result, [seen]), seen, result)
@@ -54,7 +56,7 @@ def compare(real: RealRclpy, files: dict[str, str], *, interrupt: bool = False) 
 
 def smaller(files: dict[str, str], fails: Callable[[dict[str, str]], bool]) -> dict[str, str]:
     """The program without what can be left out while it still fails, as far as a minute goes."""
-    changed, end = True, time.monotonic() + PATIENCE
+    changed, end = True, time.monotonic() + EFFORT
     while changed and time.monotonic() < end:
         changed = False
         for file in list(files):

@@ -22,7 +22,10 @@ Fact = tuple[str, str, str, str]
 
 
 class Program(NamedTuple):
-    """What is to be run: `main.py`, `package.module:function` or `class:module`, in a folder."""
+    """What is to be run: `main.py`, `package.module:function` or `class:module`, in a folder.
+
+    `patience` is how many seconds it may run before it is interrupted; after half as many again it is ended.
+    """
 
     folder: Path
     start: str
@@ -30,6 +33,7 @@ class Program(NamedTuple):
     path: tuple[str, ...] = (".",)
     arguments: tuple[str, ...] = ()
     environment: tuple[tuple[str, str], ...] = ()
+    patience: float = 20.0
 
 
 class Seen(NamedTuple):

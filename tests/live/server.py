@@ -38,8 +38,6 @@ from rclpy.node import Node
 from .recorder import Recorder
 from .world import World
 
-PATIENCE: Final = 2.0
-"""Seconds after which a program is interrupted; half as long again, and it is ended."""
 _NEW_NETWORK: Final = 0x40000000  # CLONE_NEWNET
 _NEW_MOUNTS: Final = 0x00020000  # CLONE_NEWNS
 _PRIVATE: Final = 0x44000  # MS_REC | MS_PRIVATE
@@ -124,7 +122,7 @@ def _run(job: dict[str, Any], domain: int, writing: int) -> None:
     world = World(recorder, interrupt=bool(job.get("interrupt")))
     report = _Report(writing, recorder, world, output)
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    threading.Thread(target=_watch, args=(report, time.sleep), daemon=True).start()
+    threading.Thread(target=_watch, args=(report, time.sleep, job["patience"]), daemon=True).start()
     recorder.install()
     world.install()
     end = "normal"
@@ -145,10 +143,10 @@ def _run(job: dict[str, Any], domain: int, writing: int) -> None:
     report.close(end)
 
 
-def _watch(report: _Report, sleep: Any) -> None:
-    sleep(PATIENCE)
+def _watch(report: _Report, sleep: Any, patience: float) -> None:
+    sleep(patience)
     os.kill(os.getpid(), signal.SIGINT)
-    sleep(PATIENCE / 2)
+    sleep(patience / 2)
     report.close("does not end")
 
 

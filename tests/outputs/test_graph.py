@@ -92,9 +92,9 @@ def test_a_graph_beyond_any_eye_is_told_in_words() -> None:
 
 def test_a_renderer_that_is_missing_or_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     network = talker_and_listener()
-    monkeypatch.setattr("shutil.which", lambda *_, **__: None)
+    monkeypatch.setattr("rosward.outputs.svg._program", lambda: None)
     assert "not installed" in texts(graph_svg(network))[0]
-    monkeypatch.setattr("shutil.which", lambda *_, **__: "false")
+    monkeypatch.setattr("rosward.outputs.svg._program", lambda: "false")
     assert "could not draw" in texts(graph_svg(network))[0]
 
     def too_slow(*_: Any, **__: Any) -> None:

@@ -15,9 +15,10 @@
         pub /chatter std_msgs/msg/String
     ```
 
-The files before the first section belong to every case of the document. The command runs in the folder with the files. `rosward extract` is told
-as the reader of network.json sees it, in the words of `tests/cases`; every other command, and a refusal, by what it prints. `exit N` stands at the
-end where the status is not 0. `show system` and `show findings` as first lines ask for the entities of the client library and for messages.
+The files before the first section belong to every case of the document. The command runs in the folder with the files; that folder is `$PWD` in what
+comes out. `rosward extract` is told as the reader of network.json sees it, in the words of `tests/cases`; every other command, and a refusal, by what
+it prints. `exit N` stands at the end where the status is not 0. `show system` and `show findings` as first lines ask for the entities of the client
+library and for messages.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import os
 import re
 import shlex
 from collections.abc import Iterator
@@ -108,7 +110,8 @@ def run_system(case: SystemCase, folder: Path) -> Outcome:
     network = json.loads(written.read_text(encoding="utf-8")) if extracts and written.exists() else None
     shown = [line for line in case.expected if line in _SHOW]
     body = printed.getvalue().rstrip("\n").splitlines() if network is None else list(_told(network, shown))
-    return Outcome([*shown, *body, *([f"exit {status}"] if status else [])], network)
+    lines = [line.replace(f"{folder}{os.sep}", "$PWD/") for line in body]
+    return Outcome([*shown, *lines, *([f"exit {status}"] if status else [])], network)
 
 
 def _told(network: dict[str, Any], shown: list[str]) -> Iterator[str]:
@@ -116,16 +119,17 @@ def _told(network: dict[str, Any], shown: list[str]) -> Iterator[str]:
     for node in network["nodes"]:
         processes.setdefault(node["process"], []).append(node)
     for process, members in sorted(processes.items()):
-        enclaves = {n["enclave"] for n in members}
-        place = members[0]["launched_by"]
-        start = f" from {place['file']}:{place['line']}" if place else ""
-        yield f"process {process}{_inside(enclaves)}{start}"
-        for node in members:
-            yield f"  node {node['fqn']}{_doubt(node)}{_inside({node['enclave']}) if len(enclaves) > 1 else ''}"
+        facts = [(_inside(n), _start(n)) for n in members]
+        shared = [len(set(column)) == 1 for column in zip(*facts, strict=True)]
+        yield f"process {process}{''.join(fact for fact, common in zip(facts[0], shared, strict=True) if common)}"
+        for node, row in zip(members, facts, strict=True):
+            own = "".join(fact for fact, common in zip(row, shared, strict=True) if not common)
+            yield f"  node {node['fqn']}{_doubt(node)}{own}"
             yield from _entities(node, system="show system" in shown)
     for each in network["diagnostics"]:
         message = f" {each['message']}" if "show findings" in shown else ""
-        yield f"finding {each['code']} {each['file']}{':' + str(each['line']) if each['line'] else ''}{message}"
+        place = f" {each['file']}{':' + str(each['line']) if each['line'] else ''}" if each["file"] else ""
+        yield f"finding {each['code']}{place}{message}"
 
 
 def _entities(node: dict[str, Any], *, system: bool) -> Iterator[str]:
@@ -139,8 +143,13 @@ def _entities(node: dict[str, Any], *, system: bool) -> Iterator[str]:
                 yield line
 
 
-def _inside(enclaves: set[str]) -> str:
-    return f" in {enclaves.copy().pop()}" if len(enclaves) == 1 else ""
+def _inside(node: dict[str, Any]) -> str:
+    return f" in {node['enclave']}"
+
+
+def _start(node: dict[str, Any]) -> str:
+    place = node["launched_by"]
+    return f" from {place['file']}:{place['line']}" if place else ""
 
 
 def _doubt(named: dict[str, Any]) -> str:

@@ -18,6 +18,7 @@ from .systemfile import OUTPUT, SystemCase, read_systems, run_system
 
 CASES = [case for file in sorted(Path(__file__).parent.glob("*.md")) for case in read_systems(file)]
 SCHEMA = json.loads((resources.files("rosward.outputs") / "schemas" / "network.schema.json").read_text())
+_EXACT = re.compile(r"/|(/[A-Za-z_]\w*)+")
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 
 
@@ -60,7 +61,7 @@ def check_enclaves(network: dict[str, Any], folder: Path) -> None:
     }
     starts = (folder / "enclaves.txt").read_text(encoding="utf-8")
     assert set(re.findall(r"^/\S*$", starts, re.MULTILINE)) == set(found)
-    if not any("*" in text for text in (*wanted, *(fqn for fqns in wanted.values() for fqn in fqns))):
+    if all(_EXACT.fullmatch(name) for name in (*wanted, *(fqn for fqns in wanted.values() for fqn in fqns))):
         assert found == wanted
 
 

@@ -40,9 +40,8 @@ def _run(options: argparse.Namespace) -> int:
     from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
     from rosward.pipeline import NothingToReadError, UnknownRequestError, launched
 
+    options.all_launch = options.all_launch or not (options.launch or options.node)
     request = request_of(options)
-    if not request.deploys:
-        request = request._replace(all_launch=True)
     try:
         systems, findings = launched(
             *options.paths,

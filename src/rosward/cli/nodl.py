@@ -29,8 +29,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.deployment.request import Request, RequestError, parse_node
-    from rosward.outputs.files import write_text
     from rosward.outputs.nodl import nodl_document
+    from rosward.outputs.whole_files import write_text
     from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
 
     try:
@@ -54,6 +54,9 @@ def _run(options: argparse.Namespace) -> int:
         document = nodl_document(node)
         if options.output is None:
             sys.stdout.write(document)
-        else:
+            continue
+        try:
             write_text(options.output, f"{node.name.replace('*', '_')}.nodl.yaml", document)
+        except OSError as error:
+            raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error
     return COMPLETE if result.complete else INCOMPLETE

@@ -9,6 +9,8 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
+from rosward.outputs.safe import printable
+
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
     from rosward.pipeline import Progress
@@ -109,7 +111,7 @@ def refusing(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Nam
             check_paths(options)
             return run(options)
         except WrongUseError as error:
-            print(f"rosward: {error}", file=sys.stderr)  # noqa: T201
+            print(f"rosward: {printable(str(error))}", file=sys.stderr)  # noqa: T201
             return WRONG_USE
 
     return refused

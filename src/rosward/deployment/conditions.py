@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.deployment.tree import Condition, Substitution, Template
-from rosward.deployment.yaml_values import plain_text
+from rosward.deployment.yaml_values import is_path, is_same_path, plain_text
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import matches, origins_of
 from rosward.domain.unknown import Origins
@@ -146,7 +146,12 @@ def _comparison(condition: Condition, scene: Scene) -> Verdict:
 def _same(left: Value, right: Value) -> Verdict:
     if isinstance(left, Const) and isinstance(right, Const):
         return _settled(left.value == right.value, left.origins | right.origins)
+    same_path = is_same_path(left, right)
+    if same_path is not None:
+        return _settled(same_path, origins_of(left) | origins_of(right))
     for text, other in ((left, right), (right, left)):
-        if isinstance(text, Text) and plain_text(other) is not None and not matches(text, plain_text(other) or ""):
-            return NO
+        plain = plain_text(other)
+        if isinstance(text, Text) and plain is not None:
+            if not matches(text, plain) or (is_path(text) and not plain.startswith("/")):
+                return NO
     return Verdict(why=_reasons(left if not isinstance(left, Const) else right))

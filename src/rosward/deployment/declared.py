@@ -38,7 +38,7 @@ from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
 MODELS: Final = Path(__file__).parent.parent / "models" / "nodes"
-_NAME: Final = re.compile(r"[A-Za-z0-9_-]+")
+_NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
 _LARGEST_FILE: Final = 2_000_000
 _MOST_ENDPOINTS: Final = 2_000
 _MOST_STEPS: Final = 50_000

@@ -78,7 +78,7 @@ def _given(name: str, value: Value) -> Value:
     """A value from the command line; `*` in it leaves that part open."""
     plain = plain_text(value)
     if plain is not None and "*" in plain:
-        hole = Hole((Reason(Cause.ARGUMENT, name, Place("", 0)),))
+        hole = Hole((Reason(Cause.LAUNCH_ARGUMENT, name, Place("", 0)),))
         parts: list[str | Hole] = []
         for index, part in enumerate(plain.split("*")):
             parts += [hole, part] if index else [part]

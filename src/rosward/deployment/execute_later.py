@@ -3,7 +3,8 @@
 
 timer 5 s: a; timer 1 s: b; OnProcessExit(n): c; n    ->    n, b, a, c (and c only if n was started)
 
-Timers come first, in the order of their time, then event handlers in the order in which they were registered: whatever these start may
+Handlers of a process that has started come first, then timers in the order of their time, then the other event handlers in the order
+in which they were registered: whatever these start may
 let further ones come.
 """
 
@@ -89,6 +90,10 @@ class Agenda:
 
     def next(self) -> Later | None:
         """What comes next, taken off; None where nothing more comes."""
+        started = next((h for h in self._handlers if h.at.event == "process-start" and self._comes(h)), None)
+        if started is not None:  # this event comes at once
+            self._handlers.remove(started)
+            return started
         if self._timers:
             timer = min(self._timers, key=lambda each: each.time)
             self._timers.remove(timer)
@@ -98,6 +103,9 @@ class Agenda:
         if found is not None:
             self._handlers.remove(found)
         return found
+
+    def _comes(self, handler: Later) -> bool:
+        return handler.target is not None and handler.target in self._executed
 
     def _waits_in_vain(self, handler: Later) -> bool:
         target = handler.target

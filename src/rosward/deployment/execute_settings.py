@@ -112,7 +112,7 @@ def _declare_one(name: str, action: tree.Declare, scene: Scene) -> None:
         else:
             shown = f"The launch argument '{name}' has no default and is given no value."
             scene.findings.tell("RW312", shown, action.place)
-            default = Unknown((Reason(Cause.ARGUMENT, name, action.place),), "str")
+            default = Unknown((Reason(Cause.LAUNCH_ARGUMENT, name, action.place),), "str")
         value = default if value is None else join(value, default)
     scene.context.set(name, _chosen(name, value, action, scene))
 

@@ -124,7 +124,7 @@ class System:
         elif isinstance(action, tree.ForEach):
             self._loop(action, inner)
         elif isinstance(action, tree.Unread):
-            self.scene.findings.tell("RW321", f"Not understood: {action.why}.", action.place)
+            self.scene.findings.tell("RW321", f"Not understood: {action.why.rstrip('.')}.", action.place)
 
     def _called(
         self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], *, context: bool
@@ -246,9 +246,8 @@ class System:
     def _turn(self, action: tree.ForEach, turn: Turn, at: At) -> None:
         self.scene.turn = {**self.scene.turn, **turn.variables}
         if action.function is not None:
-            named = {} if action.count else turn.variables
-            args = tuple(turn.variables.values()) if action.count else ()
-            self.walk(self._called(action.function, args, named, context=False), at)
+            named = {"i": v for v in turn.variables.values()} if action.count else turn.variables
+            self.walk(self._called(action.function, (), named, context=False), at)
         self.walk(action.body, at)
 
     # What waits

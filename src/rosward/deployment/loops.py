@@ -67,27 +67,14 @@ def _indices(text: str, action: ForEach, scene: Scene) -> list[dict[str, Value]]
 
 
 def _rows(text: str, origins: Origins, action: ForEach, scene: Scene) -> list[dict[str, Value]]:
+    """Each row is a YAML mapping; `{}` is a turn without variables, a blank row none."""
     found: list[dict[str, Value]] = []
-    for part in text.split(";"):
-        if not part.strip():
+    for part in text.strip().split(";"):
+        row = load_yaml(part.strip())
+        if row.error is None and row.value is None:
             continue
-        row = _mapping(part) or _mapping("{" + part + "}") or _assignments(part)
-        if row is None:
+        if not isinstance(row.value, dict) or not all(isinstance(name, str) for name in row.value):
             scene.fails(f"{part.strip()[:40]!r} gives no names and values to a loop", action.place)
             continue
-        found.append({name: value_of(value, origins) for name, value in row.items()})
+        found.append({name: value_of(value, origins) for name, value in row.value.items()})
     return found
-
-
-def _mapping(text: str) -> dict[str, object] | None:
-    found = load_yaml(text.strip()).value
-    if not isinstance(found, dict) or not all(isinstance(k, str) for k in found):
-        return None
-    return found if all(value is not None for value in found.values()) else None
-
-
-def _assignments(text: str) -> dict[str, object] | None:
-    pairs = [part.partition("=") for part in text.split(",")]
-    if not all(mark and name.strip() for name, mark, _ in pairs):
-        return None
-    return {name.strip(): load_yaml(value.strip()).value for name, _, value in pairs}

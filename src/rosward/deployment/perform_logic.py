@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.perform_paths import Performing
-from rosward.deployment.yaml_values import truth
+from rosward.deployment.yaml_values import is_path, is_same_path, truth
 from rosward.domain.choice import join, join_all, lift2, options, reasons_of
 from rosward.domain.text import matches, origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
@@ -94,6 +94,9 @@ def equal(left: Value, right: Value) -> Value:
         if isinstance(a, Const) and isinstance(b, Const):
             same = _same(str(a.value), str(b.value))
             return Const("true" if same else "false", a.origins | b.origins)
+        same_path = is_same_path(a, b)
+        if same_path is not None:
+            return Const("true" if same_path else "false", origins_of(a) | origins_of(b))
         if _differ(a, b) or _differ(b, a):
             return Const("false", origins_of(a) | origins_of(b))
         return Unknown(reasons_of(a) + reasons_of(b), "str")
@@ -105,6 +108,8 @@ def _differ(text: Value, const: Value) -> bool:
     """Whether a text with holes is surely not equal to a constant that is neither a bool nor a number."""
     if not isinstance(text, Text) or not isinstance(const, Const) or not isinstance(const.value, str):
         return False
+    if is_path(text) and not const.value.startswith("/"):
+        return True
     return const.value.lower() not in _WORDS and _float(const.value) is None and not matches(text, const.value)
 
 

@@ -62,7 +62,7 @@ def _configuration(scene: Scene, name: str, substitution: Substitution) -> Value
     if default is not None:
         return default
     scene.fails(f"the launch configuration '{name}' is not set", substitution.place)
-    return Unknown((Reason(Cause.ARGUMENT, name, substitution.place),), "str")
+    return Unknown((Reason(Cause.LAUNCH_ARGUMENT, name, substitution.place),), "str")
 
 
 def _env(scene: Scene, substitution: Substitution) -> Value:
@@ -118,8 +118,16 @@ def _anon(scene: Scene, substitution: Substitution) -> Value:
 
 def _eval(scene: Scene, substitution: Substitution) -> Value:
     expression, *modules = [scene.text(t) for t in substitution.arguments]
-    names = [name for name in map(plain_text, modules) if name is not None]
-    return lift(lambda e: _text(scene.python.evaluate(e, names, scene), substitution.place), expression)
+    names = [name for name in map(plain_text, modules) if name is not None] or ["math"]
+
+    def one(option: Value) -> Value:
+        found = _text(scene.python.evaluate(option, names, scene), substitution.place)
+        error = next((r for r in reasons_of(found) if r.cause is Cause.ERROR), None)
+        if error is not None and plain_text(option) is not None:
+            scene.fails(f"an expression that raises an exception: {error.subject}", substitution.place)
+        return found
+
+    return lift(one, expression)
 
 
 def _text(value: Value, place: Place) -> Value:

@@ -91,7 +91,6 @@ class Actions:
             "launch_ros.actions.PushROSNamespace": self._push_namespace,
             "launch_ros.actions.SetRemap": self._set_remap,
             "launch_ros.actions.SetParameter": self._set_parameter,
-            "launch_ros.actions.SetUseSimTime": self._set_parameter,
             "launch_ros.actions.SetParametersFromFile": self._set_parameter,
         }
         self._open: list[Ref] = []
@@ -322,7 +321,7 @@ class Actions:
                 return (SetParameter(parameter=source, **given),)
             return ()
         name = self.objects.field(ref, "name")
-        key = self.texts.template(name, place) if name is not None else (Const("use_sim_time"),)
+        key = self.texts.template(name, place)
         data = self.parameters.data(self.objects.field(ref, "value") or NONE, place)
         return (SetParameter(parameter=ParameterTable(((key, data),), place), **given),)
 

@@ -178,12 +178,18 @@ class Parameters:
         wanted = self._type(self.objects.field(ref, "value_type"))
         if value == NONE:
             return self.data(value, here)
-        if isinstance(value, Const) and not isinstance(value.value, str):
-            return Literal(value) if wanted is None else Typed((Const(str(value.value), value.origins),), wanted)
+        if self._is_scalar(value):
+            if wanted is not None and not all(_is_of(o, wanted) for o in options(value)):
+                self.objects.tell("RW320", f"the value is no {wanted}, as value_type wants it", here)
+            return Literal(value)
         if self.objects.is_sequence(value):
             found = self._array(value, here)
             return found._replace(type=wanted) if isinstance(found, Typed) else found
         return Typed(self.texts.template(value, here), wanted)
+
+    def _is_scalar(self, value: Value) -> bool:
+        """Whether a value is no substitution: it is used as it is, text is not read as YAML."""
+        return _is_plain(value) and not any(isinstance(o, Unknown) for o in options(value))
 
     def _type(self, value: Value | None) -> str | None:
         """The name of a type: `str`, `List[int]`."""
@@ -193,6 +199,12 @@ class Parameters:
         if isinstance(value, External):
             return value.name.rpartition(".")[2]
         return None
+
+
+def _is_of(value: Value, wanted: str) -> bool:
+    """Whether a scalar is of the type that value_type names."""
+    name = type(value.value).__name__ if isinstance(value, Const) else "str"
+    return name == wanted or (name, wanted) == ("bool", "int")
 
 
 def _is_plain(value: Value) -> bool:

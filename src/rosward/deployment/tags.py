@@ -2,7 +2,7 @@
 """Which action is an element?
 
     <let name="id" value="1"/>  ->  SetConfiguration(name=(Const('id'),), value=(Const('1'),))
-    <gz_server world="…"/>      ->  Unread(why=…): a tag of a launch extension that is not described here
+    <my_robot arms="2"/>        ->  Unread(why=…): a tag of a launch extension that is not described here
 
 One table from tag to reader, split by theme into the modules `tags_*`.
 """
@@ -14,13 +14,14 @@ from types import MappingProxyType
 from typing import Final
 
 from rosward.deployment.markup import Element
+from rosward.deployment.tags_gazebo import READERS as OF_GAZEBO
 from rosward.deployment.tags_launch import READERS as OF_LAUNCH
 from rosward.deployment.tags_nested import READERS as OF_NESTED
 from rosward.deployment.tags_nodes import READERS as OF_NODES
 from rosward.deployment.tags_ros import READERS as OF_ROS
 from rosward.deployment.tree import Action, Unread
 
-_SIMPLE: Final = MappingProxyType({**OF_LAUNCH, **OF_ROS, **OF_NODES})
+_SIMPLE: Final = MappingProxyType({**OF_LAUNCH, **OF_ROS, **OF_NODES, **OF_GAZEBO})
 
 
 def read_description(root: Element) -> tuple[Action, ...]:

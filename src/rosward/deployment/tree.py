@@ -283,7 +283,7 @@ class SetRemap(Action):
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SetParameter(Action):
-    """SetParameter, SetUseSimTime, and SetParametersFromFile (a ParameterFile; `node` limits it)."""
+    """SetParameter and SetParametersFromFile (a ParameterFile; `node` limits it)."""
 
     parameter: ParameterSource
     node: Template | None = None
@@ -325,9 +325,9 @@ class Opaque(Action):
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ForEach(Action):
-    """ForEach and ForLoop. `values`: rows `name=value, …;` as text (ForEach), or (`count`) a number of turns (ForLoop).
+    """ForEach and ForLoop. `values`: rows `{name: value, …};…` of YAML as text (ForEach), or (`count`) a number of turns (ForLoop).
 
-    `function` gives the actions of one turn (called with the variables as keywords, ForLoop with the index); XML has a body instead, in
+    `function` gives the actions of one turn (called with the variables as keywords, ForLoop with the index as `i`); XML has a body instead, in
     which $(for-var NAME) and $(index NAME) stand for the values of the turn.
     """
 
@@ -341,7 +341,8 @@ class ForEach(Action):
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Inert(Action):
-    """An action that starts nothing and sets nothing: LogInfo, EmitEvent, Shutdown, SetROSLogDir, … `kind` is its class or tag."""
+    """An action that starts nothing and sets nothing for what is started: LogInfo, EmitEvent, Shutdown, SetROSLogDir,
+    SetUseSimTime (it is about launch's own node), … `kind` is its class or tag."""
 
     kind: str
 

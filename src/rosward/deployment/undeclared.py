@@ -7,8 +7,9 @@ Node(package='acme', executable='driver', name='lidar')  ->  /lidar, of unknown 
 from __future__ import annotations
 
 from rosward.deployment.resolve import Launched
+from rosward.deployment.started import StartKind
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, Const, Unknown
+from rosward.domain.values import NONE, Const, Unknown, Value
 from rosward.findings import Finding
 from rosward.models.effects import EffectLog, NodeEffect
 
@@ -22,11 +23,14 @@ def undeclared(launched: Launched) -> EffectLog:
     label = f"{launched.package}/{launched.executable}"
     unnamed = Unknown((Reason(Cause.MODULE, label, place),), "str")
     component = launched.started.plugin is not None
+    options: tuple[tuple[str, Value], ...] = (("client_library", Const("rclcpp")),)
+    if launched.started.kind is StartKind.LIFECYCLE:
+        options += (("lifecycle", Const(True)),)
     effect = NodeEffect(
         address=_ADDRESS,
         name=unnamed,
         namespace=NONE,
-        options=(("client_library", Const("rclcpp")),),
+        options=options,
         words=(),
         global_words=launched.configuration.words,
         cls=Unknown(()),

@@ -95,6 +95,17 @@ def is_path(value: Value) -> bool:
     return isinstance(first, Hole) and bool(first.reasons) and all(r.cause in _PATHS for r in first.reasons)
 
 
+def is_same_path(one: Value, other: Value) -> bool | None:
+    """Whether two texts are the same path below the folder of a package or of the sources; None where that is not known."""
+    if not is_path(one) or not is_path(other):
+        return None
+    (first, *rest), (second, *others) = parts_of(one), parts_of(other)
+    if not all(isinstance(part, str) for part in (*rest, *others)):
+        return None
+    roots = [{(r.cause, r.subject) for r in hole.reasons} for hole in (first, second) if isinstance(hole, Hole)]
+    return rest == others if len(roots[0]) == 1 and roots[0] == roots[1] else None
+
+
 def as_yaml(text: Value, failed: Failed) -> Value:
     """The value of a parameter whose text is performed: bool, int, float, str or a list of one of them."""
 

@@ -19,6 +19,7 @@ class Cause(enum.Enum):
 
     PARAMETER = "parameter without a value"
     ARGUMENT = "command-line argument"
+    LAUNCH_ARGUMENT = "launch argument without a value"
     ENVIRONMENT = "environment variable"
     FILE = "content of a file"
     SHARE = "share folder of the package"

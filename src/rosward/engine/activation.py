@@ -17,7 +17,7 @@ from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher, throw
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import EventKey, State, join_states
-from rosward.ir.ops import Block, ForEach, If, Try, While, With
+from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
     depth = sum(1 for f in machine.frames if f.code is code)
     limit = machine.budget.recursion
     if machine.coarse:
-        limit = 0 if _is_large(machine, code) else 1
+        limit = 0 if _is_large(machine, function) else 1
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return _summarised(machine, function, registers)
     key = (function, tuple(registers), machine.state.version)
@@ -75,25 +75,36 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
     return value, items
 
 
-def _is_large(machine: Interpreter, code: Code) -> bool:
-    """Whether running a body again costs more than asking for its summary."""
+def _is_large(machine: Interpreter, function: Function) -> bool:
+    """Whether running a body again costs more than asking for its summary. What makes nodes and entities is run each time."""
+    code = function.code
     found = machine.large.get(id(code))
     if found is None:
-        found = machine.large[id(code)] = _weight(code.ops) > _LARGE
+        kept = code.name == "__init__" or declared.is_model(function) or _creates(code.ops)
+        found = machine.large[id(code)] = not kept and _weight(code.ops) > _LARGE
     return found
+
+
+def _creates(block: Block) -> bool:
+    """Whether something in a block looks as if it created a node, an entity or a parameter."""
+    return any(
+        (isinstance(op, LoadAttr) and op.name.startswith(("create_", "declare_parameter")))
+        or any(_creates(inner) for inner in _inner(op))
+        for op in block
+    )
+
+
+def _inner(op: Op) -> tuple[Block, ...]:
+    """The blocks in which an operation spends its time."""
+    if isinstance(op, If):
+        return (op.then, op.orelse)
+    return (op.body,) if isinstance(op, (While, ForEach, Try, With)) else ()
 
 
 def _weight(block: Block) -> int:
     """About how much there is to interpret in a block: loops go round several times."""
-    weight = len(block)
-    for op in block:
-        if isinstance(op, (While, ForEach)):
-            weight += _LARGE + _weight(op.body)
-        elif isinstance(op, If):
-            weight += _weight(op.then) + _weight(op.orelse)
-        elif isinstance(op, (Try, With)):
-            weight += _weight(op.body)
-    return weight
+    loops = sum(1 for op in block if isinstance(op, (While, ForEach)))
+    return len(block) + _LARGE * loops + sum(_weight(inner) for op in block for inner in _inner(op))
 
 
 def run_body(

@@ -7,6 +7,7 @@ What a class does not have is unknown with a reason, never an error: a write tha
 
 from __future__ import annotations
 
+import builtins
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
@@ -90,6 +91,7 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     return _of_builtin(machine, value, name)
 
 
+_OBJECT: Final = Native("builtins.object")
 _TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
 
 
@@ -108,6 +110,8 @@ def _of_builtin(machine: Interpreter, value: Value, name: str) -> Value:
         return Native(f"builtins.{kind}")
     if value == NONE:
         return machine.unknown(Cause.ERROR, f"attribute {name} of None")
+    if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
+        return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
     return BoundMethod(value, Native(f"{kind}.{name}"))
 
 
@@ -198,9 +202,12 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     if _setter(machine, in_class) is not None:  # a data descriptor goes before what the object holds itself
         return bind(machine, in_class or NONE, ref, cls)
     if own is not None and own is not UNBOUND:
-        if (obj.many or name in obj.partial) and in_class is not None:
+        if not obj.many and name not in obj.partial:
+            return own
+        if in_class is not None:
             return join(own, bind(machine, in_class, ref, cls))
-        return own
+        fallback = lookup(machine, cls, "__getattr__") if name in obj.partial else None
+        return own if fallback is None else join(own, machine.call(fallback, (ref, Const(name))))
     if in_class is not None:
         value = bind(machine, in_class, ref, cls)
         if in_class.__class__ is Descriptor and in_class.kind == "cached_property" and value is not UNBOUND:
@@ -259,10 +266,11 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
         return Const(cls.name if name == "__name__" else cls.qualname)
     if name == "__module__":
         return Const(cls.module)
-    if name == "__mro__":
-        return Tuple(cls.mro)
+    if name in ("__mro__", "mro"):
+        order = Tuple((*(b for b in cls.mro if b != _OBJECT), _OBJECT))
+        return order if name == "__mro__" else Partial(Native("builtins.list"), (order,), ())
     if name == "__bases__":
-        return Tuple(cls.bases)
+        return Tuple(cls.bases or (_OBJECT,))
     if name == "__dict__":
         return table_of(machine, cls.address)
     for base in cls.mro:

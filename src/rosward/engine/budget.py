@@ -26,7 +26,7 @@ class Budget(NamedTuple):
     steps: int = 300_000
     entry_steps: int = 60_000
     coarse: float = 0.4
-    loop_steps: int = 30_000
+    loop_steps: int = 120_000
     depth: int = 60
     recursion: int = 4
     unroll: int = 300

@@ -254,7 +254,7 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
         registers = bind_arguments(machine, function, args, keywords)
     except BadCallError as error:
         # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
-        if not declared.is_model(function) or function.module.name.startswith("rclpy."):
+        if not declared.is_model(function) or function.module.name.startswith(("rclpy.", "launch")):
             raises = "may raise" if machine.choosing else "raises"
             machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}

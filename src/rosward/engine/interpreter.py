@@ -127,6 +127,9 @@ class Interpreter:
             if self.coarse and not self.always_coarse:
                 self.heavy.add(id(op))
                 self.always_coarse = self.schedule_book.running  # in a callback, until it ends
+            if not self.schedule_book.running:  # what follows in the main body has its part of what is left
+                left = int((self.step_limit - self.steps) * self.budget.coarse)
+                self.coarse_limit = max(self.coarse_limit, self.steps + left)
             self.loop_limit = self.coarse_limit
             self.coarse = self.always_coarse or self.steps > self.coarse_limit
 

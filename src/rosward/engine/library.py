@@ -16,10 +16,11 @@ from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Class, Const, External, Function, Hole, ModuleValue, Value
 from rosward.engine import modules
-from rosward.engine.budget import Budget
+from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.interpreter import Interpreter
-from rosward.frontends.python_module import lower_module
+from rosward.engine.stub_files import StubFiles
+from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.effects import EffectLog
@@ -27,7 +28,6 @@ from rosward.models.file_paths import Files
 from rosward.models.native import NativeFunction
 from rosward.source.location import Place
 
-STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
 _PROCESS_ADDRESSES: Final = 10_000_000
 _CLIENT_LIBRARY: Final = "rclpy"
 
@@ -77,16 +77,20 @@ class Library:
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
         self._natives = natives
-        self._folders = (*models, STUBS)
+        self._stubs = StubFiles(models)
         self._constants: dict[tuple[type, object], Const] = {}
         self._found: dict[tuple[str, int, str], Found | None] = {}
         self._lowered: dict[str, Module | None] = {}
         self._models: dict[str, ModuleValue] = {}
-        self._model_files: dict[str, Path] = {}
         self._function_addresses: dict[Function, int] = {}
         self._node: Class | None = None
-        self._loader = Interpreter(self, Budget(steps=10_000_000, seconds=3600.0), EffectLog())
+        self._loader = Interpreter(self, Budget(steps=200_000, seconds=3600.0), EffectLog())
         self.first_address = _PROCESS_ADDRESSES
+
+    @property
+    def findings(self) -> dict[Finding, None]:
+        """What is wrong with the stub files that were asked for."""
+        return self._stubs.findings
 
     # Values
 
@@ -156,18 +160,8 @@ class Library:
         return None if found is not None and found.guess and top in sys.stdlib_module_names else found
 
     def _model(self, name: str) -> Found | None:
-        path = self._model_path(name)
+        path = self._stubs.find(name)
         return None if path is None else Found(name, name, path, True)
-
-    def _model_path(self, name: str) -> str | None:
-        inner = name.replace(".", "/")
-        for folder in self._folders:
-            for candidate in (f"{inner}.pyi", f"{inner}/__init__.pyi"):
-                if name and (folder / candidate).is_file():
-                    file = MODEL_PREFIX + candidate
-                    self._model_files[file] = folder / candidate
-                    return file
-        return None
 
     @staticmethod
     def is_model_file(file: str) -> bool:
@@ -181,10 +175,17 @@ class Library:
             return known
         loader = self._loader
         package, _, leaf = found.name.rpartition(".")
-        file = found.file or self._model_path(found.name) or ""
+        file = found.file or self._stubs.find(found.name) or ""
         address = loader.place_key(("module", found.name))
         module = self._models[found.name] = ModuleValue(address, found.name, file)
-        modules.run_module(loader, module, found.name)
+        catchers = loader.catchers
+        try:
+            modules.run_module(loader, module, found.name)
+        except LimitReachedError as limit:
+            self._stubs.findings[
+                Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
+            ] = None
+            loader.catchers, loader.steps = catchers, 0
         parent = self._model(package) if package else None
         if parent is not None:
             above = self.load_model(parent)
@@ -195,7 +196,7 @@ class Library:
         """The lowered file of a module."""
         if file not in self._lowered:
             if self.is_model_file(file):
-                self._lowered[file] = lower_module(self._model_files[file].read_text(encoding="utf-8"), file)
+                self._lowered[file] = self._stubs.module(file)
             else:
                 self._lowered[file] = self.sources.module(file) if file else None
         return self._lowered[file]

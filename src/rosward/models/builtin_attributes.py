@@ -37,7 +37,10 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
     if isinstance(value, Ref) and machine.obj(value).kind == "instance":
         obj = machine.obj(value)
         own = obj.attrs.get(name)
-        return True if own is not None and own is not UNBOUND else _in_class(machine, obj.cls, name)
+        in_class = _in_class(machine, obj.cls, name)
+        if own is None or own is UNBOUND:
+            return in_class
+        return True if in_class or name not in obj.partial else None
     if isinstance(value, Class):
         return (
             True if name in ("__name__", "__qualname__", "__module__", "__doc__") else _in_class(machine, value, name)

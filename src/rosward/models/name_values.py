@@ -68,7 +68,7 @@ def _pattern(value: Value) -> str:
     return "".join(p.replace(HOLE, STAR) if isinstance(p, str) else HOLE for p in parts_of(value))
 
 
-_SETTABLE: Final = (Cause.PARAMETER, Cause.ARGUMENT, Cause.ENVIRONMENT)
+_SETTABLE: Final = (Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
 
 
 def _depends(known: tuple[str, ...], reasons: tuple[Reason, ...]) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ or the last --enclave among its arguments.
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import replace
 
 from rosward.findings import Finding
@@ -36,7 +36,7 @@ def with_enclaves(nodes: Iterable[Node], mode: EnclaveMode) -> tuple[list[Node],
     processes: dict[str, list[Node]] = {}
     for node in nodes:
         processes.setdefault(node.process, []).append(node)
-    taken: set[str] = set()
+    taken = _spoken_for(processes.values())
     placed: list[Node] = []
     findings: list[Finding] = []
     for members in processes.values():
@@ -53,6 +53,13 @@ def with_enclaves(nodes: Iterable[Node], mode: EnclaveMode) -> tuple[list[Node],
             taken.add(enclave)
             placed += [replace(n, enclave=enclave) for n in members]
     return placed, findings
+
+
+def _spoken_for(processes: Collection[list[Node]]) -> set[str]:
+    """The enclaves that starts name, and those of nodes that run alone: one that is made up never meets them."""
+    named = {n.given_enclave for members in processes for n in members if n.given_enclave is not None}
+    alone = [members[0].fqn for members in processes if len({n.fqn for n in members}) == 1]
+    return {*named, *alone}
 
 
 def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list[Finding]:

@@ -16,6 +16,7 @@ from rosward.source.location import Place
 _REMEDY: Final = {
     Cause.PARAMETER: "give the parameter a default",
     Cause.ARGUMENT: "give the argument a default",
+    Cause.LAUNCH_ARGUMENT: "give it one (--arg NAME:=VALUE)",
     Cause.ENVIRONMENT: "give the variable a default",
     Cause.MODULE: "add the package that holds it to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",

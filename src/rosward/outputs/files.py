@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The output folder: which files it gets, each written whole or not at all."""
+"""Which files does the output folder get? How each is written stands in `whole_files.py`."""
 
 from __future__ import annotations
 
-import os
-import tempfile
-from collections.abc import Iterable, Iterator
-from pathlib import Path
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Final
 
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
@@ -17,6 +15,9 @@ from rosward.outputs.policy import policies, policy_xml
 from rosward.outputs.report import report_html
 from rosward.outputs.starts import starts_text
 from rosward.outputs.svg import graph_svg
+from rosward.outputs.whole_files import write_text
+
+_LONGEST_PATH: Final = 250
 
 
 def write_outputs(
@@ -47,11 +48,11 @@ def _texts(
         yield "network.json", network_json(network)
     if "policy" in formats and network.nodes:
         yield "policy.xml", policy_xml(network, unknown=unknown)
-        for path, text in policies(network, unknown=unknown).items():
+        for path, text in _placeable(policies(network, unknown=unknown)):
             yield f"policies{_below(path)}/policy.xml", text
         yield "enclaves.txt", starts_text(network)
     if "permissions" in formats and network.nodes:
-        for path, text in permissions(network, unknown=unknown).items():
+        for path, text in _placeable(permissions(network, unknown=unknown)):
             yield f"permissions{_below(path)}/permissions.xml", text
     if "dot" in formats:
         yield "graph.dot", graph_dot(network, system=system, types=types)
@@ -61,27 +62,11 @@ def _texts(
         yield "report.html", report_html(network, system=system, unknown=unknown)
 
 
+def _placeable(documents: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    """Without those of enclaves that no certificate can name (RW303 tells) and whose path is too long for a file system."""
+    return ((path, text) for path, text in documents.items() if len(path) <= _LONGEST_PATH)
+
+
 def _below(enclave: str) -> str:
     """An enclave path as a path below a folder; it holds letters, digits, `_` and `/` only."""
     return "" if enclave == "/" else enclave
-
-
-def write_text(folder: str, name: str, text: str) -> str:
-    """Write one file below a folder, whole or not at all; returns its path."""
-    path = Path(folder) / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    _replace(path, text)
-    return str(path)
-
-
-def _replace(path: Path, text: str) -> None:
-    """Write a file whole: readers see the old content or the new."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(temporary, 0o644)  # noqa: PTH101
-        os.replace(temporary, path)  # noqa: PTH105
-    except BaseException:
-        os.unlink(temporary)  # noqa: PTH108
-        raise

@@ -67,7 +67,8 @@ def _entry(each: LaunchEntry, first: str, rest: str) -> list[str]:
     rows += [("env", f"{name}={value.text}", value.source) for name, value in each.environment]
     if each.program:
         rows.append(("program", each.program, ""))
-    lines = [f"{first}{each.kind} {_title(each)}  ({each.place}){said}"]
+    place = f"  ({each.place})" if each.place.file else ""  # none where the user named the executable
+    lines = [f"{first}{each.kind} {_title(each)}{place}{said}"]
     wide = max((min(len(text), 44) for _, text, source in rows if source), default=0)
     for word, text, source in rows:
         lines.append(

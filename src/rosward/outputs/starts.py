@@ -33,7 +33,7 @@ def starts_text(network: Network) -> str:
     for enclave in sorted(by_enclave):
         lines.append(enclave)
         for process, members in sorted(by_enclave[enclave].items()):
-            lines.append(f"  {printable(process)}{_nodes(members, enclave)}{_how(members[0], enclave, shared)}")
+            lines.append(f"  {printable(process)}{_nodes(members, enclave)}{_how(_starter(members), enclave, shared)}")
         lines.append("")
     return "\n".join(lines)
 
@@ -41,6 +41,12 @@ def starts_text(network: Network) -> str:
 def _nodes(members: list[Node], enclave: str) -> str:
     names = sorted({node.fqn for node in members})
     return "" if names == [enclave] else f" (nodes {printable(', '.join(names))})"
+
+
+def _starter(members: list[Node]) -> Node:
+    """The node that the process is started for: in a container it is the container's, not that of a component."""
+    program = members[0].process.partition("#")[0]
+    return next((n for n in members if f"{n.package}/{n.executable}" == program), members[0])
 
 
 def _how(node: Node, enclave: str, shared: Collection[Place]) -> str:

@@ -10,8 +10,8 @@ same bytes everywhere; the time limit is only there for a machine in trouble. 50
 
 from __future__ import annotations
 
+import os
 import re
-import shutil
 import subprocess
 import sys
 import sysconfig
@@ -25,6 +25,7 @@ from rosward.outputs.safe import xml_text
 __all__ = ["graph_svg"]
 
 _PROGRAM: Final = "graphviz-pure"
+_NAMES: Final = (f"{_PROGRAM}.exe", _PROGRAM) if os.name == "nt" else (_PROGRAM,)
 _MOST_EDGES: Final = 3000
 _MOST_VERTICES: Final = 3000
 _SECONDS: Final = 60
@@ -52,10 +53,23 @@ def graph_svg(network: Network, system: bool = False, types: bool = False, *, li
 
 
 def _program() -> str | None:
-    """The program beside the running Python, which is the version that was asked for, or that of the search path."""
-    folders = [Path(sys.executable).parent, Path(sysconfig.get_path("scripts"))]
-    found = (shutil.which(_PROGRAM, path=str(folder)) for folder in folders)
-    return next((program for program in found if program), None) or shutil.which(_PROGRAM)
+    """The program beside the running Python, which is the version that was asked for, or that of the search path.
+
+    Never one of the current folder: that may be the folder that is analysed.
+    """
+    folders = [str(Path(sys.executable).parent), sysconfig.get_path("scripts")]
+    here = Path.cwd()
+    for folder in (*folders, *os.environ.get("PATH", "").split(os.pathsep)):
+        for name in _NAMES:
+            program = Path(folder) / name
+            if (
+                Path(folder).is_absolute()
+                and Path(folder) != here
+                and program.is_file()
+                and os.access(program, os.X_OK)
+            ):
+                return str(program)
+    return None
 
 
 def _message(reason: str, drawn: Drawing) -> str:

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which stub file describes a module of a library, and what does it say?
+
+    StubFiles((Path("models"),)).find("rclpy.node")  ->  "models:rclpy/node.pyi"
+
+A stub of the user goes before rosward's own; one that cannot be read is told, and the next of its name stands in.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final, final
+
+from rosward.engine.declared import MODEL_PREFIX
+from rosward.findings import Finding
+from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.ir.program import Module
+from rosward.source.location import Place
+from rosward.source.text import decode, read_bytes
+
+STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
+_LARGEST: Final = 1_000_000
+_CODES: Final = {"python2": "RW006", "depth": "RW005"}
+
+
+@final
+class StubFiles:
+    """The stubs of several folders; what is wrong with them stands in `findings`."""
+
+    def __init__(self, folders: tuple[Path, ...]) -> None:
+        self._folders = (*folders, STUBS)
+        self._found: dict[str, str | None] = {}
+        self._modules: dict[str, Module] = {}
+        self.findings: dict[Finding, None] = {}
+
+    def find(self, name: str) -> str | None:
+        """The file of a module, as places name it; None where no stub describes it."""
+        if name not in self._found:
+            self._found[name] = self._look_up(name) if name and "\0" not in name else None
+        return self._found[name]
+
+    def module(self, file: str) -> Module | None:
+        """The lowered file of a stub that was found."""
+        return self._modules.get(file)
+
+    def _look_up(self, name: str) -> str | None:
+        inner = name.replace(".", "/")
+        for folder in self._folders:
+            for candidate in (f"{inner}.pyi", f"{inner}/__init__.pyi"):
+                try:
+                    there = (folder / candidate).is_file()
+                except OSError:  # a name too long for a file
+                    return None
+                if there and self._read(folder / candidate, MODEL_PREFIX + candidate):
+                    return MODEL_PREFIX + candidate
+        return None
+
+    def _read(self, path: Path, file: str) -> bool:
+        data = read_bytes(path, file, _LARGEST)
+        source = data if isinstance(data, Finding) else decode(data, file)
+        if isinstance(source, Finding):
+            self.findings[source] = None
+            return False
+        try:
+            self._modules[file] = lower_module(source.text, file)
+        except FrontendError as error:
+            place = Place(file, error.line, error.column)
+            self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
+            return False
+        return True

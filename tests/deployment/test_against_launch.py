@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Small launch files whose results were seen to be those of the real launch 3.7.1 and launch_ros 0.28.0.
+
+Each stands for a family of files that were made at random and executed by both; `starts` is what both start, in our plain form.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from deployment.execution import line
+from deployment.python_tree import HEAD
+from rosward.deployment.execute import Execution
+from rosward.deployment.files import WorkspaceFiles
+from rosward.deployment.python_code import LaunchPython
+from rosward.engine.library import Library
+from rosward.findings import Finding
+from rosward.models.tables import natives
+from rosward.ros.distro import Distro
+from rosward.source.discover import discover
+from rosward.sources import SourceTree
+
+IMPORTS = (
+    HEAD + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
+)
+
+MARKUP = {
+    "mathematics need no import in an expression": (
+        """<launch><node pkg="demo" exec="talker" args="$(eval 'math.floor(math.pi) + ceil(0.5)')"/></launch>""",
+        "demo/talker 4 --ros-args",
+        "",
+    ),
+    "a path in a package is no other text": (
+        """
+        <launch>
+          <node pkg="demo" exec="talker" if="$(equals $(find-pkg-share demo)/a left)"/>
+          <node pkg="demo" exec="talker" if="$(equals $(find-pkg-share demo)/a $(find-pkg-share demo)/b)"/>
+          <node pkg="demo" exec="same" if="$(equals $(find-pkg-share demo)/a $(find-pkg-share demo)/a)"/>
+        </launch>
+        """,
+        "demo/same --ros-args",
+        "",
+    ),
+    "an expression that is none ends the launch": (
+        """<launch><let name="a" value="it's"/><node pkg="demo" exec="talker" args="$(eval &quot;'$(var a)'&quot;)"/></launch>""",
+        "demo/talker * --ros-args",
+        "RW320",
+    ),
+    "a model of Gazebo": (
+        """<launch><gz_spawn_model file="a.sdf" x="1" if="true"/></launch>""",
+        "",
+        "RW311",
+    ),
+}
+
+PYTHON = {
+    "a parameter description keeps its text": (
+        "Node(package='demo', executable='talker', parameters=[Parameter('a', '1'), {'b': ParameterValue('true'), 'c': ParameterValue(['1', LaunchConfiguration('m', default='2')])}])",
+        "demo/talker --ros-args -p a:='1'\n --params-file {/** b='true', /** c=12}",
+        "",
+    ),
+    "a value that is not of its type ends the launch": (
+        "Node(package='demo', executable='talker', parameters=[{'a': ParameterValue('1', value_type=int)}])",
+        "demo/talker --ros-args --params-file {/** a='1'}",
+        "RW320",
+    ),
+    "a process has started before any timer": (
+        """SetRemap('a', 'first'), n := Node(package='demo', executable='talker'),
+        TimerAction(period=1.0, actions=[SetRemap('a', 'second'), Node(package='demo', executable='timed')]),
+        RegisterEventHandler(OnProcessStart(target_action=n, on_start=[Node(package='demo', executable='handled')])),
+        RegisterEventHandler(OnProcessExit(target_action=n, on_exit=[Node(package='demo', executable='last')]))""",
+        """
+        demo/talker --ros-args -r a:=first
+        demo/handled --ros-args -r a:=first @process-start
+        demo/timed --ros-args -r a:=first -r a:=second @timer
+        demo/last --ros-args -r a:=first -r a:=second @process-exit
+        """,
+        "",
+    ),
+    "the time of launch itself": (
+        "SetUseSimTime(True), Node(package='demo', executable='talker')",
+        "demo/talker --ros-args",
+        "",
+    ),
+    "a loop over rows": (
+        "ForEach('{n: a}; ;{n: b, k: 2}', function=lambda n, k=1: [Node(package='demo', executable=n, arguments=[str(k)])])",
+        "demo/a 1 --ros-args\ndemo/b 2 --ros-args",
+        "",
+    ),
+    "a counted loop": (
+        "ForLoop('2', function=lambda i: [Node(package='demo', executable='e' + str(i))])",
+        "demo/e0 --ros-args\ndemo/e1 --ros-args",
+        "",
+    ),
+}
+
+
+def run(folder: Path, name: str, text: str) -> tuple[str, set[str]]:
+    """What a launch file of the package demo starts, and which failures are told."""
+    launch = folder / "demo/launch"
+    launch.mkdir(parents=True)
+    (folder / "demo/package.xml").write_text('<package format="3"><name>demo</name></package>', encoding="utf-8")
+    (launch / name).write_text(text, encoding="utf-8")
+    tree = SourceTree(discover([folder]))
+    files, python = WorkspaceFiles(tree.files), LaunchPython(Library(tree, natives()))
+    execution = Execution(files, python, Distro.KILTED, {})
+    file = f"demo/launch/{name}"
+    started = execution.run(file, files.place_value(file))
+    return "\n".join(line(each) for each in started), told(execution.findings)
+
+
+def told(findings: tuple[Finding, ...]) -> set[str]:
+    return {f.code for f in findings}
+
+
+@pytest.mark.parametrize("name", MARKUP)
+def test_markup(name: str, tmp_path: Path) -> None:
+    text, starts, codes = MARKUP[name]
+    assert run(tmp_path, "main.launch.xml", dedent(text).strip()) == (dedent(starts).strip(), set(codes.split()))
+
+
+@pytest.mark.parametrize("name", PYTHON)
+def test_python(name: str, tmp_path: Path) -> None:
+    text, starts, codes = PYTHON[name]
+    program = f"{IMPORTS}\ndef generate_launch_description():\n    return LaunchDescription([{text}])\n"
+    assert run(tmp_path, "main.launch.py", program) == (dedent(starts).strip(), set(codes.split()))
