@@ -99,12 +99,6 @@ _TABLE: Final = (
         _W,
         "The program started here is not part of the result; analyse or declare it.",
     ),
-    Rule(
-        "RW211",
-        "use_sim_time can be switched on",
-        _N,
-        "If the system runs on simulated time, set use_sim_time in the source.",
-    ),
     # System and policy
     Rule(
         "RW301",

@@ -23,9 +23,7 @@ from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.sources import SourceTree
 
-IMPORTS = (
-    HEAD + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
-)
+IMPORTS = HEAD + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
 
 MARKUP = {
     "mathematics need no import in an expression": (

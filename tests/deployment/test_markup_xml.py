@@ -294,12 +294,12 @@ CASES = {
     "a tag that is not known may start anything": (
         """
         <launch>
-          <gz_server world_sdf_file="a.sdf" if="$(var sim)"><node pkg="a" exec="b"/></gz_server>
+          <my_robot arms="2" if="$(var sim)"><node pkg="a" exec="b"/></my_robot>
           <log message="on"/>
         </launch>
         """,
         """
-        2: Unread condition=if[$(var <sim>)] why='No description of the tag <gz_server> is known.'
+        2: Unread condition=if[$(var <sim>)] why='No description of the tag <my_robot> is known.'
         3: Inert kind='log'
         """,
     ),

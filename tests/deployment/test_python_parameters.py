@@ -20,7 +20,7 @@ PARAMETERS = {
     ),
     "{'l': [[LaunchConfiguration('a')], ['b', LaunchConfiguration('c')]]}": "{l: [yaml $(var a), yaml b$(var c)]}",
     "{'p': ParameterValue(LaunchConfiguration('p'), value_type=str), 'q': ParameterValue('1')}": (
-        "{p: yaml $(var p) as str, q: yaml 1}"
+        "{p: yaml $(var p) as str, q: '1'}"
     ),
     "'a.yaml'": "file a.yaml",
     "[FindPackageShare('p'), '/a.yaml']": "file $(find-pkg-share p)/a.yaml",

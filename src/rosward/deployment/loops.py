@@ -71,7 +71,7 @@ def _rows(text: str, origins: Origins, action: ForEach, scene: Scene) -> list[di
     found: list[dict[str, Value]] = []
     for part in text.strip().split(";"):
         row = load_yaml(part.strip())
-        if row.error is None and row.value is None:
+        if not row.error and row.value is None:
             continue
         if not isinstance(row.value, dict) or not all(isinstance(name, str) for name in row.value):
             scene.fails(f"{part.strip()[:40]!r} gives no names and values to a loop", action.place)

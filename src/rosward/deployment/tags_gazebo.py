@@ -61,9 +61,7 @@ def _include(element: Element) -> Action:
             arguments.append(((Const(name),), (Const(default),)))
     share = Substitution("find-pkg-share", ((Const(tag.package),),), place)
     path = (share, Const(f"/launch/{tag.file}.launch.py"))
-    return Include(
-        place=place, condition=element.condition(), path=path, format="python", arguments=tuple(arguments)
-    )
+    return Include(place=place, condition=element.condition(), path=path, format="python", arguments=tuple(arguments))
 
 
 READERS: Final = MappingProxyType[str, Reader](dict.fromkeys(_TAGS, _include))
