@@ -16,6 +16,7 @@ from rosward.deployment.undeclared import undeclared
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.findings import Finding, Severity
+from rosward.ir.program import Module
 from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
@@ -126,6 +127,8 @@ def of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, p
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
+    read = (m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m))
+    findings.update(dict.fromkeys(unreached(runs.all(), read)))
     return Gathered(nodes, list(findings))
 
 
@@ -149,6 +152,14 @@ class _Runs:
     def __init__(self, outset: Outset) -> None:
         self._outset = outset
         self._runs: dict[object, Run] = {}
+
+    def all(self) -> list[Run]:
+        """What was interpreted."""
+        return list(self._runs.values())
+
+    def entered(self, module: Module) -> bool:
+        """Whether one of the programs ran a module."""
+        return any(id(module.code) in run.entered for run in self._runs.values())
 
     def of(self, program: Launched) -> _Made:
         """The nodes of a program and its findings."""

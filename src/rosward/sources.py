@@ -77,11 +77,17 @@ class SourceTree:
             return None
         found = self._resolver.resolve(name, level, source)
         if found is None:
-            return None
+            return self._launch_file(name, source) if importer in self._launch and level == 0 else None
         if found.file is not None:
             self._files.setdefault(found.file.relative, found.file)
         file = found.file.relative if found.file is not None else ""
         return Found(found.name, file or found.name, file, guess=found.guess)
+
+    def _launch_file(self, name: str, importer: SourceFile) -> Found | None:
+        """A launch file that another one imports: `sys.path.append(…)` and `import rs_launch`; the only one of that name, nearest first."""
+        named = [f for f in self.workspace.launch_files if f.relative.rpartition("/")[2] == f"{name}.py"]
+        near = [f for f in named if f.package == importer.package] or named
+        return Found(name, near[0].relative, near[0].relative, guess=True) if len(near) == 1 else None
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name."""

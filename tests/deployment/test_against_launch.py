@@ -56,7 +56,8 @@ MARKUP = {
 
 PYTHON = {
     "a parameter description keeps its text": (
-        "Node(package='demo', executable='talker', parameters=[Parameter('a', '1'), {'b': ParameterValue('true'), 'c': ParameterValue(['1', LaunchConfiguration('m', default='2')])}])",
+        """Node(package='demo', executable='talker', parameters=[
+            Parameter('a', '1'), {'b': ParameterValue('true'), 'c': ParameterValue(['1', LaunchConfiguration('m', default='2')])}])""",
         "demo/talker --ros-args -p a:='1'\n --params-file {/** b='true', /** c=12}",
         "",
     ),
@@ -125,3 +126,14 @@ def test_python(name: str, tmp_path: Path) -> None:
     text, starts, codes = PYTHON[name]
     program = f"{IMPORTS}\ndef generate_launch_description():\n    return LaunchDescription([{text}])\n"
     assert run(tmp_path, "main.launch.py", program) == (dedent(starts).strip(), set(codes.split()))
+
+
+def test_a_launch_file_imports_another_one(tmp_path: Path) -> None:
+    (tmp_path / "demo/more").mkdir(parents=True)
+    other = "from launch_ros.actions import Node\ndef more(name): return [Node(package='demo', executable=name)]\n"
+    (tmp_path / "demo/more/other_launch.py").write_text(
+        f"{other}def generate_launch_description(): pass\n", encoding="utf-8"
+    )
+    program = f"{IMPORTS}sys.path.append(os.path.join(os.path.dirname(__file__), '../more'))\nimport other_launch\n"
+    program += "def generate_launch_description():\n    return LaunchDescription(other_launch.more('talker'))\n"
+    assert run(tmp_path, "main.launch.py", program) == ("demo/talker --ros-args", set())

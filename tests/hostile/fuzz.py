@@ -72,7 +72,7 @@ def changed_files(random: Random, known: list[Seed]) -> Iterator[Changed]:
         name = seed.name
         launch = "launch" if "/launch/" in name else name.partition("/")[0]
         kinds.setdefault(f"{launch}.{name.rpartition('.')[2]}", []).append(seed)
-    order = [*kinds, *(kind for kind in kinds if kind.endswith(".py")) ] * 1
+    order = [*kinds, *(kind for kind in kinds if kind.endswith(".py"))] * 1
     number = 0
     while True:
         kind = random.choice(order)
@@ -95,7 +95,12 @@ def _stands(seed: Seed, number: int) -> str:
 
 def write_batch(folder: Path, batch: list[Changed]) -> None:
     """The workspace of a batch."""
-    for path, text in (("good.py", GOOD), ("good.launch.xml", GOOD_LAUNCH), ("CMakeLists.txt", GOOD_CMAKE), ("package.xml", GOOD_MANIFEST)):
+    for path, text in (
+        ("good.py", GOOD),
+        ("good.launch.xml", GOOD_LAUNCH),
+        ("CMakeLists.txt", GOOD_CMAKE),
+        ("package.xml", GOOD_MANIFEST),
+    ):
         _write(folder / "ws" / "good" / path, text.encode())
     (folder / "models" / "nodes").mkdir(parents=True, exist_ok=True)
     for each in batch:
@@ -211,8 +216,10 @@ def _main() -> None:
             kept = options.keep / f"{options.seed + first}-{number}" / failure.changed.path
             _write(kept, failure.changed.text)
             (kept.parent / "error.txt").write_text(f"{failure.changed.seed}\n{failure.error}")
-            print(kept, failure.error.strip().splitlines()[-1][:200], flush=True)  # noqa: T201
-        print(f"{min(first + 500, options.count)} files, {failed} failures, {time.monotonic() - start:.0f} s", flush=True)  # noqa: T201
+            print(kept, failure.error.strip().splitlines()[-1][:200], flush=True)
+        print(
+            f"{min(first + 500, options.count)} files, {failed} failures, {time.monotonic() - start:.0f} s", flush=True
+        )
 
 
 if __name__ == "__main__":

@@ -104,7 +104,7 @@ class Watched(NamedTuple):
     seconds: float
 
 
-def watched(  # noqa: PLR0913  each is a limit of its own
+def watched(
     arguments: Sequence[str],
     *,
     inputs: Path,

@@ -33,7 +33,8 @@ _WORDS: Final = {
     "xml": (
         "<", ">", "/>", "</", "<node", "<include", "<group>", "</group>", "<arg", "<let", "<param", "<remap", "<launch>", "</launch>", "&lt;",
         "&x;", "&#0;", "&#xFFFFFFFF;", "<!--", "-->", "<![CDATA[", "]]>", "<!DOCTYPE x>", "<?xml version='1.0' encoding='utf-16'?>", "$(var x)",
-        "$(", "$(eval '1+1')", "$(find-pkg-share x)", "$(env x y)", "$(dirname)", "if=\"x\"", "name=", "value=\"[1,2\"", "exec=", "pkg=", "\"",
+        "$(", "$(eval '1+1')", "$(find-pkg-share x)", "$(env x y)", "$(dirname)",
+        "if=\"x\"", "name=", "value=\"[1,2\"", "exec=", "pkg=", "\"",
         "'", "=", "xmlns:x=\"x\"", "<for each=\"1;2\">", "<executable cmd=\"x\"/>", "<name>", "<depend>", "condition=\"$x == 1\"", "<export>",
     ),
     "yaml": (
@@ -43,7 +44,8 @@ _WORDS: Final = {
     ),
     "cfg": (
         "[", "]", "=", ":", "[options]", "[options.entry_points]", "[tool.setuptools]", "console_scripts =", "x = x:x", "%(x)s", "${x}", "$ENV{x}",
-        "include(", "add_subdirectory(", "function(", "endfunction()", "foreach(x RANGE 9999)", "endforeach()", "macro(x)", "endmacro()", "if(", "endif()",
+        "include(", "add_subdirectory(", "function(", "endfunction()", "foreach(x RANGE 9999)", "endforeach()", "macro(x)", "endmacro()",
+        "if(", "endif()",
         "install(PROGRAMS", "DESTINATION", "(", ")", "\"", "'''", "[==[", "]==]", "#", ";", "\\", "file(GLOB x *)", "set(x ${x}${x})", "x()", "[[x]]",
         "{", "}", ",", "2001-01-01", "---", "string", "float64[<=3]", "int32 X=1", "math(EXPR x 1+1)", "while(1)", "endwhile()", "return()",
     ),

@@ -17,7 +17,9 @@ from hostile.fuzz import GOOD, GOOD_CMAKE, GOOD_LAUNCH, GOOD_MANIFEST
 from hostile.guard import Watched, harmless, watched
 
 TOUCH: Final = "import os, pathlib, socket, subprocess\nos.system('touch {canary}')\npathlib.Path('{canary}').touch()\n"
-BEHIND: Final = "subprocess.run(['touch', '{canary}'])\nexec(\"open('{canary}', 'w')\")\neval(\"open('{canary}', 'w')\")\n"
+BEHIND: Final = (
+    "subprocess.run(['touch', '{canary}'])\nexec(\"open('{canary}', 'w')\")\neval(\"open('{canary}', 'w')\")\n"
+)
 EVAL: Final = "__import__('os').system('touch {canary}')"
 
 LAUNCH_PY: Final = """\

@@ -167,7 +167,7 @@ class Programs:
         if (package, executable) in self._targets:
             return "it is written in C++, which is not analysed"
         if self._file_of.has_package(package):
-            return f"the package {package} has no executable of that name"
+            return f"the package {package} has no executable of that name among the sources"
         return f"the package {package} is neither among the sources nor declared"
 
     def _component(self, made: Launched) -> Launched:

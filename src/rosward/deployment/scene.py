@@ -17,12 +17,14 @@ from rosward.deployment.perform_paths import PATHS, Performing
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.choice import lift, lift2, reasons_of
-from rosward.domain.text import concat
+from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
+
+_LONGEST: Final = 500_000
 
 MAX_DEPTH: Final = 60
 MAX_FINDINGS: Final = 5_000
@@ -99,7 +101,7 @@ class Scene:
         result: Value = EMPTY
         for index, piece in enumerate(template):
             part = self._perform(piece) if isinstance(piece, Substitution) else _as_text(piece)
-            result = part if index == 0 else lift2(lambda a, b: concat((a, b)), result, part)
+            result = part if index == 0 else lift2(_joined, result, part)
         return result
 
     def configuration(self, name: str) -> Value | None:
@@ -201,3 +203,10 @@ _LEAST: Final[dict[str, int]] = {
 """How many arguments a substitution needs, where it is not one."""
 
 _SINCE_IRON: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))
+
+
+def _joined(left: Value, right: Value) -> Value:
+    """Two texts as one, unless it is longer than any that means something: an include may double its argument in each turn."""
+    if sum(len(part) for value in (left, right) for part in parts_of(value) if isinstance(part, str)) > _LONGEST:
+        return Unknown((Reason(Cause.LIMIT, "a text that is too long", Place("", 0)),), "str")
+    return concat((left, right))

@@ -32,7 +32,10 @@ _CONTAINER: Final = (
     ("create_own_container", "False"),
     ("use_composition", "False"),
 )
-_MODEL: Final = tuple("world file model_string topic entity_name allow_renaming x y z roll pitch yaw".split())
+_MODEL: Final = (
+    *("world", "file", "model_string", "topic", "entity_name", "allow_renaming"),
+    *("x", "y", "z", "roll", "pitch", "yaw"),
+)
 _TAGS: Final = MappingProxyType(
     {
         "gz_server": _Tag(

@@ -61,6 +61,9 @@ class StubFiles:
         if isinstance(source, Finding):
             self.findings[source] = None
             return False
+        if source.finding is not None:
+            self.findings[source.finding] = None
+            return False
         try:
             self._modules[file] = lower_module(source.text, file)
         except FrontendError as error:

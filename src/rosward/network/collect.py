@@ -116,7 +116,7 @@ def _node(
         if entity.address == effect.address:
             sure = certain and EffectLog.key(entity) in process.done
             entities += _entities(entity, identity, distro, findings, sure=sure)
-    entities += _implicit(effect, identity, distro, log)
+    entities += [e if identity.sole else replace(e, conditional=True) for e in _implicit(effect, identity, distro, log)]
     if not certain:
         entities = [replace(e, conditional=True) if not e.system else e for e in entities]
     fqn = names.fully_qualified(identity.namespace, identity.name)

@@ -20,6 +20,7 @@ from rosward.source.text import read_bytes
 
 MANIFEST_LIMIT: Final = 1_000_000
 _DEPTH_LIMIT: Final = 50
+_ELEMENT_LIMIT: Final = 2_000  # catkin_pkg compares each dependency with each
 _CONDITION_LIMIT: Final = 200  # characters; catkin_pkg's parser is exponential in nested parentheses
 _CONTEXT: Final = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": "jazzy"}
 
@@ -81,6 +82,7 @@ class _Outline:
         self.build_type = ""
         self._path: list[str] = []
         self._text: list[str] = []
+        self._count = 0
 
     def read(self, data: bytes) -> tuple[str, int] | None:
         """What is wrong with the document, and in which line."""
@@ -107,6 +109,9 @@ class _Outline:
         self._text.clear()
         if len(self._path) > _DEPTH_LIMIT:
             raise _RefusedError("The package.xml is nested too deeply.")
+        self._count += 1
+        if self._count > _ELEMENT_LIMIT:
+            raise _RefusedError("The package.xml has too many elements.")
         condition = attributes.get("condition", "")
         if len(condition) > _CONDITION_LIMIT or condition.count("(") > 3:
             raise _RefusedError("The package.xml has a condition that is too complex to evaluate.")

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How is something tried that may take all time and memory? In a process of its own, which has bounds and cannot hurt the tests.
+
+    apart(lambda: len("x" * 10**12))  ->  Ended(value=None, error='… MemoryError')
+    apart(lambda: 1 + 1)              ->  Ended(value=2, error='')
+
+The process is a fork, so that nothing is imported anew for each of many tests.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import select
+import signal
+import time
+import traceback
+from collections.abc import Callable
+from typing import Any, Final, NamedTuple
+
+SECONDS: Final = 60.0
+MEGABYTES: Final = 3_000
+
+
+class Ended(NamedTuple):
+    """What the work gave, as JSON can hold it; or why it gave nothing."""
+
+    value: Any
+    error: str
+    seconds: float
+    megabytes: int
+
+
+def apart(work: Callable[[], object], *, seconds: float = SECONDS, megabytes: int = MEGABYTES) -> Ended:
+    """Do the work in a process of its own, with `seconds` of time, and `megabytes` of memory beside the stack that is reserved."""
+    read, write = os.pipe()
+    start = time.monotonic()
+    child = os.fork()
+    if child == 0:
+        _work(work, write, megabytes)
+    os.close(write)
+    told = bytearray()
+    late = False
+    while True:
+        left = start + seconds - time.monotonic()
+        if left <= 0 or not select.select([read], [], [], left)[0]:
+            late = True
+            os.kill(child, signal.SIGKILL)
+            break
+        piece = os.read(read, 1 << 20)
+        if not piece:
+            break
+        told += piece
+    os.close(read)
+    _, status, usage = os.wait4(child, 0)
+    spent = usage.ru_utime + usage.ru_stime
+    size = usage.ru_maxrss // 1024
+    if late:
+        return Ended(None, f"not done after {seconds:g} seconds", spent, size)
+    if not told:
+        return Ended(None, f"ended by signal or exit: {status}", spent, size)
+    value, error = json.loads(told)
+    return Ended(value, error, spent, size)
+
+
+def _work(work: Callable[[], object], write: int, megabytes: int) -> None:
+    limit = (megabytes + 1_500) << 20
+    resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    try:
+        told = json.dumps([work(), ""])
+    except BaseException:
+        told = json.dumps([None, traceback.format_exc(limit=-12)])
+    try:
+        with os.fdopen(write, "w", encoding="utf-8") as file:
+            file.write(told)
+    finally:
+        os._exit(0)
