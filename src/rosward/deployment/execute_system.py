@@ -246,7 +246,7 @@ class System:
     def _turn(self, action: tree.ForEach, turn: Turn, at: At) -> None:
         self.scene.turn = {**self.scene.turn, **turn.variables}
         if action.function is not None:
-            named = {"i": v for v in turn.variables.values()} if action.count else turn.variables
+            named = dict.fromkeys("i", *turn.variables.values()) if action.count else turn.variables
             self.walk(self._called(action.function, (), named, context=False), at)
         self.walk(action.body, at)
 
