@@ -9,7 +9,7 @@ import pytest
 
 from rosward.deployment.declared import MODELS, Declarations, declared
 from rosward.deployment.declared_shapes import Package
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.models.configuration import Configuration
 from rosward.models.name_values import interface_types, name_options
@@ -313,8 +313,8 @@ def test_programs_that_anybody_can_tell_what_to_do_are_told_to_be_open() -> None
 def test_use_sim_time_is_a_parameter_of_every_node() -> None:
     log = start("nav2_amcl", "amcl", file={"/**": {"use_sim_time": True}}, distro=Distro.HUMBLE)
     found = {(p.address, p.name.value): p.value for p in log.parameters if isinstance(p.name, Const)}
-    assert found[1, "use_sim_time"] == Const(True)
-    assert found[2, "use_sim_time"] == Const(True)
+    given = Const(True, frozenset({Origin("parameter", "use_sim_time", settled=True, given=True)}))
+    assert found[1, "use_sim_time"] == found[2, "use_sim_time"] == given
 
 
 # All of them

@@ -9,6 +9,7 @@ from rosward.deployment.declared_found import ReadFile
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
+from rosward.models.host import text_of
 from rosward.ros.entities import Qos
 
 from .declared_nodes import HERE, codes, lines, nodes, start
@@ -66,7 +67,7 @@ def test_the_file_of_a_bridge() -> None:
         "ros_gz_bridge",
         "parameter_bridge",
         words,
-        read_file=lambda path: BRIDGES if path == Const("/bridges.yaml") else None,
+        read_file=lambda path: BRIDGES if text_of(path) == "/bridges.yaml" else None,
     )
     assert lines(log) == ["pub both Bool", "pub scan LaserScan", "sub both Bool", "sub cmd_vel Twist"]
     assert next(e.qos for e in log.entities if e.name == Const("scan")) == Qos("reliable", "volatile", "keep_last", 3)

@@ -25,7 +25,7 @@ def test_a_star_leaves_an_argument_open() -> None:
     main = '<arg name="sim" default="false"/><node pkg="p" exec="a" if="$(var sim)"/>'
     run = Run(main, sim="*")
     assert (run.lines, run.codes) == (["p/a --ros-args [maybe]"], ["RW316"])
-    assert run.started[0].why == ("command-line argument: sim",)
+    assert run.started[0].why == ("launch argument without a value: sim",)
 
 
 def test_choices_are_the_alternatives_of_an_open_argument() -> None:

@@ -54,6 +54,9 @@ if TYPE_CHECKING:
     from rosward.engine.library import Library
     from rosward.ir.program import Code
 
+_CALLS: Final = 3
+"""All Python of a system together may take this many times what the budget allows for one call."""
+
 _GENERATE: Final = "generate_launch_description"
 _CONDITION: Final = "launch.condition.Condition"
 _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
@@ -72,6 +75,7 @@ class LaunchPython:
         self._context = PerformedContext(self._read.texts, self.test)
         self._log.launch = self._context
         self._expressions = Expressions(self._machine)
+        self._end = time.process_time() + _CALLS * self._budget.seconds
         self._roots: dict[str, Code] = {}
         self._turns = 0
         self._started: Performer | None = None  # the execution whose command line sys.argv is
@@ -225,7 +229,7 @@ class LaunchPython:
         limits = machine.step_limit, machine.deadline
         if not frames:
             machine.step_limit = machine.steps + self._budget.steps
-            machine.deadline = time.process_time() + self._budget.seconds
+            machine.deadline = min(time.process_time() + self._budget.seconds, self._end)
         try:
             yield self._turns
         finally:

@@ -29,7 +29,8 @@ from rosward.models.native import NativeFunction
 from rosward.source.location import Place
 
 _PROCESS_ADDRESSES: Final = 10_000_000
-_CLIENT_LIBRARY: Final = "rclpy"
+_MODELLED_FIRST: Final = frozenset({"rclpy", "launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common"})
+"""Libraries whose models go before their sources: what they do is more than their Python says, or is asked for by name."""
 
 
 class Found(NamedTuple):
@@ -154,7 +155,7 @@ class Library:
         # The client library itself is modelled, never read. Any other library that stands among the sources is read, unless it is only a
         # guess, or a folder without a file of its own: an installed package goes before that (the folder `launch` of a package, say).
         weak = found is None or found.guess or not found.file
-        model = self._model(name) if weak or top == _CLIENT_LIBRARY else None
+        model = self._model(name) if weak or top in _MODELLED_FIRST else None
         if model is not None:
             return model
         return None if found is not None and found.guess and top in sys.stdlib_module_names else found
