@@ -132,7 +132,9 @@ def _print(rows: Mapping[str, Row]) -> None:
 def _line(name: str, each: Row) -> None:
     kinds = " ".join(f"{each.started[k]:5}" for k in ("python", "declared", "C++", "unknown"))
     counts = f"{_counts(each.before)}          {_counts(each.after)}"
-    print(f"{name:44} {each.launch_files:5}   {kinds} {each.own:5} {each.found:5}           {counts} {each.seconds:5.1f}")
+    print(
+        f"{name:44} {each.launch_files:5}   {kinds} {each.own:5} {each.found:5}           {counts} {each.seconds:5.1f}"
+    )
 
 
 def _counts(counter: Mapping[str, int]) -> str:

@@ -23,7 +23,15 @@ node = Node("talker")
 node.create_publisher(String, {name}, 10)
 rclpy.spin(node)
 """
-DEFAULT = ["enclaves.txt", "graph.dot", "graph.svg", "network.json", "policies/talker/policy.xml", "policy.xml", "report.html"]
+DEFAULT = [
+    "enclaves.txt",
+    "graph.dot",
+    "graph.svg",
+    "network.json",
+    "policies/talker/policy.xml",
+    "policy.xml",
+    "report.html",
+]
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
-from rosward.deployment.declared import declared
+from rosward.deployment.declared.effects import declared
 from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
 from rosward.engine.budget import Budget

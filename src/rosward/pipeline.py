@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from rosward.deep_stack import with_deep_stack
-from rosward.deployment.declared import Declarations
+from rosward.deployment.declared.effects import Declarations
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget

@@ -15,11 +15,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from rosward.deployment.declared import Declarations
-from rosward.deployment.execute import Execution
+from rosward.deployment.declared.effects import Declarations
+from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.parameter_files import read_parameter_file
-from rosward.deployment.python_code import LaunchPython
+from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.request import LaunchRequest, NodeRequest, Request
 from rosward.deployment.resolve import Launched, Programs
 from rosward.deployment.shown import entry

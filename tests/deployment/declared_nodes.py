@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from rosward.deployment.declared import Declarations, declared
-from rosward.deployment.declared_found import ReadFile
+from rosward.deployment.declared.effects import Declarations, declared
+from rosward.deployment.declared.found import ReadFile
 from rosward.domain.values import Const, Tuple, Value
 from rosward.models.command_line import word_text
 from rosward.models.configuration import Configuration, Given

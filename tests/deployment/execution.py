@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from rosward.deployment.execute import Execution
+from rosward.deployment.execution.execution import Execution
 from rosward.deployment.performer import Performer
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Action, Description, Substitution, Template

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import MISSING, fields
 from textwrap import dedent, wrap
 
-from rosward.deployment.markup_xml import read_xml
-from rosward.deployment.markup_yaml import read_yaml
+from rosward.deployment.markup.xml import read_xml
+from rosward.deployment.markup.yaml_file import read_yaml
 from rosward.deployment.tree import (
     Action,
     Component,

@@ -12,7 +12,7 @@ from dataclasses import fields
 from pathlib import Path
 from textwrap import dedent
 
-from rosward.deployment.python_code import LaunchPython
+from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.tree import (
     Action,
     Condition,

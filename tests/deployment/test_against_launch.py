@@ -13,9 +13,9 @@ import pytest
 
 from deployment.execution import line
 from deployment.python_tree import HEAD
-from rosward.deployment.execute import Execution
+from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
-from rosward.deployment.python_code import LaunchPython
+from rosward.deployment.python.code import LaunchPython
 from rosward.engine.library import Library
 from rosward.findings import Finding
 from rosward.models.tables import natives

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from rosward.deployment.context import Context, Held
-from rosward.deployment.ros_state import Remap, RosState
+from rosward.deployment.execution.context import Context, Held
+from rosward.deployment.execution.ros_state import Remap, RosState
 from rosward.domain.choice import join
 from rosward.domain.values import Const
 

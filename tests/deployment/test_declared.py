@@ -7,8 +7,8 @@ import itertools
 
 import pytest
 
-from rosward.deployment.declared import MODELS, Declarations, declared
-from rosward.deployment.declared_shapes import Package
+from rosward.deployment.declared.effects import MODELS, Declarations, declared
+from rosward.deployment.declared.shapes import Package
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.models.configuration import Configuration

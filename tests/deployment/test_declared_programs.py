@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosward.deployment.declared_found import ReadFile
+from rosward.deployment.declared.found import ReadFile
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value

@@ -7,7 +7,7 @@ import pytest
 
 from deployment.execution import HERE, UNKNOWN, Run, share, shown, text
 from rosward.deployment import tree
-from rosward.deployment.execute_process import split
+from rosward.deployment.execution.processes import split
 from rosward.deployment.started import StartKind
 from rosward.domain.text import concat
 from rosward.domain.values import Const

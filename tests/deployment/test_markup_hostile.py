@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-from rosward.deployment.markup_xml import read_xml
-from rosward.deployment.markup_yaml import read_yaml
+from rosward.deployment.markup.xml import read_xml
+from rosward.deployment.markup.yaml_file import read_yaml
 
 LAUGHS = (
     '<!DOCTYPE launch [<!ENTITY a "ha">'

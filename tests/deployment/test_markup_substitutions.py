@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from deployment.markup_tree import shown
-from rosward.deployment.substitution_text import SubstitutionError, parse_substitution, unescaped
+from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution, unescaped
 from rosward.source.location import Place
 
 HERE = Place("f.xml", 1)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from deployment.markup_tree import expected, xml
-from rosward.deployment.markup_xml import read_xml
+from rosward.deployment.markup.xml import read_xml
 
 CASES = {
     "nodes": (

@@ -14,8 +14,8 @@ import pytest
 import rosward
 from hostile.apart import Ended, apart
 from hostile.fuzz import GOOD, GOOD_CMAKE, GOOD_LAUNCH, GOOD_MANIFEST
+from rosward.deployment.execution.yaml_values import as_type, as_yaml
 from rosward.deployment.request import Request
-from rosward.deployment.yaml_values import as_type, as_yaml
 from rosward.domain.values import Const
 from rosward.ros.arguments import key_fits_node
 

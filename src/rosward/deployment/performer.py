@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The seam between the execution of launch files and Python in them: each asks the other for what only it can say.
 
-    OpaqueFunction(function=setup)       execution -> Python: call setup(context), what actions does it give?
-    LaunchConfiguration('x').perform(context)   Python -> execution: what is this text now?
+OpaqueFunction(function=setup)       execution -> Python: call setup(context), what actions does it give?
+LaunchConfiguration('x').perform(context)   Python -> execution: what is this text now?
 """
 
 from __future__ import annotations
@@ -48,7 +48,13 @@ class PythonCode(Protocol):
         """Run a Python launch file (named as in the workspace) and give the entities of its generate_launch_description()."""
 
     def actions(
-        self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], performer: Performer, *, context: bool
+        self,
+        function: Value,
+        args: Sequence[Value],
+        kwargs: Mapping[str, Value],
+        performer: Performer,
+        *,
+        context: bool,
     ) -> tuple[Action, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
 

@@ -24,7 +24,7 @@ from rosward.processes import Entry
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:
-    from rosward.deployment.declared_shapes import Program
+    from rosward.deployment.declared.shapes import Program
     from rosward.source.workspace import Target
 
 
@@ -46,7 +46,7 @@ class Launched(NamedTuple):
 
 
 class Declared(Protocol):
-    """The declared interfaces, as this module asks for them (`deployment/declared.py`)."""
+    """The declared interfaces, as this module asks for them (`deployment/declared/effects.py`)."""
 
     def executable(self, package: str, name: str) -> Program | None:
         """The declaration of an executable."""

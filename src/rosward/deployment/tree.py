@@ -5,7 +5,7 @@
     <node pkg="demo" exec="talker" name="talker_$(var id)"/>
     ->  StartNode(package=(Const('demo'),), …, name=(Const('talker_'), Substitution('var', ((Const('id'),),))))
 
-Nothing here is decided yet: substitutions are not performed, conditions not tested, files not included. `deployment/execute.py` does that.
+Nothing here is decided yet: substitutions are not performed, conditions not tested, files not included: see `deployment/execution`.
 """
 
 from __future__ import annotations

@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which nodes does a program have whose source is not among the analysed, but whose interface is declared?
+
+    declarations = Declarations()
+    program = declarations.executable("robot_state_publisher", "robot_state_publisher")
+    declared(program, configuration, place, declarations)  ->  EffectLog: a node, publishers robot_description, /tf, /tf_static, …
+
+A declaration has the same effects as the interpretation of a source, so names, remap rules, implicit entities and policies come after it in
+the one way. `log.ends` holds what every execution does. The notation is described in docs/declared-nodes.md.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Final, final
+
+from rosward.deployment.declared.found import Found, Open, ReadFile
+from rosward.deployment.declared.items import Steps, expansions, type_value
+from rosward.deployment.declared.programs import READERS
+from rosward.deployment.declared.read import read_package
+from rosward.deployment.declared.shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
+from rosward.deployment.declared.text import Parameters, Scope, as_value, expand, joined
+from rosward.domain.choice import lift, options
+from rosward.domain.unknown import Reason
+from rosward.domain.values import NONE, Const, External, Value
+from rosward.findings import Finding
+from rosward.models.command_line import given_to, read_words, word_text
+from rosward.models.configuration import Configuration
+from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
+from rosward.models.ros_names import final_name, remaps_of
+from rosward.ros import names
+from rosward.ros.arguments import parse_arguments
+from rosward.ros.distro import Distro
+from rosward.source.location import Place
+from rosward.source.text import read_bytes
+
+MODELS: Final = Path(__file__).parent.parent.parent / "models" / "nodes"
+_NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
+_LARGEST_FILE: Final = 2_000_000
+_MOST_ENDPOINTS: Final = 2_000
+_MOST_STEPS: Final = 50_000
+_DEEPEST_INCLUDE: Final = 16
+_SIM_TIME: Final = DeclaredParameter("use_sim_time", "bool", False, Place(""))
+
+
+@final
+class Declarations:
+    """The declared interfaces of packages: those of `folders` (DIR/nodes/PKG.yaml or DIR/PKG.yaml) before rosward's own.
+
+    Files are read when something asks for their package; what is wrong with them stands in `findings`.
+    """
+
+    def __init__(self, folders: Sequence[Path] = ()) -> None:
+        self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
+        self._places.append(("models:nodes/", MODELS))
+        self._packages: dict[str, tuple[Package, ...]] = {}
+        self.findings: dict[Finding, None] = {}
+
+    def executable(self, package: str, name: str) -> Program | None:
+        """The declared executable of a package."""
+        return next((p.executables[name] for p in self._of(package) if name in p.executables), None)
+
+    def component(self, package: str, plugin: str) -> Program | None:
+        """The declared component of a package, by the name of its plugin."""
+        return next((p.components[plugin] for p in self._of(package) if plugin in p.components), None)
+
+    def interface(self, package: str, name: str) -> Group | None:
+        """A named group of a package."""
+        return next((p.interfaces[name] for p in self._of(package) if name in p.interfaces), None)
+
+    def knows(self, package: str) -> bool:
+        """Whether anything is declared of a package."""
+        return bool(self._of(package))
+
+    def _of(self, package: str) -> tuple[Package, ...]:
+        if package not in self._packages:
+            self._packages[package] = tuple(self._read(package)) if _NAME.fullmatch(package) else ()
+        return self._packages[package]
+
+    def _read(self, package: str) -> Iterator[Package]:
+        for label, folder in self._places:
+            path = folder / f"{package}.yaml"
+            if not path.is_file():
+                continue
+            file = f"{label.rstrip('/')}/{package}.yaml"
+            data = read_bytes(path, file, _LARGEST_FILE)
+            if isinstance(data, Finding):
+                self.findings[Finding("RW324", data.message, data.place)] = None
+                continue
+            found, findings = read_package(data.decode("utf-8", "replace"), file, package)
+            self.findings |= dict.fromkeys(findings)
+            if found is not None:
+                yield found
+
+
+def no_file(path: Value) -> str | None:  # noqa: ARG001 (the shape of ReadFile)
+    """No file is known."""
+    return None
+
+
+def declared(
+    program: Program,
+    configuration: Configuration,
+    place: Place,
+    declarations: Declarations,
+    distro: Distro = Distro.JAZZY,
+    read_file: ReadFile = no_file,
+) -> EffectLog:
+    """The effects of a process that runs `program`, started at `place`. `read_file` gives the text of a file that an argument names."""
+    return _Execution(program, configuration, place, declarations, distro, read_file).run()
+
+
+class _Pass(enum.Enum):
+    """Conditions ask for parameters that may be declared behind them, so the defaults of all are read first."""
+
+    DEFAULTS = enum.auto()
+    ENDPOINTS = enum.auto()
+
+
+@final
+class _Execution:
+    """One process: walks the groups of its nodes and notes their effects."""
+
+    def __init__(
+        self,
+        program: Program,
+        configuration: Configuration,
+        place: Place,
+        declarations: Declarations,
+        distro: Distro,
+        read_file: ReadFile,
+    ) -> None:
+        self._program = program
+        self._place = place
+        self._declarations = declarations
+        self._distro = distro
+        self._read_file = read_file
+        self._configuration = configuration
+        self._via = f"the declared interface of {program.package}/{program.name}"
+        self._log = EffectLog()
+        self._log.configuration = configuration
+        self._done: set[tuple[object, ...]] = set()
+        self._steps = Steps(_MOST_STEPS)
+        parsed = parse_arguments([word_text(w) for w in configuration.words])
+        self._arguments = tuple(configuration.words[i] for i in parsed.positions.user)
+
+    def run(self) -> EffectLog:
+        """The effects of all nodes."""
+        scope = Scope(Parameters({}, ()), self._arguments, {}, Const("/"), lambda name, _: name)
+        main: Scope | None = None
+        for shape in self._program.nodes:
+            for bound, certain in expansions(shape.group, main or scope, self._distro, self._steps):
+                inner, address = self._node(shape, bound, first=main is None, certain=certain)
+                for pass_ in _Pass:
+                    self._contents(shape.group, inner, address, (self._program.package,), pass_, certain=certain)
+                if main is None:
+                    main = inner
+                    self._read(inner, address, certain=certain)
+        if self._program.open:
+            self._open(self._program.open)
+        if not self._program.nodes and self._program.reader:
+            self._read(scope, None, certain=False)
+        if self._steps.left < 0:
+            self._limit(f"asks for more than {_MOST_STEPS} groups and items")
+        self._log.ends.append(frozenset(self._done))
+        return self._log
+
+    def _node(self, shape: NodeShape, scope: Scope, *, first: bool, certain: bool) -> tuple[Scope, int]:
+        address = len(self._log.nodes) + 1
+        options_: list[tuple[str, Value]] = [(k, Const(v)) for k, v in shape.options]
+        options_.append(("client_library", Const(shape.client_library.value)))
+        if shape.lifecycle:
+            options_.append(("lifecycle", Const(True)))
+        effect = NodeEffect(
+            address,
+            expand(shape.name, scope),
+            NONE if shape.namespace is None else expand(shape.namespace, scope),
+            tuple(options_),
+            tuple(expand(a, scope) for a in shape.arguments),
+            self._configuration.words if shape.global_arguments else (),
+            External(f"{shape.client_library.value}.node.Node"),
+            self._place,
+            False,
+        )
+        self._log.nodes[effect] = None
+        if certain:
+            self._done.add(("node", address))
+        return self._scope(effect, scope, first=first), address
+
+    def _scope(self, effect: NodeEffect, outer: Scope, *, first: bool) -> Scope:
+        """What templates of a node see: its parameters and its names."""
+        own, space = final_name(self._log, effect)
+        name, namespace = word_text(own), word_text(space)
+        given: dict[str, Value] = {}
+        missing: tuple[Reason, ...] = ()
+        for words in (effect.global_words, effect.words):
+            line = read_words(words, self._configuration)
+            given |= given_to(names.fully_qualified(namespace, name), line.parameters)
+            missing += line.missing
+        parameters = Parameters(given, missing)
+        rules = tuple(r.rule for r in remaps_of(self._log, effect))
+
+        def resolve(topic: Value, remapped: bool) -> Value:
+            return _resolved(topic, rules if remapped else (), name, namespace)
+
+        variables = {**outer.variables, "node": qualified(space, own), "node_name": own}
+        scope = Scope(
+            parameters,
+            self._arguments,
+            variables,
+            space if first else outer.namespace,
+            resolve,
+            None if first else outer.outer or outer.parameters,
+        )
+        self._declare(_SIM_TIME, effect.address, scope, _Pass.ENDPOINTS)
+        return scope
+
+    def _contents(
+        self, group: Group, scope: Scope, address: int, way: tuple[str, ...], pass_: _Pass, *, certain: bool
+    ) -> None:
+        """What stands in a group, whose conditions hold (or, where it is not `certain`, may hold).
+
+        `way`: the packages of the groups around it, its own last.
+        """
+        for parameter in group.parameters:
+            if parameter.window.has(self._distro):
+                self._declare(parameter, address, scope, pass_)
+        if pass_ is _Pass.ENDPOINTS:
+            for endpoint in group.endpoints:
+                self._endpoint(endpoint, scope, address, certain=certain)
+            if group.open is not None:
+                self._open(group.open)
+        here = way[-1]
+        inner = [(g, scope, certain, here) for g in group.groups]
+        for include in group.includes:
+            package, _, name = include.name.rpartition("/")
+            found = self._declarations.interface(package or here, name)
+            if found is None or len(way) > _DEEPEST_INCLUDE:
+                self._log.findings[
+                    Finding("RW324", f"The interface {include.name} that is included is not declared.", include.place)
+                ] = None
+                continue
+            bound = scope
+            for variable, template in include.variables:
+                bound = bound.bound(variable, expand(template, scope))
+            inner.append((found, bound, certain, package or here))
+        inner += [(g, scope, certain and sure, here) for g, sure in self._cases(group, scope)]
+        for each, outer, sure, home in inner:
+            for bound, holds in expansions(each, outer, self._distro, self._steps):
+                self._contents(each, bound, address, (*way, home), pass_, certain=sure and holds)
+
+    @staticmethod
+    def _cases(group: Group, scope: Scope) -> list[tuple[Group, bool]]:
+        if group.switch is None:
+            return []
+        table = dict(group.cases)
+        found: list[Group] = []
+        several = options(expand(group.switch, scope))
+        for option in several:
+            if isinstance(option, Const):
+                chosen = table.get(str(option.value), group.otherwise)
+                found += [chosen] if chosen is not None else []
+            else:
+                found += [*table.values(), *([group.otherwise] if group.otherwise is not None else [])]
+        return [(g, len(several) == 1 and len(found) == 1) for g in dict.fromkeys(found)]
+
+    def _declare(self, parameter: DeclaredParameter, address: int, scope: Scope, pass_: _Pass) -> None:
+        for name in options(expand(parameter.name, scope)):
+            if not isinstance(name, Const):
+                continue
+            text = str(name.value)
+            scope.parameters.declare(parameter, text)
+            if pass_ is _Pass.DEFAULTS:
+                continue
+            default = NONE if parameter.default is None else as_value(parameter.default, text)
+            value = scope.parameters.value(text)
+            self._log.parameters[ParameterEffect(address, Const(text), default, value, NONE, self._place)] = None
+
+    def _endpoint(self, endpoint: Endpoint, scope: Scope, address: int, *, certain: bool) -> None:
+        if not endpoint.window.has(self._distro):
+            return
+        as_group = Group(when=endpoint.when)
+        for bound, holds in expansions(as_group, scope, self._distro, self._steps):
+            self._add(
+                Found(
+                    endpoint.kind,
+                    expand(endpoint.name, bound),
+                    expand(endpoint.type, bound),
+                    endpoint.qos,
+                    certain and holds,
+                ),
+                address,
+            )
+
+    def _read(self, scope: Scope, address: int | None, *, certain: bool) -> None:
+        """What the program's reader finds in its arguments and files."""
+        if self._program.reader is None:
+            return
+        reader = READERS.get(self._program.reader)
+        if reader is None:
+            message = f"No reader is called {self._program.reader}; known are {', '.join(READERS)}."
+            self._log.findings[Finding("RW324", message, self._program.place)] = None
+            return
+        for found in reader(scope, self._read_file):
+            if isinstance(found, Open):
+                self._open(found.reason)
+            elif address is not None:
+                self._add(found._replace(certain=certain and found.certain), address)
+
+    def _add(self, found: Found, address: int) -> None:
+        if len(self._log.entities) >= _MOST_ENDPOINTS:
+            self._limit(f"has more than {_MOST_ENDPOINTS} endpoints")
+            return
+        type_ = lift(lambda t: type_value(t, found.kind), found.type)
+        effect = EntityEffect(
+            found.kind, address, found.name, type_, None, found.qos, True, False, self._place, self._via
+        )
+        self._log.entities[effect] = None
+        if found.certain:
+            self._done.add(EffectLog.key(effect))
+
+    def _limit(self, what: str) -> None:
+        message = f"The declared interface of {self._program.package}/{self._program.name} {what} here."
+        self._log.findings[Finding("RW201", message, self._place)] = None
+
+    def _open(self, reason: str) -> None:
+        message = f"The interface of {self._program.package}/{self._program.name} is not wholly known: {reason}."
+        self._log.findings[Finding("RW314", message, self._place)] = None
+
+
+def qualified(namespace: Value, name: Value) -> Value:
+    """The full name of a node, as a value."""
+    if isinstance(namespace, Const) and namespace.value == "/":
+        return joined(Const("/", namespace.origins), name)
+    return joined(joined(namespace, Const("/")), name)
+
+
+def _resolved(topic: Value, rules: Sequence[names.RemapRule], name: str, namespace: str) -> Value:
+    """The full name of a topic behind the remap rules of its node; as it is where that is not known."""
+    if not isinstance(topic, Const) or not isinstance(topic.value, str) or names.HOLE in name + namespace:
+        return topic
+    try:
+        resolved = names.resolve(topic.value, names.RemapKind.TOPIC, rules, name, namespace)
+    except names.InvalidName:
+        return topic
+    return Const(resolved[0], topic.origins) if len(resolved) == 1 and names.HOLE not in resolved[0] else topic

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a reader of arguments or files gives: endpoints that it found, and what it could not find out.
+
+Found('publisher', Const('/scan'), Const('sensor_msgs/msg/LaserScan'), Qos(…))
+Open('the configuration file of rviz2 is not known')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Final, NamedTuple
+
+from rosward.deployment.declared.text import Scope
+from rosward.domain.choice import options
+from rosward.domain.values import EMPTY, Const, Value
+from rosward.ros.entities import Qos
+
+DEFAULT_QOS: Final = Qos("reliable", "volatile", "keep_last", 10)
+
+
+class Found(NamedTuple):
+    """One endpoint. `type` is the text of a type."""
+
+    kind: str
+    name: Value
+    type: Value
+    qos: Qos | None = DEFAULT_QOS
+    certain: bool = True
+
+
+class Open(NamedTuple):
+    """What the interface has beyond what is found, in words."""
+
+    reason: str
+
+
+ReadFile = Callable[[Value], "str | None"]
+"""The text of the file that a path names; None where it is not among the sources."""
+
+Reader = Callable[[Scope, ReadFile], Iterator["Found | Open"]]
+
+
+def file_text(path: Value, read: ReadFile) -> str | None:
+    """The text of the file of a path, where the path has one meaning."""
+    several = [o for o in options(path) if o != EMPTY]
+    return read(several[0]) if len(several) == 1 else None
+
+
+def constant(value: Value) -> str | None:
+    """The str that a value surely is."""
+    return value.value if isinstance(value, Const) and isinstance(value.value, str) else None

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A YAML document with the place of each of its parts, in bounded time and without anchors.
+
+    'a: [1, x]'  ->  Mapping({'a': Item(Sequence([Item(1), Item('x')]), place)}, place)
+
+A reader asks for what it expects and notes what is wrong; nothing is raised for what a file can hold, but `Malformed`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final, NamedTuple
+
+import yaml
+
+from rosward.deployment.declared.shapes import Scalar
+from rosward.source.location import Place
+
+DEEPEST: Final = 100
+LARGEST: Final = 300_000
+
+Plain = Scalar | None
+
+
+class Malformed(ValueError):  # noqa: N818 (a state of the file, which becomes a finding)
+    """What is wrong with a file, and where."""
+
+    def __init__(self, message: str, place: Place) -> None:
+        super().__init__(message)
+        self.message = message
+        self.place = place
+
+
+class Item(NamedTuple):
+    """A node of the document: one of a scalar, a list or a mapping."""
+
+    value: Plain | list[Item] | dict[str, Item]
+    place: Place
+
+    def text(self) -> str:
+        """The str that this is."""
+        if isinstance(self.value, str):
+            return self.value
+        raise Malformed("a text is expected here", self.place)
+
+    def flag(self) -> bool:
+        """The bool that this is."""
+        if isinstance(self.value, bool):
+            return self.value
+        raise Malformed("true or false is expected here", self.place)
+
+    def scalar(self) -> Scalar:
+        """A scalar that is not null."""
+        if isinstance(self.value, (bool, int, float, str)):
+            return self.value
+        raise Malformed("a number, a text, true or false is expected here", self.place)
+
+    def items(self) -> list[Item]:
+        """The list that this is."""
+        if isinstance(self.value, list):
+            return self.value
+        raise Malformed("a list is expected here", self.place)
+
+    def mapping(self, allowed: frozenset[str] | None = None) -> dict[str, Item]:
+        """The mapping that this is; with `allowed`, no other keys may stand in it."""
+        if not isinstance(self.value, dict):
+            raise Malformed("a mapping is expected here", self.place)
+        for key, item in self.value.items():
+            if allowed is not None and key not in allowed:
+                raise Malformed(f"unknown key '{key}'; known here: {', '.join(sorted(allowed))}", item.place)
+        return self.value
+
+
+def read_yaml(text: str, file: str) -> Item:
+    """The one document of a text. Raises `Malformed`."""
+    whole = Place(file)
+    if len(text) > LARGEST:
+        raise Malformed("the file is too large", whole)
+    try:
+        _check_events(text, file)
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except Malformed:
+        raise
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        raise Malformed(f"no YAML: {error.problem}", Place(file, mark.line + 1) if mark else whole) from None
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        raise Malformed(f"no YAML: {str(error).splitlines()[0]}", whole) from None
+    if node is None:
+        raise Malformed("the file is empty", whole)
+    return _item(node, file)
+
+
+def _check_events(text: str, file: str) -> None:
+    depth = 0
+    for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        place = _place(event, file)
+        if isinstance(event, yaml.AliasEvent):
+            raise Malformed("aliases are not used here: name the group under 'interfaces' and include it", place)
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > DEEPEST:
+                raise Malformed("nested too deep", place)
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+
+
+def _place(at: yaml.Event | yaml.Node, file: str) -> Place:
+    mark = at.start_mark
+    return Place(file) if mark is None else Place(file, mark.line + 1, mark.column + 1)
+
+
+def _item(node: yaml.Node, file: str) -> Item:
+    place = _place(node, file)
+    if isinstance(node, yaml.SequenceNode):
+        return Item([_item(each, file) for each in node.value], place)
+    if isinstance(node, yaml.MappingNode):
+        return Item(dict(_pairs(node, file)), place)
+    try:
+        value = yaml.SafeLoader("").construct_object(node)
+    except (yaml.YAMLError, ValueError, OverflowError):
+        value = str(node.value)
+    if value is not None and not isinstance(value, (bool, int, float, str)):
+        value = str(node.value)  # dates and the like
+    return Item(value, place)
+
+
+def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
+    seen: set[str] = set()
+    for key, value in node.value:
+        place = _place(key, file)
+        if not isinstance(key, yaml.ScalarNode):
+            raise Malformed("a key is a text", place)
+        name = str(key.value)
+        if name in seen:
+            raise Malformed(f"'{name}' stands here twice", place)
+        seen.add(name)
+        yield name, _item(value, file)

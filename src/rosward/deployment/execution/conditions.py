@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Is an action executed?
+
+if="$(var sim)" with sim:=true          surely
+if="$(env SIM false)"                   either way: the default is one value of many
+if="$(var sim)" with sim unknown        either way, told as RW316
+if="yes"                                launch raises an exception (RW320); both ways are taken
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from rosward.deployment.execution.yaml_values import is_path, is_same_path, plain_text
+from rosward.deployment.tree import Condition, Substitution, Template
+from rosward.domain.choice import options, reasons_of
+from rosward.domain.text import matches, origins_of
+from rosward.domain.unknown import Origins
+from rosward.domain.values import Const, Text, Unknown, Value
+
+if TYPE_CHECKING:
+    from rosward.deployment.execution.scene import Scene
+
+_TRUE, _FALSE = ("true", "1"), ("false", "0")
+
+
+class Verdict(NamedTuple):
+    """Whether a condition can be true and can be false; `why` says what it depends on where both are possible."""
+
+    true: bool = True
+    false: bool = True
+    why: str = ""
+
+    @property
+    def open(self) -> bool:
+        """Whether both are possible."""
+        return self.true and self.false
+
+    def negated(self) -> Verdict:
+        """The verdict on `not`."""
+        return Verdict(self.false, self.true, self.why)
+
+
+YES = Verdict(false=False)
+NO = Verdict(true=False)
+
+
+def decide(condition: Condition | None, scene: Scene) -> Verdict:
+    """Whether an action with this condition is executed. What is not known is told (RW316)."""
+    if condition is None:
+        return YES
+    verdict = _verdict(condition, scene)
+    if verdict.open:
+        scene.findings.tell(
+            "RW316", f"The condition is not known: it depends on {verdict.why}. Both ways are taken.", condition.place
+        )
+    return verdict
+
+
+def _verdict(condition: Condition, scene: Scene) -> Verdict:
+    if condition.kind in ("if", "unless"):
+        text = condition.arguments[0] if condition.arguments else ()
+        verdict = _of_text(scene.text(text), text, condition, scene)
+        return verdict.negated() if condition.kind == "unless" else verdict
+    if condition.kind in ("equals", "not-equals"):
+        verdict = _comparison(condition, scene)
+        return verdict.negated() if condition.kind == "not-equals" else verdict
+    if condition.value is None:
+        return Verdict(why="a condition that cannot be read")
+    return _of_bool(scene.python.test(condition.value, scene))
+
+
+def _of_text(text: Value, template: Template, condition: Condition, scene: Scene) -> Verdict:
+    """`true`, `1`, `false`, `0` in any case, without the blanks around; anything else raises an exception."""
+    verdicts: list[Verdict] = []
+    for option in options(text):
+        plain = str(option.value).strip().lower() if isinstance(option, Const) else None
+        if plain in _TRUE or plain in _FALSE:
+            verdicts.append(_settled(plain in _TRUE, origins_of(option)))
+        elif plain is not None:
+            scene.fails(f"the condition is {plain!r}, neither true nor false", condition.place)
+            verdicts.append(Verdict(why=f"the text {plain!r}"))
+        else:
+            verdicts.append(Verdict(why=_reasons(option)))
+    return _joined(verdicts, template)
+
+
+def _settled(truth: bool, origins: Origins) -> Verdict:
+    """A known truth counts unless it comes from a default that somebody may change."""
+    changeable = sorted(f"the {o.kind} '{o.name}'" for o in origins if not o.settled)
+    return Verdict(why=", ".join(changeable)) if changeable else Verdict(truth, not truth)
+
+
+def _of_bool(value: Value) -> Verdict:
+    verdicts: list[Verdict] = []
+    for option in options(value):
+        if isinstance(option, Const):
+            verdicts.append(_settled(bool(option.value), option.origins))
+        else:
+            verdicts.append(Verdict(why=_reasons(option)))
+    return _joined(verdicts, ())
+
+
+def _joined(verdicts: list[Verdict], template: Template) -> Verdict:
+    true, false = any(v.true for v in verdicts), any(v.false for v in verdicts)
+    if not (true and false):
+        return Verdict(true, false)
+    why = dict.fromkeys(v.why for v in verdicts if v.why)
+    return Verdict(why="; ".join(why) or _names(template))
+
+
+def _reasons(value: Value) -> str:
+    return "; ".join(str(r) for r in reasons_of(value)[:3]) or "a value that is not known"
+
+
+def _names(template: Template) -> str:
+    """What a text with several alternatives is made of."""
+    names = [
+        s.arguments[0][0]
+        for s in template
+        if isinstance(s, Substitution) and s.kind == "var" and s.arguments and s.arguments[0]
+    ]
+    plain = [text for n in names if not isinstance(n, Substitution) and (text := plain_text(n)) is not None]
+    found = [f"the launch configuration '{name}'" for name in plain]
+    return ", ".join(found) or "a value with several alternatives"
+
+
+def _comparison(condition: Condition, scene: Scene) -> Verdict:
+    """LaunchConfigurationEquals: false where the configuration is not set; None as the expected text is true then."""
+    name = scene.text(condition.arguments[0]) if condition.arguments else Unknown(())
+    expected = scene.text(condition.arguments[1]) if len(condition.arguments) > 1 else None
+    plain = plain_text(name)
+    if plain is None:
+        return Verdict(why=_reasons(name))
+    scene.asked.add(plain)
+    held = scene.context.held(plain)
+    verdicts: list[Verdict] = []
+    if held is None or held.value is None or not held.sure:
+        verdicts.append(YES if expected is None else NO)
+    if held is not None and held.value is not None:
+        for value in options(held.value):
+            verdicts += [_same(value, e) for e in options(expected)] if expected is not None else [NO]
+    return _joined(verdicts, (Substitution("var", ((name,),), condition.place),))
+
+
+def _same(left: Value, right: Value) -> Verdict:
+    if isinstance(left, Const) and isinstance(right, Const):
+        return _settled(left.value == right.value, left.origins | right.origins)
+    same_path = is_same_path(left, right)
+    if same_path is not None:
+        return _settled(same_path, origins_of(left) | origins_of(right))
+    for text, other in ((left, right), (right, left)):
+        plain = plain_text(other)
+        if isinstance(text, Text) and plain is not None:
+            if not matches(text, plain) or (is_path(text) and not plain.startswith("/")):
+                return NO
+    return Verdict(why=_reasons(left if not isinstance(left, Const) else right))

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The parameter files that launch writes while it runs, and the content behind a path, written or found.
+
+RewrittenYaml(source_file='$(find-pkg-share demo)/a.yaml', …)    ->    Const('/tmp/launch_params_1'), whose content is kept here
+
+The path is passed on as text, through launch arguments and includes, until a node gets it. It is numbered instead of random.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.deployment.execution.rewrites import Pairs, Rows, below, joined_rows, with_keys, with_values
+from rosward.deployment.execution.yaml_values import is_path, plain_text, replaced
+from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution
+from rosward.deployment.parameter_files import read_parameter_file
+from rosward.domain.choice import join_all, lift, options, reasons_of
+from rosward.domain.text import parts_of, pattern
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Const, Hole, Unknown, Value
+from rosward.models.configuration import Given
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.deployment.execution.scene import Findings, LaunchFiles, Scene
+
+MAX_WAYS: Final = 8
+MAX_FILES: Final = 2_000
+_TOKEN: Final = "rosward_hole_"
+
+
+class Content(NamedTuple):
+    """What is behind a path. `rows` None: not known, `reason` says why, and `absent` whether there surely is no such file."""
+
+    rows: Rows | None
+    text: str | None = None
+    file: str = ""
+    reason: Reason | None = None
+    absent: bool = False
+
+
+@final
+class Generated:
+    """Files that were written, by path, and files that were read, each once."""
+
+    def __init__(self, files: LaunchFiles, findings: Findings) -> None:
+        self._files = files
+        self._findings = findings
+        self._made: dict[str, Content] = {}
+        self._read: dict[str, Content] = {}
+
+    def write(self, content: Content) -> Value:
+        """A new file; its path."""
+        path = f"/tmp/launch_params_{len(self._made) + 1}"
+        if len(self._made) < MAX_FILES:
+            self._made[path] = content
+        return Const(path)
+
+    def is_made(self, path: Value) -> bool:
+        """Whether a path is that of a file that was written here."""
+        return plain_text(path) in self._made
+
+    def content(self, path: Value, place: Place) -> Content:
+        """The content of the file behind one path (not a Choice)."""
+        made = self._made.get(plain_text(path) or "")
+        if made is not None:
+            return made
+        file = self._files.find(path)
+        if file is None:
+            return self._outside(path, place)
+        if file not in self._read:
+            self._read[file] = self._load(file, place)
+        return self._read[file]
+
+    def _outside(self, path: Value, place: Place) -> Content:
+        shown = self._files.show(path)
+        first = parts_of(path)[0]
+        absent = isinstance(first, Hole) and is_path(path) and len(parts_of(path)) == 2
+        if absent and isinstance(first, Hole):
+            absent = all(r.cause is not Cause.PREFIX and self._has(r) for r in first.reasons)
+        return Content(None, reason=Reason(Cause.FILE, shown, place), absent=absent)
+
+    def _has(self, reason: Reason) -> bool:
+        return reason.cause is Cause.SOURCES or self._files.has_package(reason.subject)
+
+    def _load(self, file: str, place: Place) -> Content:
+        text = self._files.text(file)
+        if text is None:
+            return Content(None, file=file, reason=Reason(Cause.FILE, file, place))
+        rows, findings = read_parameter_file(text, file)
+        self._findings.add(*findings)
+        return Content(rows, text, file)
+
+    # Files that are written from others
+
+    def performed(self, scene: Scene, path: Value, place: Place) -> Value:
+        """A parameter file whose text holds substitutions, performed now."""
+
+        def one(option: Value) -> Value:
+            source = self.content(option, place)
+            if source.text is None:
+                if source.absent:
+                    shown = self._files.show(option)
+                    scene.fails(
+                        f"the parameter file {shown}, whose substitutions are to be performed, is not there", place
+                    )
+                return self.write(source)
+            inside = Place(source.file, 0)
+            try:
+                template = parse_substitution(source.text, inside)
+            except SubstitutionError as error:
+                scene.fails(f"the substitutions in {source.file} cannot be read ({error})", place)
+                return self.write(source)
+            return self.write(self._parsed([scene.text((piece,)) for piece in template], source.file, place))
+
+        return lift(one, path)
+
+    def _parsed(self, pieces: Sequence[Value], file: str, place: Place) -> Content:
+        """The content of a text in pieces, of which some may be unknown or one of several."""
+        ways: list[Rows] = []
+        texts = _ways(pieces)
+        for plain, holes in texts:
+            rows, findings = read_parameter_file(plain, file)
+            self._findings.add(*findings)
+            ways.append(tuple(_filled(row, holes) for row in rows))
+        known = len(texts) == 1 and not texts[0][1]
+        return Content(joined_rows(ways, place), texts[0][0] if known else None, file)
+
+    def rewritten(self, source: Value, values: Pairs, keys: Pairs, root: Value, convert: Value, place: Place) -> Value:
+        """RewrittenYaml of nav2_common."""
+        numbers = str(plain_text(convert) or "").lower() in ("true", "1")
+
+        def one(option: Value) -> Value:
+            before = self.content(option, place)
+            if before.rows is None:
+                self._fails_without(before, option, place)
+                return self.write(before)
+            rows = with_keys(with_values(before.rows, values, numbers, place), keys)
+            ways = [below(rows, pattern(r)) for r in options(root)[:MAX_WAYS]]
+            return self.write(Content(joined_rows(ways, place), None, before.file))
+
+        return lift(one, source)
+
+    def replaced(self, source: Value, pairs: Pairs, place: Place) -> Value:
+        """ReplaceString of nav2_common: in the text of the file where that is at hand, else in names and values."""
+
+        def one(option: Value) -> Value:
+            before = self.content(option, place)
+            if before.text is not None:
+                pieces: list[Value] = [Const(before.text)]
+                for old, new in pairs:
+                    token = plain_text(old)
+                    if token:
+                        pieces = [p for piece in pieces for p in _split(piece, token, new)]
+                return self.write(self._parsed(pieces, before.file, place))
+            if before.rows is None:
+                self._fails_without(before, option, place)
+                return self.write(before)
+            return self.write(Content(tuple(_row_replaced(r, pairs) for r in before.rows), None, before.file))
+
+        return lift(one, source)
+
+    def _fails_without(self, content: Content, path: Value, place: Place) -> None:
+        if content.absent:
+            shown = self._files.show(path)
+            self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, is not there.", place)
+
+
+def _ways(pieces: Sequence[Value]) -> list[tuple[str, list[Hole]]]:
+    """The texts that the pieces can make, with a token for each hole; a piece of too many alternatives is a hole itself."""
+    texts: list[tuple[str, list[Hole]]] = [("", [])]
+    for piece in pieces:
+        ways = options(piece)
+        if len(ways) * len(texts) > MAX_WAYS:
+            ways = (Unknown(reasons_of(piece), "str"),)
+        texts = [_extended(text, holes, way) for text, holes in texts for way in ways]
+    return texts
+
+
+def _extended(text: str, holes: list[Hole], way: Value) -> tuple[str, list[Hole]]:
+    found = list(holes)
+    for part in parts_of(way):
+        if isinstance(part, Hole):
+            text += f"{_TOKEN}{len(found)}_"
+            found.append(part)
+        else:
+            text += part
+    return text, found
+
+
+def _split(piece: Value, token: str, by: Value) -> list[Value]:
+    """The piece with `by` in place of each token."""
+    text = plain_text(piece)
+    if text is None or token not in text:
+        return [piece]
+    found: list[Value] = []
+    for index, part in enumerate(text.split(token)):
+        found += [by, Const(part)] if index else [Const(part)]
+    return found
+
+
+def _row_replaced(row: Given, pairs: Pairs) -> Given:
+    node, name, value = row.node, row.name, row.value
+    for old, new in pairs:
+        token = plain_text(old)
+        if token:
+            shown = pattern(new)
+            node, name = node.replace(token, shown), name.replace(token, shown)
+            value = join_all(replaced(value, token, option) for option in options(new))
+    return row._replace(node=node, name=name, value=value)
+
+
+def _filled(row: Given, holes: Sequence[Hole]) -> Given:
+    node, name, value = row.node, row.name, row.value
+    for index, hole in enumerate(holes):
+        token = f"{_TOKEN}{index}_"
+        node = node.replace(token, "*")
+        name = "*" if token in name else name
+        if plain_text(value) == token:
+            value = Unknown(hole.reasons)  # its type is open too
+        elif reasons_of(value) or plain_text(value) is not None:
+            value = replaced(value, token, Unknown(hole.reasons, "str"))
+    return row._replace(node=node, name=name, value=value)

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The launch context as actions, substitutions and Python code see it: it performs text, and tells what fails.
+
+scene.text((Const('talker_'), Substitution('var', ((Const('id'),),))))   ->   Const('talker_1')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Final, Protocol, final
+
+from rosward.deployment.execution.context import Context
+from rosward.deployment.execution.generated import Generated
+from rosward.deployment.execution.perform_logic import LOGIC
+from rosward.deployment.execution.perform_names import NAMES
+from rosward.deployment.execution.perform_paths import PATHS, Performing
+from rosward.deployment.performer import PythonCode
+from rosward.deployment.tree import Substitution, Template
+from rosward.domain.choice import lift, lift2, reasons_of
+from rosward.domain.text import concat, parts_of
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
+from rosward.findings import Finding
+from rosward.ros.distro import Distro
+from rosward.source.location import Place
+
+_LONGEST: Final = 500_000
+
+MAX_DEPTH: Final = 60
+MAX_FINDINGS: Final = 5_000
+
+
+class LaunchFiles(Protocol):
+    """The files that launch files name."""
+
+    def find(self, path: Value) -> str | None:
+        """The workspace-relative name of the file behind an abstract path, None where there is none."""
+
+    def text(self, file: str) -> str | None:
+        """The text of a file, named as in the workspace."""
+
+    def has_package(self, package: str) -> bool:
+        """Whether a package is among the sources."""
+
+    def show(self, path: Value) -> str:
+        """A path for people: '$(find-pkg-share p)/x.yaml'."""
+
+
+@final
+class Findings:
+    """Findings, each once, in the order in which they came up."""
+
+    def __init__(self) -> None:
+        self._found: dict[Finding, None] = {}
+
+    def tell(self, code: str, message: str, place: Place) -> None:
+        """Tell a doubt."""
+        self.add(Finding(code, message, place))
+
+    def add(self, *findings: Finding) -> None:
+        """Tell doubts that somebody else has found."""
+        if len(self._found) < MAX_FINDINGS:
+            self._found.update(dict.fromkeys(findings))
+
+    def all(self) -> tuple[Finding, ...]:
+        """All that were told."""
+        return tuple(self._found)
+
+
+@final
+class Scene:
+    """The point of execution. It is the `Performer` that Python code of launch files asks."""
+
+    def __init__(
+        self, files: LaunchFiles, python: PythonCode, findings: Findings, generated: Generated, distro: Distro
+    ) -> None:
+        self.files = files
+        self.distro = distro
+        self.python = python
+        self.findings = findings
+        self.generated = generated
+        self.context = Context()
+        self.turn: Mapping[str, Value] = {}
+        """The variables of the loop whose body is executed."""
+        self.asked: set[str] = set()
+        """Names of launch configurations that were declared or read."""
+        self.asked_all = False
+        """Whether Python code has read them all."""
+        self.words: tuple[str, ...] = ()
+        """The arguments of the command line."""
+        self._depth = 0
+
+    def fails(self, what: str, place: Place) -> None:
+        """Tell that the real launch raises an exception here."""
+        self.findings.tell("RW320", f"{what[:1].upper()}{what[1:]}.", place)
+
+    # As a Performer
+
+    def text(self, template: Template) -> Value:
+        """The text of a template now: its pieces performed, one after the other, and concatenated."""
+        result: Value = EMPTY
+        for index, piece in enumerate(template):
+            part = self._perform(piece) if isinstance(piece, Substitution) else _as_text(piece)
+            result = part if index == 0 else lift2(_joined, result, part)
+        return result
+
+    def configuration(self, name: str) -> Value | None:
+        """The value of a launch configuration, None where it is surely not set."""
+        self.asked.add(name)
+        held = self.context.held(name)
+        return None if held is None else held.value
+
+    def configurations(self) -> Mapping[str, Value]:
+        """All launch configurations that are or may be set."""
+        self.asked_all = True
+        return self.context.configurations()
+
+    def set_configuration(self, name: str, value: Value | None) -> None:
+        """Set a launch configuration; None removes it."""
+        self.context.set(name, value)
+
+    def variable(self, name: str) -> Value | None:
+        """An environment variable that launch set (None: it is that of the shell, not known)."""
+        held = self.context.variable(name)
+        return None if held is None else held.value
+
+    def set_variable(self, name: str, value: Value | None) -> None:
+        """Set an environment variable; None removes it."""
+        self.context.set_variable(name, value)
+
+    def given(self) -> Sequence[str]:
+        """The launch arguments that the user gave, as words `name:=value` of the command line."""
+        return self.words
+
+    def _perform(self, substitution: Substitution) -> Value:
+        perform = _SUBSTITUTIONS.get(substitution.kind)
+        if perform is None or self._depth >= MAX_DEPTH:
+            return self._not_performed(substitution)
+        if len(substitution.arguments) < _LEAST.get(substitution.kind, 1):
+            self.fails(f"the substitution '{substitution.kind}' lacks an argument", substitution.place)
+            return Unknown((Reason(Cause.ERROR, substitution.kind, substitution.place),), "str")
+        if substitution.kind in _SINCE_IRON and not self.distro.has(Distro.IRON):
+            self.fails(f"{self.distro.value} has no substitution '{substitution.kind}'", substitution.place)
+        self._depth += 1
+        try:
+            return perform(self, substitution)
+        finally:
+            self._depth -= 1
+
+    def _not_performed(self, substitution: Substitution) -> Value:
+        if self._depth >= MAX_DEPTH:
+            self.findings.tell("RW201", "Substitutions are nested too deep here.", substitution.place)
+        else:
+            message = f"The substitution '{substitution.kind}' is not understood: its text is not known."
+            self.findings.tell("RW321", message, substitution.place)
+        return Unknown((Reason(Cause.LIMIT, substitution.kind, substitution.place),), "str")
+
+
+def _as_text(value: Value) -> Value:
+    """A piece of a template as text."""
+
+    def one(option: Value) -> Value:
+        if isinstance(option, Text):
+            return option
+        if isinstance(option, Const):
+            return option if isinstance(option.value, str) else Const(str(option.value), option.origins)
+        return Unknown(reasons_of(option) or (Reason(Cause.OPERATION, "", Place("", 0)),), "str")
+
+    return lift(one, value)
+
+
+def _rewritten(scene: Scene, substitution: Substitution) -> Value:
+    """RewrittenYaml of nav2_common: the path of a new file."""
+    source, *rest = [scene.text(t) for t in substitution.arguments]
+    root, convert = (*rest, EMPTY, EMPTY)[:2]
+    tables = [tuple((scene.text(k), scene.text(v)) for k, v in table) for table in (*substitution.tables, (), ())[:2]]
+    return scene.generated.rewritten(source, tables[0], tables[1], root, convert, substitution.place)
+
+
+def _replaced(scene: Scene, substitution: Substitution) -> Value:
+    """ReplaceString of nav2_common: the path of a new file."""
+    source = scene.text(substitution.arguments[0])
+    table = substitution.tables[0] if substitution.tables else ()
+    pairs = tuple((scene.text(k), scene.text(v)) for k, v in table)
+    return scene.generated.replaced(source, pairs, substitution.place)
+
+
+_SUBSTITUTIONS: Final[dict[str, Performing]] = {
+    **PATHS,
+    **LOGIC,
+    **NAMES,
+    "rewritten-yaml": _rewritten,
+    "replace-string": _replaced,
+}
+
+_LEAST: Final[dict[str, int]] = {
+    **dict.fromkeys(
+        ("dirname", "filename", "launch-log-dir", "any", "all", "and", "or", "path-join", "python", "command", "local"),
+        0,
+    ),
+    **dict.fromkeys(("equals", "not-equals", "exec-in-pkg", "if"), 2),
+}
+"""How many arguments a substitution needs, where it is not one."""
+
+_SINCE_IRON: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))
+
+
+def _joined(left: Value, right: Value) -> Value:
+    """Two texts as one, unless it is longer than any that means something: an include may double its argument in each turn."""
+    if sum(len(part) for value in (left, right) for part in parts_of(value) if isinstance(part, str)) > _LONGEST:
+        return Unknown((Reason(Cause.LIMIT, "a text that is too long", Place("", 0)),), "str")
+    return concat((left, right))

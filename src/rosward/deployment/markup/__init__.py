@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""XML and YAML launch files become the tree."""

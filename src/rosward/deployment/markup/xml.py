@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does an XML launch file say?
+
+    <launch><node pkg="demo" exec="talker"/></launch>  ->  Description((StartNode(package=(Const('demo'),), …),), file)
+
+Text between tags means nothing to launch. A document type could only bring entities, which are not read: the file is refused.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple, final
+from xml.parsers import expat
+
+from rosward.deployment.markup.element import (
+    DEPTH_LIMIT,
+    ELEMENT_LIMIT,
+    Attribute,
+    Element,
+    Format,
+    Refusals,
+)
+from rosward.deployment.markup.tags import read_description
+from rosward.deployment.markup.values import UnreadableError
+from rosward.deployment.tree import Description
+from rosward.findings import Finding
+from rosward.source.location import Place
+
+XML_LIMIT: Final = 2_000_000
+
+
+def read_xml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
+    """The launch file `file`; what launch would refuse in it is a finding."""
+    refusals = Refusals()
+    try:
+        if len(text) > XML_LIMIT:
+            raise UnreadableError(f"The launch file is longer than {XML_LIMIT:,} characters.")
+        root = _Document(file, refusals).read(text)
+        if root.tag != "launch":
+            raise UnreadableError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
+    except UnreadableError as error:
+        return Description((), file), (Finding("RW310", str(error), Place(file, error.line, error.column)),)
+    return Description(read_description(root), file), refusals.findings
+
+
+class _Open(NamedTuple):
+    """A tag that is not closed yet."""
+
+    tag: str
+    place: Place
+    attributes: dict[str, str]
+    children: list[Element]
+
+
+@final
+class _Document:
+    """The elements of one document, each with the place of its start tag."""
+
+    def __init__(self, file: str, refusals: Refusals) -> None:
+        self._file = file
+        self._refusals = refusals
+        self._parser = expat.ParserCreate()
+        self._stack: list[_Open] = []
+        self._root: Element | None = None
+        self._count = 0
+
+    def read(self, text: str) -> Element:
+        """The root; raises UnreadableError."""
+        parser = self._parser
+        parser.StartDoctypeDeclHandler = self._doctype
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        try:
+            parser.Parse(text, True)
+        except expat.ExpatError as error:
+            why = expat.errors.messages.get(error.code, "syntax error")
+            raise UnreadableError(f"The XML is not well-formed: {why}.", error.lineno, error.offset + 1) from None
+        except ValueError:  # a lone surrogate, from bytes that are no text
+            raise UnreadableError("The launch file is not UTF-8 text.") from None
+        assert self._root is not None
+        return self._root
+
+    def _unreadable(self, why: str) -> UnreadableError:
+        return UnreadableError(why, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
+
+    def _doctype(self, _: str, system: str | None, public: str | None, subset: bool) -> None:
+        if system or public or subset:
+            raise self._unreadable("The launch file has a document type declaration; entities are not read.")
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        self._count += 1
+        if len(self._stack) >= DEPTH_LIMIT:
+            raise self._unreadable("The tags are nested too deeply.")
+        if self._count > ELEMENT_LIMIT:
+            raise self._unreadable(f"The launch file has more than {ELEMENT_LIMIT:,} tags.")
+        place = Place(self._file, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
+        self._stack.append(_Open(tag, place, attributes, []))
+
+    def _end(self, _: str) -> None:
+        opened = self._stack.pop()
+        groups: dict[str, list[Element]] = {}
+        for child in opened.children:
+            groups.setdefault(child.tag, []).append(child)
+        element = Element(
+            opened.tag,
+            opened.place,
+            Format.XML,
+            self._refusals,
+            attributes={name: Attribute(text, text, opened.place) for name, text in opened.attributes.items()},
+            groups={tag: tuple(group) for tag, group in groups.items()},
+            body=tuple(opened.children),
+        )
+        if self._stack:
+            self._stack[-1].children.append(element)
+        else:
+            self._root = element

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python launch files, run by the engine, become the tree."""

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects of `launch.substitutions` and `launch.conditions`, as templates and conditions of the tree.
+
+['talker_', LaunchConfiguration('id')]      (Const('talker_'), Substitution('var', ((Const('id'),),)))
+IfCondition(LaunchConfiguration('gui'))     Condition('if', ((Substitution('var', …),),))
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple, final
+
+from rosward.deployment.python.objects import Objects
+from rosward.deployment.tree import Condition, Substitution, Template
+from rosward.domain.choice import options
+from rosward.domain.values import NONE, Const, External, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.source.location import Place
+
+_SUBSTITUTION: Final = "launch.substitution.Substitution"
+_CONDITION: Final = "launch.condition.Condition"
+_STR: Final = Native("builtins.str")
+_DEEPEST: Final = 40
+_MOST: Final = 2_000
+
+
+class _Form(NamedTuple):
+    """How a class is written in the tree: the kind, and which of its fields are the arguments; those with `?` may be left out,
+    those with `*` are lists of arguments."""
+
+    kind: str
+    fields: tuple[str, ...] = ()
+
+
+_FORMS: Final = {
+    "launch.substitutions.LaunchConfiguration": _Form("var", ("name", "default?")),
+    "launch.substitutions.EnvironmentVariable": _Form("env", ("name", "default?")),
+    "launch.substitutions.FindExecutable": _Form("find-exec", ("name",)),
+    "launch.substitutions.AnonName": _Form("anon", ("name",)),
+    "launch.substitutions.LocalSubstitution": _Form("local", ("expression",)),
+    "launch.substitutions.ThisLaunchFile": _Form("filename"),
+    "launch.substitutions.ThisLaunchFileDir": _Form("dirname"),
+    "launch.substitutions.LaunchLogDir": _Form("launch-log-dir"),
+    "launch.substitutions.PythonExpression": _Form("eval", ("expression", "modules*")),
+    "launch.substitutions.Command": _Form("command", ("command", "on_stderr?")),
+    "launch.substitutions.FileContent": _Form("file-content", ("path",)),
+    "launch.substitutions.PathJoinSubstitution": _Form("path-join", ("parts*",)),
+    "launch.substitutions.PathSubstitution": _Form("path-join", ("parts*",)),
+    "launch.substitutions.StringJoinSubstitution": _Form("string-join", ("delimiter", "parts*")),
+    "launch.substitutions.NotSubstitution": _Form("not", ("value",)),
+    "launch.substitutions.AndSubstitution": _Form("and", ("left", "right")),
+    "launch.substitutions.OrSubstitution": _Form("or", ("left", "right")),
+    "launch.substitutions.AnySubstitution": _Form("any", ("parts*",)),
+    "launch.substitutions.AllSubstitution": _Form("all", ("parts*",)),
+    "launch.substitutions.EqualsSubstitution": _Form("equals", ("left", "right")),
+    "launch.substitutions.NotEqualsSubstitution": _Form("not-equals", ("left", "right")),
+    "launch.substitutions.IfElseSubstitution": _Form("if", ("test", "then", "otherwise")),
+    "launch.substitutions.ForEachVar": _Form("for-var", ("name", "default?")),
+    "launch.substitutions.ForLoopIndex": _Form("index", ("name", "default?")),
+    "launch_ros.substitutions.FindPackageShare": _Form("find-pkg-share", ("package",)),
+    "launch_ros.substitutions.FindPackagePrefix": _Form("find-pkg-prefix", ("package",)),
+    "launch_ros.substitutions.FindPackage": _Form("find-pkg-prefix", ("package",)),
+    "launch_ros.substitutions.ExecutableInPackage": _Form("exec-in-pkg", ("executable", "package")),
+    "launch_ros.substitutions.Parameter": _Form("param", ("name", "default?")),
+    "launch_ros.parameter_descriptions.ParameterFile": _Form("parameter-file", ("path", "allow_substs")),
+    "nav2_common.launch.RewrittenYaml": _Form("rewritten-yaml", ("path", "root_key", "convert_types")),
+    "nav2_common.launch.ReplaceString": _Form("replace-string", ("path",)),
+    "nav2_common.launch.HasNodeParams": _Form("has-node-params", ("path", "node")),
+    "nav2_common.launch.LaunchConfigAsBool": _Form("any", ("name@",)),
+}
+_TABLES: Final = {
+    "nav2_common.launch.RewrittenYaml": ("rewrites", "key_rewrites", "value_rewrites"),
+    "nav2_common.launch.ReplaceString": ("replacements",),
+}
+_TAKE_NUMBERS: Final = frozenset({"var", "equals", "not-equals", "parameter-file", "rewritten-yaml"})
+_CONDITIONS: Final = {
+    "launch.conditions.IfCondition": _Form("if", ("predicate",)),
+    "launch.conditions.UnlessCondition": _Form("unless", ("predicate",)),
+    "launch.conditions.LaunchConfigurationEquals": _Form("equals", ("name", "value?")),
+    "launch.conditions.LaunchConfigurationNotEquals": _Form("not-equals", ("name", "value?")),
+}
+
+
+@final
+class Texts:
+    """Reads what launch takes as text."""
+
+    def __init__(self, objects: Objects) -> None:
+        self.objects = objects
+        self._depth = 0
+        self._pieces = 0
+
+    def is_substitution(self, value: Value) -> bool:
+        """Whether a value is a substitution object."""
+        return self.objects.is_a(value, _SUBSTITUTION)
+
+    def template(self, value: Value | None, place: Place) -> Template:
+        """The text that a str, a path, a substitution or a list of them stands for; `place` is that of what it is given to."""
+        if self._depth == 0:
+            self._pieces = 0
+        self._pieces += 1
+        if self._depth > _DEEPEST or self._pieces > _MOST:
+            return (self.objects.unknown("text of too many parts", place),)
+        self._depth += 1
+        try:
+            return self._template(value, place)
+        finally:
+            self._depth -= 1
+
+    def _template(self, value: Value | None, place: Place) -> Template:
+        if value is None or value == NONE:
+            return ()
+        if self.objects.is_text(value):
+            return (value,)
+        found = options(value)
+        if len(found) > 1:
+            return (Substitution("python", (), place, value),)
+        if isinstance(value, (Unknown, External)):
+            return (value if isinstance(value, Unknown) else self.objects.unknown(value.name, place),)
+        if isinstance(value, Const):
+            self.objects.tell("RW320", f"launch wants a str or a substitution here, not {value.value!r}", place)
+            return (Const(str(value.value), value.origins),)
+        if self.objects.kind(value) in _FORMS or self.is_substitution(value):
+            return self._substitution(value, place)
+        if self.objects.is_sequence(value):
+            return self._several(value, place)
+        return (self._as_str(value, place),)
+
+    def optional(self, value: Value | None, place: Place) -> Template | None:
+        """The text, None where there is none."""
+        return None if value is None or value == NONE else self.template(value, place)
+
+    def pairs(self, value: Value | None, place: Place) -> tuple[tuple[Template, Template], ...]:
+        """A dict, or a list of pairs, of texts."""
+        if value is None or value == NONE:
+            return ()
+        if self.objects.is_dict(value):
+            assert isinstance(value, Ref)
+            entries = self.objects.machine.obj(value).entries
+            return tuple((self.template(k, place), self.template(v, place)) for k, v in entries.items())
+        found: list[tuple[Template, Template]] = []
+        for element in self.objects.elements(value):
+            for option in options(element.value):
+                pair = self.objects.elements(option) if self.objects.is_sequence(option) else []
+                if len(pair) == 2:
+                    found.append((self.template(pair[0].value, place), self.template(pair[1].value, place)))
+                elif isinstance(option, Unknown):
+                    found.append(((option,), (option,)))
+                else:
+                    self.objects.tell("RW320", "launch wants pairs of texts here", place)
+        return tuple(found)
+
+    def words(self, value: Value | None, place: Place) -> tuple[Template, ...]:
+        """A list of texts. A str is taken as the list of its characters, as launch does."""
+        if value is None or value == NONE:
+            return ()
+        if self.objects.is_text(value):
+            known, rest = self.objects.machine.iterate(value)
+            return tuple((v,) for v in (*known, *(() if rest is None else (rest,))))
+        return tuple(self.template(e.value, place) for e in self.objects.elements(value))
+
+    def condition(self, value: Value | None, place: Place) -> Condition | None:
+        """A condition of an action; None where there is none."""
+        if value is None or value == NONE:
+            return None
+        if not isinstance(value, Ref):
+            return Condition("python", (), place, value)
+        made = self.objects.place(value)
+        here = made if made.file else place
+        form = _CONDITIONS.get(self.objects.kind(value))
+        if form is None or self.objects.overrides(value, "evaluate"):
+            predicate = self.objects.field(value, "predicate")
+            bare = self.objects.kind(value) == _CONDITION and not self.objects.overrides(value, "evaluate")
+            return Condition("python", (), here, predicate if bare and predicate is not None else value)
+        return Condition(form.kind, self._arguments(value, form, here), here)
+
+    def _substitution(self, value: Value, place: Place) -> Template:
+        assert isinstance(value, Ref)
+        made = self.objects.place(value)
+        here = made if made.file else place
+        kind = self.objects.kind(value)
+        if self.objects.overrides(value, "perform"):
+            return (Substitution("python", (), here, value),)
+        if kind == "launch.substitutions.TextSubstitution":
+            return self.template(self.objects.field(value, "text"), here)
+        form = _FORMS.get(kind)
+        if form is None:
+            return (self.objects.unknown(kind, here),)
+        tables = tuple(self.pairs(self.objects.field(value, name), here) for name in _TABLES.get(kind, ()))
+        return (Substitution(form.kind, self._arguments(value, form, here), here, None, tables),)
+
+    def _arguments(self, ref: Ref, form: _Form, place: Place) -> tuple[Template, ...]:
+        found: list[Template] = []
+        for name in form.fields:
+            value = self.objects.field(ref, name.rstrip("?*@"))
+            if name.endswith("*"):
+                found += self._arguments_of(value, place)
+            elif name.endswith("@"):
+                found.append((Substitution("var", (self.template(value, place),), place),))
+            elif value is not None or not name.endswith("?"):
+                found.append(self._argument(value, place, form.kind))
+        return tuple(found)
+
+    def _argument(self, value: Value | None, place: Place, kind: str) -> Template:
+        """One argument: switches, what is compared and the defaults of configurations may be numbers."""
+        if kind in _TAKE_NUMBERS and isinstance(value, Const) and isinstance(value.value, (bool, int, float)):
+            return (Const(str(value.value), value.origins),)
+        return self.template(value, place)
+
+    def _arguments_of(self, value: Value | None, place: Place) -> list[Template]:
+        """A list of texts; a single text or substitution is a list of one."""
+        if value is None:
+            return []
+        if self.objects.is_sequence(value):
+            return [self.template(e.value, place) for e in self.objects.elements(value)]
+        return [self.template(value, place)]
+
+    def _several(self, value: Value, place: Place) -> Template:
+        """The concatenation of a list."""
+        if isinstance(value, Tuple) or self.objects.is_sequence(value):
+            found: list[Value | Substitution] = []
+            for element in self.objects.elements(value):
+                found += self.template(element.value, place)
+                if not element.sure:
+                    found.append(self.objects.unknown("list of unknown length", place))
+            return tuple(found) or (Const(""),)
+        return (self.objects.unknown("list", place),)
+
+    def _as_str(self, value: Value, place: Place) -> Value:
+        """A path object: its text."""
+        text = self.objects.machine.call(_STR, (value,))
+        if isinstance(text, (Const, Text, Unknown)) or self.objects.is_text(text):
+            return text
+        return self.objects.unknown("text", place)
