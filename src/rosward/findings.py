@@ -2,7 +2,8 @@
 """The table of rules, and the record of one finding.
 
 A finding is the only way in which rosward speaks of a doubt: what is not known, not read or assumed has a code,
-a place, a message and what to do about it. Codes are stable: RW0xx input, RW1xx names, RW2xx analysis, RW3xx system and policy.
+a place, a message and what to do about it. Codes are stable: RW0xx input, RW1xx names, RW2xx analysis, RW3xx system and policy,
+RW4xx policies that are checked.
 """
 
 from __future__ import annotations
@@ -52,6 +53,12 @@ _TABLE: Final = (
         "executable without source",
         _W,
         "The entry point names a module or function that is not among the sources.",
+    ),
+    Rule(
+        "RW010",
+        "ignore comment without a finding",
+        _N,
+        "Remove the comment, or the code from its brackets: it ignores nothing.",
     ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the value that is missing a default in the source."),
@@ -194,6 +201,12 @@ _TABLE: Final = (
     Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
     Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
+    # Policies that are checked
+    Rule("RW401", "right that is lacking", _E, "Add the rule, or the node fails when it creates this."),
+    Rule("RW402", "right that is never used", _W, "Take the rule away, or name only what is used."),
+    Rule("RW403", "policy cannot be read", _E, "Correct the file: what is not read was not compared."),
+    Rule("RW404", "enclave of no process", _W, "Take the enclave away, or add what runs in it to the analysis."),
+    Rule("RW405", "process without an enclave in the policy", _E, "Add the enclave: the process does not start."),
 )
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}

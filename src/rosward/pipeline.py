@@ -32,7 +32,7 @@ from rosward.plan import Plan, make_plan
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.location import Place
-from rosward.source.workspace import Workspace
+from rosward.source.workspace import SourceFile, Workspace
 from rosward.sources import SourceTree
 from rosward.systems import Outset, UnknownRequestError, parameters_for_all, systems_of
 
@@ -48,6 +48,8 @@ class Result:
 
     network: Network
     root: Path
+    files: tuple[SourceFile, ...] = ()
+    """The programs and launch files that were read."""
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -185,7 +187,9 @@ def _extract(
         configuration, doubts = parameters_for_all(request, read.workspace)
         gathered = of_sources(outset.library, sources, read.plan, outset.budget, outset.distro, configuration, progress)
     findings.update(dict.fromkeys((*doubts, *gathered.findings, *outset.library.findings)))
-    return Result(_network(read, gathered, findings, unknown, mode), read.workspace.root)
+    workspace = read.workspace
+    files = (*workspace.files, *workspace.launch_files)
+    return Result(_network(read, gathered, findings, unknown, mode), workspace.root, files)
 
 
 def _network(

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rosward.cli.shared import Commands
     from rosward.pipeline import Result
 
-FORMATS: Final = ("json", "policy", "svg", "dot", "html", "permissions")
+FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions")
 DEFAULT_FORMATS: Final = ("json", "policy", "svg", "dot", "html")
 
 
@@ -52,7 +52,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         type=_formats,
         default=DEFAULT_FORMATS,
         metavar="LIST",
-        help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: all but permissions)",
+        help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: all but mermaid and permissions)",
     )
     parser.add_argument(
         "--unknown",

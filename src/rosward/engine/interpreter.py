@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from rosward.models.native import Items
 
 _MAX_SEQUENCE: Final = 6
+_LONGEST_PATH: Final = 12
 
 
 @final
@@ -353,6 +354,12 @@ class Interpreter:
             if not frame.stub:
                 return Place(frame.code.file, frame.line, frame.column)
         return Place("", 0)
+
+    @property
+    def path(self) -> tuple[Place, ...]:
+        """The calls in the user's code that lead here, outermost first; of a longer chain the innermost."""
+        own = [frame for frame in self.frames if not frame.stub][-_LONGEST_PATH:]
+        return tuple(Place(frame.code.file, frame.line, frame.column) for frame in own)
 
     @property
     def files(self) -> Files:

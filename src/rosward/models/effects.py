@@ -72,6 +72,7 @@ class EffectLog:
         self.launch: LaunchContext | None = None  # the launch whose Python code this is
         self.nodes: dict[NodeEffect, None] = {}
         self.entities: dict[EntityEffect, None] = {}
+        self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each
         self.parameters: dict[ParameterEffect, None] = {}
         self.findings: dict[Finding, None] = {}
         self.classes: dict[Class, None] = {}
@@ -87,7 +88,9 @@ class EffectLog:
 
     def add_entity(self, machine: Interpreter, effect: EntityEffect) -> None:
         """Record an entity."""
-        self.entities[effect] = None
+        if effect not in self.entities:
+            self.entities[effect] = None
+            self.paths[effect] = machine.path
         self._done(machine, self.key(effect))
 
     @staticmethod

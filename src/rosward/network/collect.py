@@ -115,7 +115,8 @@ def _node(
     for entity in log.entities:
         if entity.address == effect.address:
             sure = certain and EffectLog.key(entity) in process.done
-            entities += _entities(entity, identity, distro, findings, sure=sure)
+            path = log.paths.get(entity, ())
+            entities += _entities(entity, identity, distro, findings, path, sure=sure)
     entities += [e if identity.sole else replace(e, conditional=True) for e in _implicit(effect, identity, distro, log)]
     if not certain:
         entities = [replace(e, conditional=True) if not e.system else e for e in entities]
@@ -146,7 +147,13 @@ def _given_enclave(log: EffectLog, effect: NodeEffect) -> str | None:
 
 
 def _entities(
-    effect: EntityEffect, identity: _Identity, distro: Distro, findings: dict[Finding, None], *, sure: bool
+    effect: EntityEffect,
+    identity: _Identity,
+    distro: Distro,
+    findings: dict[Finding, None],
+    path: tuple[Place, ...],
+    *,
+    sure: bool,
 ) -> list[Entity]:
     """The entities that one effect makes: one for each name and type that it may have."""
     kind = KINDS[effect.kind]
@@ -158,7 +165,7 @@ def _entities(
         alone = len(possible) * len(types) * len(resolved) == 1
         for text, how in resolved:
             for type_ in types:
-                entity = _entity(effect, kind, text, type_, how, identity, sure=sure and alone)
+                entity = _entity(effect, kind, text, type_, how, identity, path, sure=sure and alone)
                 if type_ is None:
                     findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
                 if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(how):
@@ -232,6 +239,7 @@ def _entity(
     type_: str | None,
     option: NameOption,
     identity: _Identity,
+    path: tuple[Place, ...],
     *,
     sure: bool,
 ) -> Entity:
@@ -263,6 +271,7 @@ def _entity(
         reasons=reasons,
         via=effect.via,
         ros_prefix=effect.ros_prefix,
+        path=path,
     )
 
 

@@ -87,6 +87,7 @@ def _merged(entities: list[Entity]) -> Entity:
         created_at=_union_of_places(e.created_at for e in entities),
         reasons=_union(e.reasons for e in entities),
         via=None if None in vias else min(via for via in vias if via is not None),
+        path=min((e.path for e in entities if e.path), default=()),
     )
 
 

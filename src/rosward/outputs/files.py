@@ -3,21 +3,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Final
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
+from typing import Final, NamedTuple
 
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.dot import graph_dot
+from rosward.outputs.junit import junit_xml
+from rosward.outputs.mermaid import graph_mermaid
 from rosward.outputs.network_json import network_json
 from rosward.outputs.permissions import permissions
 from rosward.outputs.policy import policies, policy_xml
 from rosward.outputs.report import report_html
+from rosward.outputs.sarif import sarif_json
 from rosward.outputs.starts import starts_text
 from rosward.outputs.svg import graph_svg
 from rosward.outputs.whole_files import write_text
+from rosward.review.judge import Judged
 
 _LONGEST_PATH: Final = 250
+
+
+class Scan(NamedTuple):
+    """The findings with their fingerprints, for the outputs that show findings alone."""
+
+    findings: Sequence[Judged]
+    baseline: bool = False
+    documentation: str | None = None
 
 
 def write_outputs(
@@ -28,13 +41,16 @@ def write_outputs(
     unknown: UnknownNames = "deny",
     system: bool = False,
     types: bool = False,
+    scan: Scan | None = None,
 ) -> list[str]:
     """Write the chosen formats below `folder`; returns the paths written, without those of single enclaves.
 
-    Raises OSError where that is not possible.
+    The formats sarif and junit need a `scan`. Raises OSError where that is not possible.
     """
     written: list[str] = []
-    for name, text in _texts(network, tuple(formats), unknown, system, types):
+    chosen = tuple(formats)
+    findings = _findings(scan, chosen) if scan is not None else ()
+    for name, text in chain(_texts(network, chosen, unknown, system, types), findings):
         path = write_text(folder, name, text)
         if "/" not in name:
             written.append(path)
@@ -56,10 +72,22 @@ def _texts(
             yield f"permissions{_below(path)}/permissions.xml", text
     if "dot" in formats:
         yield "graph.dot", graph_dot(network, system=system, types=types)
+    if "mermaid" in formats:
+        yield "graph.mmd", graph_mermaid(network, system=system)
     if "svg" in formats:
         yield "graph.svg", graph_svg(network, system=system, types=types)
     if "html" in formats:
         yield "report.html", report_html(network, system=system, unknown=unknown)
+
+
+def _findings(scan: Scan, formats: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    if "sarif" in formats:
+        yield (
+            "findings.sarif",
+            sarif_json(scan.findings, baseline=scan.baseline, documentation=scan.documentation),
+        )
+    if "junit" in formats:
+        yield "findings.junit.xml", junit_xml(scan.findings)
 
 
 def _placeable(documents: Mapping[str, str]) -> Iterator[tuple[str, str]]:

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward check`: does an existing policy let the system do what its code does, and nothing else?"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from typing import TYPE_CHECKING
+
+from rosward.cli.shared import (
+    COMPLETE,
+    INCOMPLETE,
+    ProgressLine,
+    WrongUseError,
+    add_deployment,
+    add_sources,
+    refusing,
+    request_of,
+    underlays_of,
+)
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "check",
+        help="compare an existing policy with what the sources need",
+        usage="%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]",
+        description="Says what the code needs and the policy lacks, and what the policy allows and no code uses. "
+        "The files that end in .xml are the policies, SROS2's or permissions of DDS; the other paths are the sources.",
+        epilog="Exit status: 0 the policy is exactly right; 1 there are findings; 2 wrong use or nothing to read.",
+    )
+    parser.set_defaults(run=refusing(_run))
+    add_sources(parser)
+    add_deployment(parser)
+    parser.add_argument(
+        "--enclaves",
+        choices=("node", "process", "launch"),
+        default=None,
+        help="one enclave for each node, or for each process, or as the launch files say (default: process with launch files, else node)",
+    )
+    parser.add_argument("--format", choices=("text", "json"), default="text", help="(default: %(default)s)")
+
+
+def _run(options: argparse.Namespace) -> int:
+    from rosward.outputs.check_json import check_json
+    from rosward.outputs.check_text import check_text
+    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
+    from rosward.policies.compare import compare
+    from rosward.policies.read import read_policy
+
+    files = [p for p in options.paths if p.lower().endswith(".xml") and not os.path.isdir(p)]  # noqa: PTH112
+    if not files:
+        raise WrongUseError("name the policy to check: a file that ends in .xml")
+    request = request_of(options)
+    policy = read_policy(files)
+    try:
+        with ProgressLine(shown=True) as progress:
+            result = extract(
+                *(p for p in options.paths if p not in files),
+                distro=options.distro,
+                models=options.models,
+                tests=options.tests,
+                request=request,
+                underlays=underlays_of(options),
+                enclaves=options.enclaves,
+                progress=progress,
+            )
+    except (NothingToReadError, UnknownRequestError) as error:
+        raise WrongUseError(str(error)) from error
+    found = compare(result.network, policy) if policy.enclaves else ()
+    write = check_json if options.format == "json" else check_text
+    sys.stdout.write(write(policy, found, result.findings))
+    return INCOMPLETE if found or policy.findings or not result.complete else COMPLETE

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Everything that `rosward explain` tells of a name, as plain records; `explain.py` writes them down.
+
+/porter/battery  ->  Answer(meetings=(MeetingTold("topic", "/porter/battery", ends=(EndTold("publisher", …), …)),), …)
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final, NamedTuple, final
+
+from rosward.findings import RULES, Finding
+from rosward.network.checks import UnknownNames
+from rosward.network.enclaves import enclave_paths
+from rosward.network.graph import Network
+from rosward.network.launch_tree import LaunchSystem
+from rosward.outputs.excerpts import Excerpt, Excerpts
+from rosward.outputs.provenance import PolicyLine, Rights, Source, Start, Starts, remedies, sources
+from rosward.outputs.subjects import Meeting, Subjects, close_matches, is_at, subjects
+from rosward.ros.entities import Entity, Node, Qos, Resolution
+from rosward.source.location import Place
+
+__all__ = ["Answer", "DoubtTold", "EnclaveTold", "EndTold", "MeetingTold", "NodeTold", "explained"]
+
+_MOST: Final = 200
+"""Subjects of one kind that are told of."""
+
+
+class EndTold(NamedTuple):
+    """One entity of one node: what it is, and the chain that leads to it."""
+
+    kind: str
+    name: str
+    type: str | None
+    node: str
+    node_at: Place
+    system: bool
+    conditional: bool
+    resolution: str
+    qos: str
+    callback: str | None
+    via: str | None
+    created: tuple[Excerpt, ...]
+    calls: tuple[Place, ...]
+    start: Start
+    made_of: tuple[Source, ...]
+    missing: tuple[str, ...]
+    remedies: tuple[str, ...]
+    policy: PolicyLine | None
+
+
+class MeetingTold(NamedTuple):
+    """A topic, service or action."""
+
+    word: str
+    name: str
+    types: tuple[str, ...]
+    ends: tuple[EndTold, ...]
+
+
+class ParameterTold(NamedTuple):
+    """A parameter of a node."""
+
+    name: str
+    type: str | None
+    default: object
+    value: object
+    declared_at: Place | None
+
+
+class DoubtTold(NamedTuple):
+    """A finding with its source."""
+
+    code: str
+    severity: str
+    title: str
+    message: str
+    help: str
+    excerpt: Excerpt
+
+
+class NodeTold(NamedTuple):
+    """A node with all that it has."""
+
+    name: str
+    resolution: str
+    created: Excerpt
+    start: Start
+    enclave: str
+    ends: tuple[EndTold, ...]
+    parameters: tuple[ParameterTold, ...]
+    missing: tuple[str, ...]
+    remedies: tuple[str, ...]
+    doubts: tuple[DoubtTold, ...]
+
+
+class EnclaveTold(NamedTuple):
+    """An enclave, who runs in it, and its rules."""
+
+    path: str
+    nodes: tuple[str, ...]
+    rules: tuple[PolicyLine, ...]
+
+
+class Answer(NamedTuple):
+    """What a name means; where it means nothing, the names that come close."""
+
+    query: str
+    meetings: tuple[MeetingTold, ...] = ()
+    nodes: tuple[NodeTold, ...] = ()
+    enclaves: tuple[EnclaveTold, ...] = ()
+    ends: tuple[EndTold, ...] = ()
+    through: tuple[EndTold, ...] = ()
+    doubts: tuple[DoubtTold, ...] = ()
+    close: tuple[str, ...] = ()
+
+    @property
+    def empty(self) -> bool:
+        """Whether the name means nothing here."""
+        return not (self.meetings or self.nodes or self.enclaves or self.ends or self.through or self.doubts)
+
+
+def explained(
+    network: Network, query: str, root: Path, systems: tuple[LaunchSystem, ...] = (), unknown: UnknownNames = "deny"
+) -> Answer:
+    """What `query` means in a network whose places are relative to `root`; `systems` are the launched systems, if any."""
+    meant = subjects(network, query)
+    answer = _Teller(network, Excerpts(root), Rights(network, unknown), Starts(systems)).answer(query, meant)
+    return answer._replace(close=close_matches(network, query)) if answer.empty else answer
+
+
+@final
+class _Teller:
+    """Turns the records of a network into those of an answer."""
+
+    def __init__(self, network: Network, excerpts: Excerpts, rights: Rights, starts: Starts) -> None:
+        self._network = network
+        self._excerpts = excerpts
+        self._rights = rights
+        self._starts = starts
+
+    def answer(self, query: str, meant: Subjects) -> Answer:
+        if meant.code is not None:
+            return Answer(query, doubts=self._doubts([f for f in self._network.findings if f.code == meant.code]))
+        if meant.place is not None:
+            return self._place(query, meant.place)
+        return Answer(
+            query,
+            meetings=tuple(self._meeting(m) for m in meant.meetings[:_MOST]),
+            nodes=tuple(self._node(n) for n in meant.nodes[:_MOST]),
+            enclaves=tuple(self._enclave(path) for path in meant.enclaves[:_MOST]),
+        )
+
+    def _place(self, query: str, place: tuple[str, int]) -> Answer:
+        """What is created in a line, what is created through a call in it, and what is doubted there."""
+
+        def here(at: Place | None) -> bool:
+            return at is not None and is_at(at.file, at.line, place)
+
+        own = [(n, e) for n in self._network.nodes for e in n.entities if not e.system]
+        made = [(n, e) for n, e in own if any(map(here, e.created_at))]
+        led = [(n, e) for n, e in own if not any(map(here, e.created_at)) and any(map(here, e.path))]
+        nodes = [n for n in self._network.nodes if here(n.defined_at) or here(n.launched_by)]
+        return Answer(
+            query,
+            nodes=tuple(self._node(n) for n in nodes[:_MOST]),
+            ends=tuple(self._end(n, e) for n, e in made[:_MOST]),
+            through=tuple(self._end(n, e) for n, e in led[:_MOST]),
+            doubts=self._doubts([f for f in self._network.findings if here(f.place)]),
+        )
+
+    def _meeting(self, meeting: Meeting) -> MeetingTold:
+        ends = tuple(self._end(node, entity) for node, entity in meeting.ends)
+        types = tuple(sorted({end.type for end in ends if end.type}))
+        return MeetingTold(meeting.word, meeting.name, types, ends)
+
+    def _end(self, node: Node, entity: Entity) -> EndTold:
+        missing = () if _whole(entity.resolution) and entity.type is not None else entity.reasons
+        return EndTold(
+            kind=entity.kind.value,
+            name=entity.name,
+            type=entity.type,
+            node=node.fqn,
+            node_at=node.defined_at,
+            system=entity.system,
+            conditional=entity.conditional,
+            resolution=entity.resolution.value,
+            qos=_qos(entity.qos),
+            callback=entity.callback,
+            via=entity.via,
+            created=tuple(self._excerpts.around(place) for place in entity.created_at[:5]),
+            calls=entity.path[:-1],
+            start=self._starts.of(node),
+            made_of=sources(node, entity, self._starts.entries(node)),
+            missing=missing,
+            remedies=remedies(missing),
+            policy=self._rights.of(entity),
+        )
+
+    def _node(self, node: Node) -> NodeTold:
+        places = {node.defined_at, *(p for e in node.entities for p in e.created_at)}
+        places |= {node.launched_by} if node.launched_by else set()
+        at = {(place.file, place.line) for place in places}
+        return NodeTold(
+            name=node.fqn,
+            resolution=node.resolution.value,
+            created=self._excerpts.around(node.defined_at),
+            start=self._starts.of(node),
+            enclave=enclave_paths(self._network.nodes)[node.enclave],
+            ends=tuple(self._end(node, entity) for entity in node.entities),
+            parameters=tuple(ParameterTold(p.name, p.type, p.default, p.value, p.declared_at) for p in node.parameters),
+            missing=node.reasons,
+            remedies=remedies(node.reasons),
+            doubts=self._doubts([f for f in self._network.findings if (f.place.file, f.place.line) in at]),
+        )
+
+    def _enclave(self, path: str) -> EnclaveTold:
+        paths = enclave_paths(self._network.nodes)
+        nodes = tuple(sorted({n.fqn for n in self._network.nodes if paths[n.enclave] == path}))
+        return EnclaveTold(path, nodes, tuple(self._rights.by_enclave.get(path, ())))
+
+    def _doubts(self, findings: list[Finding]) -> tuple[DoubtTold, ...]:
+        return tuple(
+            DoubtTold(
+                f.code,
+                f.rule.severity.value,
+                f.rule.title,
+                f.message,
+                RULES[f.code].help,
+                self._excerpts.around(f.place),
+            )
+            for f in findings[:_MOST]
+        )
+
+
+def _whole(resolution: Resolution) -> bool:
+    return resolution not in (Resolution.PATTERN, Resolution.UNKNOWN)
+
+
+def _qos(qos: Qos | None) -> str:
+    if qos is None:
+        return ""
+    history = f"keep_last {qos.depth}" if qos.history == "keep_last" and qos.depth is not None else qos.history
+    return ", ".join(part or "?" for part in (qos.reliability, qos.durability, history))

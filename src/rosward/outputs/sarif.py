@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The findings as code scanning services read them: SARIF 2.1.0.
+
+    {"ruleId": "RW102", "level": "warning", "message": {"text": "…"}, "locations": [{… "uri": "src/talker.py" … "startLine": 20}]}
+
+Paths are relative to the root of the repository, which SRCROOT stands for; where that is on this machine has no place in the file. What has
+no place in a file (RW007) is a notification of the run, since services show results by file. With a baseline, each result says whether it is
+in it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Final
+from urllib.parse import quote
+
+from rosward._version import __version__
+from rosward.findings import RULES, Rule
+from rosward.outputs.safe import encodable
+from rosward.review.judge import Judged
+
+__all__ = ["sarif_json"]
+
+_SCHEMA: Final = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
+_ROOT: Final = "SRCROOT"
+_FINGERPRINT: Final = "roswardFinding/v1"
+
+
+def sarif_json(findings: Sequence[Judged], *, baseline: bool = False, documentation: str | None = None) -> str:
+    """The text of `findings.sarif`. `documentation` is the address of the page that docs/findings.md became, if it has one."""
+    indices = {code: index for index, code in enumerate(RULES)}
+    run: dict[str, object] = {
+        "tool": {"driver": _driver(documentation)},
+        "columnKind": "unicodeCodePoints",
+        "originalUriBaseIds": {_ROOT: {"description": {"text": "The root of the repository."}}},
+        "invocations": [
+            {
+                "executionSuccessful": True,
+                "toolExecutionNotifications": [_notification(j) for j in findings if not j.file],
+            }
+        ],
+        "results": [_result(j, indices, baseline) for j in findings if j.file],
+    }
+    document = {"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}
+    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+
+
+def _driver(documentation: str | None) -> dict[str, object]:
+    home = {} if documentation is None else {"informationUri": documentation}
+    rules = [_rule(rule, documentation) for rule in RULES.values()]
+    return {"name": "rosward", "version": __version__, "semanticVersion": __version__, **home, "rules": rules}
+
+
+def _rule(rule: Rule, documentation: str | None) -> dict[str, object]:
+    link = {} if documentation is None else {"helpUri": f"{documentation}#{rule.code.lower()}"}
+    return {
+        "id": rule.code,
+        "shortDescription": {"text": rule.title},
+        "fullDescription": {"text": f"{rule.title}. {rule.help}"},
+        "help": {"text": rule.help},
+        **link,
+        "defaultConfiguration": {"level": rule.severity.value},
+    }
+
+
+def _result(judged: Judged, indices: dict[str, int], baseline: bool) -> dict[str, object]:
+    finding = judged.finding
+    state = {"baselineState": "unchanged" if judged.known else "new"} if baseline else {}
+    region = {"startLine": max(finding.place.line, 1)}
+    if finding.place.line:
+        region["startColumn"] = max(finding.place.column, 1)
+    return {
+        "ruleId": finding.code,
+        "ruleIndex": indices[finding.code],
+        "level": finding.rule.severity.value,
+        "message": {"text": finding.message},
+        "locations": [{"physicalLocation": {"artifactLocation": _artifact(judged.file), "region": region}}],
+        "partialFingerprints": {_FINGERPRINT: judged.fingerprint},
+        **state,
+    }
+
+
+def _artifact(file: str) -> dict[str, str]:
+    uri = quote(encodable(file), safe="/")
+    return {"uri": f"file://{uri}"} if file.startswith("/") else {"uri": uri, "uriBaseId": _ROOT}
+
+
+def _notification(judged: Judged) -> dict[str, object]:
+    finding = judged.finding
+    return {
+        "level": finding.rule.severity.value,
+        "message": {"text": finding.message},
+        "descriptor": {"id": finding.code},
+    }

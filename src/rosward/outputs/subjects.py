@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What in a network does a name that somebody types mean?
+
+    /porter/battery                        the topic of that name
+    battery                                every topic, service, action and node whose full name ends in /battery
+    RW101                                  the findings of that code
+    base_driver.py:31                      what is created, declared or doubted in that line
+
+A full name is taken before an end of one. A full name also means the names with a hole that it may be: `/left/scan` that of `/*/scan`.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Callable, Iterable
+from typing import Final, NamedTuple
+
+from rosward.findings import RULES
+from rosward.network.enclaves import enclave_paths
+from rosward.network.graph import Network
+from rosward.ros.entities import Entity, EntityKind, Node
+
+__all__ = ["Meeting", "Subjects", "close_matches", "is_at", "subjects", "word_of"]
+
+_PLACE: Final = re.compile(r"(.+?):(\d{1,9})(?::\d+)?")
+_WORDS: Final = {
+    EntityKind.PUBLISHER: "topic",
+    EntityKind.SUBSCRIPTION: "topic",
+    EntityKind.SERVICE_SERVER: "service",
+    EntityKind.SERVICE_CLIENT: "service",
+    EntityKind.ACTION_SERVER: "action",
+    EntityKind.ACTION_CLIENT: "action",
+}
+
+
+class Meeting(NamedTuple):
+    """A topic, service or action, and who has an end of it."""
+
+    word: str
+    name: str
+    ends: tuple[tuple[Node, Entity], ...]
+
+
+class Subjects(NamedTuple):
+    """All that a name means. `code` and `place` are set where the name is of that form."""
+
+    meetings: tuple[Meeting, ...] = ()
+    nodes: tuple[Node, ...] = ()
+    enclaves: tuple[str, ...] = ()
+    code: str | None = None
+    place: tuple[str, int] | None = None
+
+
+def word_of(entity: Entity) -> str:
+    """topic, service or action."""
+    return _WORDS[entity.kind]
+
+
+def subjects(network: Network, query: str) -> Subjects:
+    """What a name means; empty where it means nothing."""
+    if query.upper() in RULES:
+        return Subjects(code=query.upper())
+    at = _PLACE.fullmatch(query)
+    if at is not None:
+        return Subjects(place=(at.group(1).removeprefix("./"), int(at.group(2))))
+    if query.startswith("/"):
+        found = _named(network, lambda name: name == query)
+        holes = _named(network, lambda name: "*" in name and name != query and _may_be(query, name)).meetings
+        found = found._replace(meetings=(*found.meetings, *(m for m in holes if not _unknown(m))))
+        if found != Subjects():
+            return found
+    end = "/" + query.strip("/")
+    return _named(network, lambda name: name.endswith(end)) if end != "/" else Subjects()
+
+
+def is_at(file: str, line: int, place: tuple[str, int]) -> bool:
+    """Whether a file and line are those of a place, which may name the end of the path only."""
+    return line == place[1] and (file == place[0] or file.endswith("/" + place[0]))
+
+
+def close_matches(network: Network, query: str) -> tuple[str, ...]:
+    """Names that somebody may have meant, the closest first."""
+    names = _all_names(network)
+    whole = difflib.get_close_matches(query if query.startswith("/") else "/" + query, names, n=5, cutoff=0.6)
+    last: dict[str, list[str]] = {}
+    for name in names:
+        last.setdefault(name.rpartition("/")[2], []).append(name)
+    ends = difflib.get_close_matches(query.rpartition("/")[2], last, n=3, cutoff=0.6)
+    return tuple(dict.fromkeys([*whole, *(name for end in ends for name in last[end])]))[:5]
+
+
+def _all_names(network: Network) -> list[str]:
+    own = {e.name for n in network.nodes for e in n.entities if not e.system}
+    return sorted(own | {n.fqn for n in network.nodes} | {n.enclave for n in network.nodes})[:20_000]
+
+
+def _named(network: Network, fits: Callable[[str], bool]) -> Subjects:
+    ends = [(n, e) for n in network.nodes for e in n.entities if fits(e.name)]
+    own = {(word_of(e), e.name) for _, e in ends if not e.system}
+    meetings = _meetings((n, e) for n, e in ends if not own or (word_of(e), e.name) in own)
+    nodes = tuple(n for n in network.nodes if fits(n.fqn))
+    paths = enclave_paths(network.nodes)
+    places = () if nodes else tuple(dict.fromkeys(p for f, p in sorted(paths.items()) if fits(f) or fits(p)))
+    return Subjects(meetings, nodes, places)
+
+
+def _meetings(ends: Iterable[tuple[Node, Entity]]) -> tuple[Meeting, ...]:
+    groups: dict[tuple[str, str], list[tuple[Node, Entity]]] = {}
+    for node, entity in ends:
+        groups.setdefault((entity.name, word_of(entity)), []).append((node, entity))
+    return tuple(Meeting(word, name, tuple(groups[name, word])) for name, word in sorted(groups))
+
+
+def _unknown(meeting: Meeting) -> bool:
+    """Of such a name nothing is known but perhaps its namespace: it may be any name, so it answers no question."""
+    return all(e.name.endswith("/*") for _, e in meeting.ends)
+
+
+def _may_be(name: str, pattern: str) -> bool:
+    """Whether a name fits a pattern, in linear time."""
+    first, *rest = pattern.split("*")
+    last = rest.pop()
+    if not (name.startswith(first) and name.endswith(last) and len(name) >= len(first) + len(last)):
+        return False
+    at, end = len(first), len(name) - len(last)
+    for piece in rest:
+        found = name.find(piece, at, end)
+        if found < 0:
+            return False
+        at = found + len(piece)
+    return True

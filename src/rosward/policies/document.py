@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which elements does an XML file hold, with those that it includes, and in which lines?
+
+    <xi:include href="common/node.xml" xpointer="xpointer(/profile/*)"/>   ->  the children of <profile> of that file
+
+Nothing but elements, attributes and text is read: no document type, so no entities. XInclude takes only files in the folder of the
+first file or below it, never another place, and of XPointer only paths of element names, as policies use them. Elements, depth and
+size are bounded.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import Final, NamedTuple, final
+from xml.parsers import expat
+
+from rosward.findings import Finding
+from rosward.source.location import Place
+from rosward.source.text import place_name, read_bytes
+
+__all__ = ["Element", "elements", "read_document"]
+
+_LARGEST: Final = 4_000_000
+_DEEPEST: Final = 30
+_MOST_ELEMENTS: Final = 20_000
+_MOST_INCLUDES: Final = 8
+_INCLUDES: Final = ("http://www.w3.org/2001/XInclude include", "http://www.w3.org/2003/XInclude include")
+_POINTER: Final = re.compile(r"(?:xpointer\()?((?:/(?:\*|[A-Za-z_][\w.-]*))+)\)?")
+
+
+class Element(NamedTuple):
+    """An element, and where it begins. A tag with a name space is `URI tag`."""
+
+    tag: str
+    attributes: dict[str, str]
+    children: list[Element]
+    words: list[str]
+    place: Place
+
+    @property
+    def text(self) -> str:
+        """The text that stands directly in it, white space included."""
+        return "".join(self.words)
+
+
+class _RefusedError(Exception):
+    """The document is not of a kind that is read."""
+
+
+def read_document(path: str) -> tuple[Element | None, list[Finding]]:
+    """The outermost element of a file, its inclusions replaced, and what could not be read (RW403)."""
+    reading = _Reading(os.path.dirname(os.path.realpath(path)))  # noqa: PTH120
+    return reading.document(path, 0), reading.findings
+
+
+@final
+class _Reading:
+    """One file and all that it includes."""
+
+    def __init__(self, folder: str) -> None:
+        self.findings: list[Finding] = []
+        self._folder = folder
+        self._elements = 0
+
+    def document(self, path: str, depth: int) -> Element | None:
+        file = place_name(os.path.abspath(path), os.getcwd())  # noqa: PTH100, PTH109
+        data = read_bytes(path, file, _LARGEST)
+        if isinstance(data, Finding):
+            self._tell(data.message, data.place)
+            return None
+        builder = _Builder(file, _MOST_ELEMENTS - self._elements)
+        problem = builder.read(data)
+        self._elements += builder.count
+        if problem is not None or builder.root is None:
+            message, line = problem or ("There is no element in it.", 1)
+            self._tell(message, Place(file, line))
+            return None
+        self._expand(builder.root, os.path.dirname(path), depth)  # noqa: PTH120
+        return builder.root
+
+    def _expand(self, element: Element, folder: str, depth: int) -> None:
+        children: list[Element] = []
+        for child in element.children:
+            if child.tag in _INCLUDES:
+                children += self._included(child, folder, depth)
+            else:
+                self._expand(child, folder, depth)
+                children.append(child)
+        element.children[:] = children
+
+    def _included(self, element: Element, folder: str, depth: int) -> list[Element]:
+        href = element.attributes.get("href", "")
+        path = os.path.join(folder, href)  # noqa: PTH118
+        pointer = _POINTER.fullmatch(element.attributes.get("xpointer", "/*"))
+        if depth >= _MOST_INCLUDES:
+            return self._tell("Inclusions are nested too deeply; this one is not read.", element.place)
+        if not href or "://" in href or "\0" in href or not self._within(path):
+            return self._tell(f"{href!r} is no file in the folder of the policy or below it: not read.", element.place)
+        if pointer is None or element.attributes.get("parse", "xml") != "xml":
+            return self._tell("Of XInclude, only elements by paths such as /profile/* are read.", element.place)
+        root = self.document(path, depth + 1)
+        return [] if root is None else _pointed(root, pointer[1].split("/")[1:])
+
+    def _within(self, path: str) -> bool:
+        return os.path.realpath(path).startswith(os.path.join(self._folder, ""))  # noqa: PTH118
+
+    def _tell(self, message: str, place: Place) -> list[Element]:
+        self.findings.append(Finding("RW403", message, place))
+        return []
+
+
+def _pointed(root: Element, steps: list[str]) -> list[Element]:
+    found = [root] if steps[0] in ("*", root.tag) else []
+    for step in steps[1:]:
+        found = [child for element in found for child in element.children if step in ("*", child.tag)]
+    return found
+
+
+@final
+class _Builder:
+    """Makes the elements of one document."""
+
+    def __init__(self, file: str, most: int) -> None:
+        self.root: Element | None = None
+        self.count = 0
+        self._file = file
+        self._most = most
+        self._open: list[Element] = []
+        self._parser = expat.ParserCreate(namespace_separator=" ")
+
+    def read(self, data: bytes) -> tuple[str, int] | None:
+        """What is wrong with the document, and in which line."""
+        parser = self._parser
+        parser.StartDoctypeDeclHandler = self._doctype
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._characters
+        try:
+            parser.Parse(data, True)
+        except _RefusedError as error:
+            return str(error), parser.CurrentLineNumber
+        except expat.ExpatError as error:
+            return f"The file is not well-formed XML: {expat.errors.messages[error.code]}.", error.lineno
+        except (ValueError, LookupError) as error:  # an encoding that Python does not know
+            return f"The file cannot be read: {error}.", 1
+        return None
+
+    def _doctype(self, *_: object) -> None:
+        raise _RefusedError("The file has a document type declaration; entities are not read.")
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        self.count += 1
+        if self.count > self._most:
+            raise _RefusedError(f"The policy has more than {_MOST_ELEMENTS:,} elements.")
+        if len(self._open) >= _DEEPEST:
+            raise _RefusedError("The file is nested too deeply.")
+        element = Element(tag, attributes, [], [], Place(self._file, self._parser.CurrentLineNumber))
+        if self._open:
+            self._open[-1].children.append(element)
+        else:
+            self.root = element
+        self._open.append(element)
+
+    def _end(self, _: str) -> None:
+        self._open.pop()
+
+    def _characters(self, text: str) -> None:
+        if self._open:
+            self._open[-1].words.append(text)
+
+
+def elements(parent: Element, tag: str) -> Iterator[Element]:
+    """The children of one tag."""
+    return (child for child in parent.children if child.tag == tag)
