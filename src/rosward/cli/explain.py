@@ -21,6 +21,7 @@ from rosward.cli.shared import (
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
+    from rosward.network.launch_tree import LaunchSystem
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -74,7 +75,7 @@ def _run(options: argparse.Namespace) -> int:
                 enclaves=options.enclaves,
                 progress=progress,
             )
-            systems = ()
+            systems: tuple[LaunchSystem, ...] = ()
             if request.deploys:
                 systems, _ = launched(
                     *options.paths,

@@ -34,7 +34,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         "--distro",
         choices=DISTROS,
         default="jazzy",
-        help="what the client library adds by itself (default: %(default)s)",
+        help="what the client library adds by itself (default: jazzy)",
     )
     parser.add_argument(
         "--models",
@@ -103,11 +103,15 @@ def request_of(options: argparse.Namespace) -> Request:
     return request
 
 
-def refusing(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespace], int]:
-    """A command that says why it cannot be carried out, and exits with 2."""
+def refusing(
+    run: Callable[[argparse.Namespace], int], prepare: Callable[[argparse.Namespace], None] | None = None
+) -> Callable[[argparse.Namespace], int]:
+    """A command that says why it cannot be carried out, and exits with 2. `prepare` completes its options."""
 
     def refused(options: argparse.Namespace) -> int:
         try:
+            if prepare is not None:
+                prepare(options)
             check_paths(options)
             return run(options)
         except WrongUseError as error:

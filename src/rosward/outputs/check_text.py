@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The comparison of a policy with the code, for a person: by enclave, what lacks first, each with its place.
 
-    /talker
-      error   RW401 src/talker.py:7   publisher /chatter is not allowed (node /talker)
-      warning RW402 policy.xml:12     topics publish /debug in profile /talker is allowed, and never used
+/talker
+  error   RW401 src/talker.py:7   publisher /chatter is not allowed (node /talker)
+  warning RW402 policy.xml:12     topics publish /debug in profile /talker is allowed, and never used
 
-    1 right is lacking, 1 is never used.
+1 right is lacking, 1 is never used.
 """
 
 from __future__ import annotations

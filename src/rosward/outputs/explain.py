@@ -31,6 +31,9 @@ __all__ = ["explain_json", "explain_text"]
 _WHOLE: Final = 3
 """Subjects that are told in full; of more, each gets one line."""
 
+_GROUPS: Final = 8
+"""Kinds of ends that are told in full; of more, each end gets one line."""
+
 _SHOWN: Final = 12
 """Lines of a list that are shown."""
 
@@ -100,6 +103,10 @@ def _ends(ends: Sequence[EndTold], *, named: bool) -> Iterator[str]:
     groups: dict[tuple[object, ...], list[EndTold]] = {}
     for end in ends:
         groups.setdefault(_alike(end, named=named), []).append(end)
+    if len(groups) > _GROUPS:
+        yield from _cut(f"  {e.kind} {e.name} of {e.node}  {_at(e)}{_marks(e)}" for e in ends)
+        yield ""
+        return
     for members in groups.values():
         yield from _group(members, named=named)
         yield ""
@@ -110,7 +117,7 @@ def _alike(end: EndTold, *, named: bool) -> tuple[object, ...]:
     made_of = tuple((s.name, repr(s.value), s.origin) for s in end.made_of)
     return (
         *(end.kind, end.type, end.qos, end.via, end.conditional, end.resolution, end.callback),
-        *(places, made_of, end.missing, end.name if named else "", end.system),
+        *(places, made_of, end.remaps, end.missing, end.name if named else "", end.system),
     )
 
 
@@ -151,7 +158,8 @@ def _name(end: EndTold) -> Iterator[str]:
         yield _row("name", f"{end.resolution}, made of")
     else:
         yield _row("name", end.resolution)
-    yield from (_row("", f"{_source(source)}") for source in end.made_of)
+    yield from (_row("", _source(source)) for source in end.made_of)
+    yield from (_row("remap", f"{rule}  (a rule of the launch that leads to this name)") for rule in end.remaps)
 
 
 def _source(source: Source) -> str:

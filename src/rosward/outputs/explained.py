@@ -15,7 +15,7 @@ from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchSystem
 from rosward.outputs.excerpts import Excerpt, Excerpts
-from rosward.outputs.provenance import PolicyLine, Rights, Source, Start, Starts, remedies, sources
+from rosward.outputs.provenance import PolicyLine, Rights, Source, Start, Starts, remap_rules, remedies, sources
 from rosward.outputs.subjects import Meeting, Subjects, close_matches, is_at, subjects
 from rosward.ros.entities import Entity, Node, Qos, Resolution
 from rosward.source.location import Place
@@ -44,6 +44,7 @@ class EndTold(NamedTuple):
     calls: tuple[Place, ...]
     start: Start
     made_of: tuple[Source, ...]
+    remaps: tuple[str, ...]
     missing: tuple[str, ...]
     remedies: tuple[str, ...]
     policy: PolicyLine | None
@@ -176,6 +177,7 @@ class _Teller:
 
     def _end(self, node: Node, entity: Entity) -> EndTold:
         missing = () if _whole(entity.resolution) and entity.type is not None else entity.reasons
+        entries = self._starts.entries(node)
         return EndTold(
             kind=entity.kind.value,
             name=entity.name,
@@ -191,7 +193,8 @@ class _Teller:
             created=tuple(self._excerpts.around(place) for place in entity.created_at[:5]),
             calls=entity.path[:-1],
             start=self._starts.of(node),
-            made_of=sources(node, entity, self._starts.entries(node)),
+            made_of=sources(node, entity, entries),
+            remaps=remap_rules(entity, entries),
             missing=missing,
             remedies=remedies(missing),
             policy=self._rights.of(entity),

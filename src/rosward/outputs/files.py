@@ -11,7 +11,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.dot import graph_dot
 from rosward.outputs.junit import junit_xml
-from rosward.outputs.mermaid import graph_mermaid
+from rosward.outputs.mermaid import fenced, graph_mermaid
 from rosward.outputs.network_json import network_json
 from rosward.outputs.permissions import permissions
 from rosward.outputs.policy import policies, policy_xml
@@ -73,7 +73,9 @@ def _texts(
     if "dot" in formats:
         yield "graph.dot", graph_dot(network, system=system, types=types)
     if "mermaid" in formats:
-        yield "graph.mmd", graph_mermaid(network, system=system)
+        flowchart = graph_mermaid(network, system=system)
+        yield "graph.mmd", flowchart
+        yield "graph.md", fenced(flowchart)
     if "svg" in formats:
         yield "graph.svg", graph_svg(network, system=system, types=types)
     if "html" in formats:

@@ -18,7 +18,7 @@ from rosward.network.graph import Network
 from rosward.outputs.safe import encodable, printable
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 
-__all__ = ["graph_mermaid"]
+__all__ = ["fenced", "graph_mermaid"]
 
 _MOST_EDGES: Final = 400
 _MOST_NODES: Final = 150
@@ -61,13 +61,18 @@ class _Key(NamedTuple):
 
 
 def graph_mermaid(network: Network, system: bool = False) -> str:
-    """The graph as a flowchart in a fenced block. `system` shows what the client library makes as well."""
+    """The graph as a flowchart. `system` shows what the client library makes as well."""
     most_nodes, most_edges = _MOST_NODES, _MOST_EDGES
     while True:
         text = _drawn(network, most_nodes, most_edges, system=system)
         if len(text) <= _LARGEST or most_edges == 0:
             return text
         most_nodes, most_edges = most_nodes // 2, most_edges // 2
+
+
+def fenced(text: str) -> str:
+    """A drawing as a block of Markdown."""
+    return f"```mermaid\n{text}```\n"
 
 
 def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) -> str:
@@ -81,12 +86,12 @@ def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) 
         for key in pair:
             shapes.setdefault(key, _Shape(key.look, key.name, _innermost(key.name, spaces)))
     ids = {key: f"{key.look[0]}{number}" for number, key in enumerate(sorted(shapes))}
-    lines = ["```mermaid", "flowchart LR"]
+    lines = ["flowchart LR"]
     lines += _told(len(nodes) - len(chosen), len(every) - len(edges))
     lines += _subgraphs("/", shapes, ids, spaces)
     lines += _arrows(edges, ids)
     lines += _styles(shapes, ids)
-    return "\n".join([*lines, "```"]) + "\n"
+    return "\n".join(lines) + "\n"
 
 
 def _told(nodes: int, edges: int) -> Iterator[str]:
@@ -130,15 +135,15 @@ def _subgraphs(top: str, shapes: dict[_Key, _Shape], ids: dict[_Key, str], space
     for space in sorted(spaces - {top}, reverse=True):
         below.setdefault(_innermost(space, spaces), []).append(space)
     numbers = {space: number for number, space in enumerate(sorted(spaces))}
-    waiting: list[tuple[str, str | None, int]] = [("open", top, 1)]
+    waiting: list[tuple[str, str, int]] = [("open", top, 1)]
     while waiting:
         step, space, depth = waiting.pop()
         indent = "  " * min(depth, 20)
-        if step == "close" or space is None:
+        if step == "close":
             yield f"{indent}end"
             continue
         if space != top:
-            yield f'{indent}subgraph s{numbers[space]}["{_label(space)}"]'
+            yield f'{indent}subgraph g{numbers[space]}["{_label(space)}"]'
             waiting.append(("close", space, depth))
         inner = "  " * min(depth + (space != top), 20)
         for key in inside.get(space, ()):
@@ -161,12 +166,12 @@ def _styles(shapes: dict[_Key, _Shape], ids: dict[_Key, str]) -> Iterator[str]:
     for look, (_, _, style) in _LOOKS.items():
         members = [ids[key] for key in sorted(shapes) if key.look == look]
         if members:
-            yield f"  classDef {look} {style}"
-            yield f"  class {','.join(members)} {look}"
+            yield f"  classDef ros{look.title()} {style}"
+            yield f"  class {','.join(members)} ros{look.title()}"
     doubtful = [ids[key] for key in sorted(shapes) if "*" in key.name]
     if doubtful:
-        yield f"  classDef doubt {_DOUBT}"
-        yield f"  class {','.join(doubtful)} doubt"
+        yield f"  classDef rosDoubt {_DOUBT}"
+        yield f"  class {','.join(doubtful)} rosDoubt"
 
 
 def _label(name: str) -> str:

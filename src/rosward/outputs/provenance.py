@@ -19,7 +19,7 @@ from rosward.outputs.grants import enclaves
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
 from rosward.source.location import Place
 
-__all__ = ["PolicyLine", "Rights", "Source", "Start", "Starts", "remedies", "sources"]
+__all__ = ["PolicyLine", "Rights", "Source", "Start", "Starts", "remap_rules", "remedies", "sources"]
 
 _ELEMENTS: Final = {
     EntityKind.PUBLISHER: ("topics", "publish", "topic"),
@@ -135,6 +135,12 @@ def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple
         else Source(name, "argument or environment variable", None, "set from outside" if bound and alone else "", ())
         for name in entity.depends_on
     )
+
+
+def remap_rules(entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[str, ...]:
+    """The remap rules of the launch that lead to a name; the code may have the name by itself, too."""
+    rules = (rule for entry in entries for rule in entry.remaps)
+    return tuple(dict.fromkeys(f"{a.text} → {b.text}" for a, b in rules if b.text == entity.name))
 
 
 def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: bool) -> Source:

@@ -23,6 +23,7 @@ from rosward.network.graph import Network
 from rosward.outputs.counts import Count, Counts, counts_of
 from rosward.outputs.doubts import Doubts, doubts
 from rosward.outputs.safe import printable
+from rosward.review.judge import Reviewed
 from rosward.ros.entities import Resolution
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 
 __all__ = ["summary"]
 
+_NOTHING_ASIDE: Final = Reviewed(())
 _SHOWN: Final = 5
 """How many findings of one rule are shown when not verbose."""
 
@@ -38,10 +40,23 @@ _COLOURS: Final = {Severity.ERROR: "bold red", Severity.WARNING: "yellow", Sever
 _SURENESS: Final = {Resolution.PATTERN: "yellow", Resolution.UNKNOWN: "bold red"}
 
 
-def summary(network: Network, console: Console, verbose: bool = False, written: Sequence[str] = ()) -> None:
-    """Print the summary. `verbose` lists every finding, notes too; `written` are the paths of what was written."""
+def summary(
+    network: Network,
+    console: Console,
+    verbose: bool = False,
+    written: Sequence[str] = (),
+    reviewed: Reviewed = _NOTHING_ASIDE,
+    configuration: str | None = None,
+) -> None:
+    """Print the summary.
+
+    `verbose` lists every finding, notes too; `written` are the paths of what was written. Of `reviewed`, what is ignored or known is counted;
+    `configuration` is the file that set options.
+    """
     counts = counts_of(network)
     _print(console, _head(network, counts))
+    if configuration is not None:
+        _print(console, ("  options of " + printable(configuration), "dim"))
     console.print()
     _print(console, ("  ", ""), *_things(counts))
     _print(console, ("  ", ""), *_names(counts))
@@ -50,7 +65,7 @@ def summary(network: Network, console: Console, verbose: bool = False, written: 
             console.print()
             _group(console, group, verbose)
     console.print()
-    _print(console, *_verdict(counts, verbose))
+    _print(console, *_verdict(counts, verbose, reviewed))
     for path in written:
         _print(console, ("  ", ""), (printable(path), "dim"))
 
@@ -96,17 +111,25 @@ def _group(console: Console, group: Doubts, verbose: bool) -> None:
     _print(console, ("  " + rule.help, "italic"))
 
 
-def _verdict(counts: Counts, verbose: bool) -> list[tuple[str, str]]:
+def _verdict(counts: Counts, verbose: bool, reviewed: Reviewed) -> list[tuple[str, str]]:
     errors = counts.severities[Severity.ERROR]
     warnings = counts.severities[Severity.WARNING]
     notes = counts.severities[Severity.NOTE]
+    known = sum(f.rule.severity is Severity.ERROR for f in reviewed.known)
     if errors:
         parts = [("Incomplete: ", "bold red"), (_several(errors, "error"), "")]
+    elif reviewed.accepted or known:  # the result lacks something, and somebody said that this is known
+        old = [(reviewed.accepted, "accepted"), (known, "in the baseline")]
+        told = ", ".join(f"{_several(number, 'error')} {word}" for number, word in old if number)
+        parts = [("Incomplete, as is known: ", "bold yellow"), (told, "")]
     else:
         parts = [("Complete", "bold green"), (": no errors", "")]
     parts.append((f", {_several(warnings, 'warning')}", ""))
     if notes:
         parts.append((f", {_several(notes, 'note')}" + ("" if verbose else " (-v shows notes)"), ""))
+    for number, word in ((reviewed.ignored, "ignored"), (len(reviewed.known), "in the baseline")):
+        if number:
+            parts.append((f", {number:,} {word}", "dim"))
     return [*parts, (".", "")]
 
 

@@ -25,7 +25,9 @@ __all__ = ["Element", "elements", "read_document"]
 _LARGEST: Final = 4_000_000
 _DEEPEST: Final = 30
 _MOST_ELEMENTS: Final = 20_000
-_MOST_INCLUDES: Final = 8
+_DEEPEST_INCLUDE: Final = 8
+_MOST_INCLUDES: Final = 200
+_LARGEST_INCLUDED: Final = 1_000_000
 _INCLUDES: Final = ("http://www.w3.org/2001/XInclude include", "http://www.w3.org/2003/XInclude include")
 _POINTER: Final = re.compile(r"(?:xpointer\()?((?:/(?:\*|[A-Za-z_][\w.-]*))+)\)?")
 
@@ -63,10 +65,11 @@ class _Reading:
         self.findings: list[Finding] = []
         self._folder = folder
         self._elements = 0
+        self._includes = 0
 
     def document(self, path: str, depth: int) -> Element | None:
         file = place_name(os.path.abspath(path), os.getcwd())  # noqa: PTH100, PTH109
-        data = read_bytes(path, file, _LARGEST)
+        data = read_bytes(path, file, _LARGEST_INCLUDED if depth else _LARGEST)
         if isinstance(data, Finding):
             self._tell(data.message, data.place)
             return None
@@ -94,7 +97,11 @@ class _Reading:
         href = element.attributes.get("href", "")
         path = os.path.join(folder, href)  # noqa: PTH118
         pointer = _POINTER.fullmatch(element.attributes.get("xpointer", "/*"))
-        if depth >= _MOST_INCLUDES:
+        self._includes += 1
+        if self._includes > _MOST_INCLUDES:
+            message = f"There are more than {_MOST_INCLUDES} inclusions; this one is not read, nor are those after it."
+            return self._tell(message, element.place) if self._includes == _MOST_INCLUDES + 1 else []
+        if depth >= _DEEPEST_INCLUDE:
             return self._tell("Inclusions are nested too deeply; this one is not read.", element.place)
         if not href or "://" in href or "\0" in href or not self._within(path):
             return self._tell(f"{href!r} is no file in the folder of the policy or below it: not read.", element.place)

@@ -21,8 +21,8 @@ from rosward.policies.sros2 import read_sros2
 
 __all__ = ["read_policy"]
 
-_LONGEST_PATTERNS: Final = 20_000
-"""Characters in all patterns together, so that comparing them stays a matter of seconds."""
+_MOST_PATTERNS: Final = 1_000
+"""Names with a wildcard in all files together, so that comparing them stays a matter of seconds."""
 
 
 def read_policy(files: Sequence[str]) -> Policy:
@@ -64,12 +64,12 @@ class _Reading:
 
     def _understood(self, rules: Iterable[PolicyRule]) -> Iterable[PolicyRule]:
         for rule in rules:
-            self.patterns += len(rule.name) if is_pattern(rule.name) else 0
+            self.patterns += is_pattern(rule.name)
             if len(rule.name) > LONGEST_NAME:
                 self._tell(f"A name of more than {LONGEST_NAME} characters matches nothing on DDS.", rule)
             elif "[[:" in rule.name or "[[." in rule.name or "[[=" in rule.name:
                 self._tell(f"The character class in {rule.name} is not understood.", rule)
-            elif self.patterns > _LONGEST_PATTERNS and is_pattern(rule.name):
+            elif self.patterns > _MOST_PATTERNS and is_pattern(rule.name):
                 self._tell("There are too many patterns before this one: it is not compared.", rule)
             else:
                 yield rule

@@ -24,6 +24,9 @@ __all__ = ["IgnoreComment", "ignore_comments"]
 _WORD: Final = "rosward:"
 _DIRECTIVE: Final = re.compile(r"rosward:\s*ignore(?![\w-])(?P<open>\s*\[(?P<codes>[^\]]*)(?P<close>\])?)?")
 _IN_HASH: Final = re.compile(r"#\s*(?=rosward:)")
+_BRACKET: Final = re.compile(r"[\[\]{}]")
+_DEEPEST_YAML: Final = 100
+_LONGEST_YAML: Final = 1_000_000
 _HASH: Final = re.compile(r"(?:^|(?<=\s))#")
 _XML_OPENERS: Final = re.compile(r"<!--|<!\[CDATA\[")
 _XML_CLOSERS: Final = {"<!--": "-->", "<![CDATA[": "]]>"}
@@ -125,6 +128,8 @@ def _of_xml(text: str) -> Iterator[_Comment]:
 
 
 def _of_yaml(text: str) -> Iterator[_Comment]:
+    if len(text) > _LONGEST_YAML or _depth(text) > _DEEPEST_YAML:
+        return
     inside = _scalar_spans(text)
     for number, line in enumerate(text.split("\n"), 1):
         if _WORD not in line:
@@ -137,6 +142,15 @@ def _of_yaml(text: str) -> Iterator[_Comment]:
             if span is None or match.start() < span[0]:
                 yield from _of_hash(number, match.start(), line[match.start() :], line[: match.start()])
                 break
+
+
+def _depth(text: str) -> int:
+    """How deep brackets are nested, at most: the scanner looks at each open one for each token."""
+    depth = deepest = 0
+    for bracket in _BRACKET.finditer(text):
+        depth = depth + 1 if bracket.group() in "[{" else max(depth - 1, 0)
+        deepest = max(deepest, depth)
+    return deepest
 
 
 def _scalar_spans(text: str) -> dict[int, list[tuple[int, int]]]:

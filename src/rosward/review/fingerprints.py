@@ -23,7 +23,8 @@ __all__ = ["LineAt", "fingerprints"]
 LineAt = Callable[[str, int], str]
 """The text of a line of a file, as places name both; empty where there is none."""
 
-_LINE_NUMBERS: Final = re.compile(r"(?<=[\w.)]):\d+(?::\d+)?(?!\d)|(?<=\bline )\d+")
+_PLACE: Final = re.compile(r"(?<![\w./-])(?:[\w.-]*/)*([\w.-]+):\d+(?::\d+)?(?!\d)")
+_LINE: Final = re.compile(r"(?<=\bline )\d+")
 _LENGTH: Final = 32
 
 
@@ -34,9 +35,14 @@ def fingerprints(findings: Sequence[Finding], line_at: LineAt, prefix: str = "")
     for finding in sorted(set(findings), key=lambda f: (f.place, f.code, f.message)):
         place = finding.place
         line = line_at(place.file, place.line) if place.line else ""
-        parts = (finding.code, prefix + place.file, " ".join(line.split()), _LINE_NUMBERS.sub("", finding.message))
+        parts = (finding.code, prefix + place.file, " ".join(line.split()), _bare(finding.message))
         text = "\0".join(parts)
         seen[text] += 1
         digest = hashlib.sha256(f"{text}\0{seen[text]}".encode("utf-8", "backslashreplace")).hexdigest()
         by_finding[finding] = digest[:_LENGTH]
     return [by_finding[finding] for finding in findings]
+
+
+def _bare(message: str) -> str:
+    """The message without line numbers, and with files by their last name: the rest of it depends on which folder is analysed."""
+    return _LINE.sub("", _PLACE.sub(r"\1", message))

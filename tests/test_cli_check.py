@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward check`: a policy that is exactly right is clean, and each change to it is one finding."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from rosward.cli import main
+
+NODE = """\
+import rclpy
+from rclpy.action import ActionServer
+from rclpy.node import Node
+from example_interfaces.action import Fibonacci
+from example_interfaces.srv import AddTwoInts
+from std_msgs.msg import String
+
+rclpy.init()
+node = Node("talker", namespace="robot")
+node.create_publisher(String, "chatter", 10)
+node.create_client(AddTwoInts, "add")
+ActionServer(node, Fibonacci, "fib", None)
+node.declare_parameter("arm", rclpy.Parameter.Type.STRING)
+node.create_subscription(String, node.get_parameter("arm").value + "/state", None, 10)
+rclpy.spin(node)
+"""
+RULE = re.compile(r" *<(topic|service|action)>(.*)</\1>.*\n")
+
+
+@pytest.fixture(autouse=True)
+def policy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """A program, and the policy that is written for it."""
+    monkeypatch.chdir(tmp_path)
+    Path("src").mkdir()
+    Path("src/talker.py").write_text(NODE, encoding="utf-8")
+    assert main(["extract", "src", "-q", "--format", "policy,permissions", "-o", "."]) == 0
+    return Path("policy.xml").read_text(encoding="utf-8")
+
+
+def checked(text: str, capsys: pytest.CaptureFixture[str], *options: str) -> tuple[int, list[str]]:
+    """The exit status, and each finding as `code file right`."""
+    Path("policy.xml").write_text(text, encoding="utf-8")
+    status = main(["check", "policy.xml", "src", "--format", "json", *options])
+    document = json.loads(capsys.readouterr().out)
+    assert document["clean"] is (status == 0)
+    found = [f for e in document["enclaves"] for f in e["findings"]]
+    return status, [
+        f"{f['code']} {f['file']} {f.get('right')}" for f in [*found, *document["policy"]]
+    ] if status else []
+
+
+def test_the_policy_of_the_same_sources_is_clean(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "policy.xml", "src"]) == 0
+    assert capsys.readouterr().out == "Clean: 1 enclave lets its process do what the code does, and no more.\n"
+    assert main(["check", "permissions/robot/talker/permissions.xml", "src"]) == 0
+
+
+def test_each_rule_that_is_taken_away_is_one_finding(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    rules = list(RULE.finditer(policy))
+    assert len(rules) == 13
+    for rule in rules:
+        status, found = checked(policy[: rule.start()] + policy[rule.end() :], capsys)
+        assert status == 1
+        assert len(found) == 1
+        assert found[0].startswith("RW401 talker.py ")
+        assert found[0].endswith(f" {rule[2]}")
+
+
+def test_each_line_of_permissions_that_is_taken_away_is_one_finding(capsys: pytest.CaptureFixture[str]) -> None:
+    text = Path("permissions/robot/talker/permissions.xml").read_text(encoding="utf-8")
+    rules = list(RULE.finditer(text))
+    assert len(rules) > 20
+    for rule in rules:
+        status, found = checked(text[: rule.start()] + text[rule.end() :], capsys)
+        assert (status, [f[:5] for f in found]) == (1, ["RW401"])
+
+
+@pytest.mark.parametrize("attribute", ["publish", "subscribe"])
+def test_a_rule_that_is_added_is_one_finding(attribute: str, policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    extra = f'<topics {attribute}="ALLOW"><topic>/extra</topic></topics></profile>'
+    changed = policy.replace("</profile>", extra)
+    expected = f"RW402 policy.xml topics {attribute} /extra"
+    # a name that ends in /state is subscribed to: /extra cannot be it, /left/state can
+    assert checked(changed, capsys) == (1, [expected])
+    assert checked(changed.replace("/extra", "/robot/left/state"), capsys)[0] == (attribute == "publish")
+
+
+def test_a_rule_that_is_too_wide_is_told(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    changed = policy.replace("<topic>/robot/chatter<", "<topic>/robot/*<")
+    assert checked(changed, capsys) == (1, ["RW402 policy.xml topics publish /robot/*"])
+    assert main(["check", "policy.xml", "src"]) == 1
+    assert "allows more than is used: publisher /robot/chatter" in capsys.readouterr().out.replace(
+        "action server /robot/fib, ", ""
+    )
+
+
+def test_part_of_a_pattern_is_not_all_of_it(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    pattern = next(m[2] for m in RULE.finditer(policy) if "*" in m[2])
+    status, found = checked(policy.replace(f">{pattern}<", ">/robot/left/state<"), capsys)
+    assert (status, found) == (1, [f"RW401 talker.py subscription {pattern}"])
+    main(["check", "policy.xml", "src"])
+    assert "may be lacking" in capsys.readouterr().out
+
+
+def test_what_is_denied_is_lacking(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    changed = policy.replace("</profile>", '<topics publish="DENY"><topic>chatter</topic></topics></profile>')
+    assert checked(changed, capsys) == (1, ["RW401 talker.py publisher /robot/chatter"])
+    main(["check", "policy.xml", "src"])
+    assert "denied by topics publish /robot/chatter (policy.xml:" in capsys.readouterr().out
+
+
+def test_enclaves_are_compared_too(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    changed = policy.replace('path="/robot/talker"', 'path="/other"')
+    assert checked(changed, capsys) == (1, ["RW404 policy.xml None", "RW405 talker.py None"])
+
+
+def test_a_policy_that_cannot_be_read_is_a_finding(capsys: pytest.CaptureFixture[str]) -> None:
+    assert checked("<policy", capsys) == (1, ["RW403 policy.xml None"])
+
+
+def test_what_is_not_known_of_the_code_is_never_clean(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("src/talker.py").write_text(NODE.replace('"chatter"', "input()"), encoding="utf-8")
+    status, found = checked(policy, capsys)
+    assert (status, found) == (1, ["RW401 talker.py publisher /*"])
+    main(["check", "policy.xml", "src"])
+    assert "question about the code open" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("arguments", [["src"], ["missing.xml", "src"], ["policy.xml", "missing"]])
+def test_wrong_use_is_status_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", *arguments]) == 2
+    assert capsys.readouterr().err.startswith("rosward: ")
+
+
+def test_the_example_of_the_documentation_is_true(capsys: pytest.CaptureFixture[str]) -> None:
+    page = (Path(__file__).parent.parent / "docs" / "checking-policies.md").read_text(encoding="utf-8")
+    code, policy, included, expected = re.findall(r"```\w+\n(.*?)```", page, re.DOTALL)[:4]
+    for file, text in (("doc/src/driver.py", code), ("doc/policy.xml", policy), ("doc/common/node.xml", included)):
+        Path(file).parent.mkdir(parents=True, exist_ok=True)
+        Path(file).write_text(text, encoding="utf-8")
+    assert main(["check", "doc/policy.xml", "doc/src"]) == 1
+    assert capsys.readouterr().out.replace(" doc/", " ") == expected
+
+
+def test_an_enclave_that_is_known_in_part_may_be_any_that_matches(
+    policy: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`--enclaves node`: the enclave is the name of the node, which depends on a parameter that nobody has set."""
+    code = NODE.replace('namespace="robot"', 'namespace=open("x").read()')
+    Path("src/talker.py").write_text(code, encoding="utf-8")
+    found = checked(policy, capsys)[1]
+    assert found
+    assert not [f for f in found if f.startswith(("RW404", "RW405"))]
+    assert checked(policy.replace("/talker", "/listener"), capsys)[1] == [
+        "RW404 policy.xml None",
+        "RW405 talker.py None",
+    ]
