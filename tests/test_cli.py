@@ -97,6 +97,7 @@ def test_an_unknown_name_gets_a_rule_only_when_asked_for() -> None:
     [
         ("json", ["network.json"]),
         ("svg,dot", ["graph.dot", "graph.svg"]),
+        ("mermaid", ["graph.md", "graph.mmd"]),
         (" html , json,html", ["network.json", "report.html"]),
         ("policy", ["enclaves.txt", "policies/talker/policy.xml", "policy.xml"]),
         ("permissions", ["permissions/talker/permissions.xml"]),
@@ -119,7 +120,7 @@ def test_a_second_run_gives_the_same_bytes() -> None:
     program()
     texts = []
     for _ in range(2):
-        assert main(["extract", "-q", "--format", "json,policy,svg,dot,html,permissions"]) == 0
+        assert main(["extract", "-q", "--format", "json,policy,svg,dot,html,mermaid,permissions"]) == 0
         texts.append({f: (Path("rosward-out") / f).read_bytes() for f in files()})
     assert texts[0] == texts[1]
 

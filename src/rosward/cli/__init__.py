@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from rosward._version import __version__
-from rosward.cli import check, diff, extract, launch_tree, nodl
+from rosward.cli import check, diff, explain, extract, launch_tree, nodl
 from rosward.cli.shared import COMPLETE, INTERRUPTED
 
 __all__ = ["main"]
@@ -39,6 +39,6 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rosward {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for command in (extract, check, diff, launch_tree, nodl):
+    for command in (extract, explain, check, diff, launch_tree, nodl):
         command.add(commands)
     return parser

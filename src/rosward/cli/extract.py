@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from rosward.pipeline import Result
     from rosward.review.judge import Reviewed
 
-FORMATS: Final = ("json", "policy", "svg", "dot", "html", "permissions", "sarif", "junit")
+FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions", "sarif", "junit")
 DEFAULT_FORMATS: Final = ("json", "policy", "svg", "dot", "html")
 
 

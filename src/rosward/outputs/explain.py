@@ -16,6 +16,7 @@ Ends that differ in their node alone, such as those of the robots of a fleet, ar
 from __future__ import annotations
 
 import json
+import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Final
@@ -53,7 +54,7 @@ def explain_text(answer: Answer) -> str:
 def explain_json(answer: Answer) -> str:
     """The same with nothing left out."""
     document = {"schema_version": 1, **_plain(answer)}
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False, default=str)) + "\n"
+    return encodable(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False, default=str)) + "\n"
 
 
 def _plain(value: Any) -> Any:
@@ -61,6 +62,8 @@ def _plain(value: Any) -> Any:
         return {"file": value.file, "line": value.line}
     if hasattr(value, "_asdict"):
         return {key: _plain(each) for key, each in value._asdict().items()}
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)  # JSON has no such number
     return [_plain(each) for each in value] if isinstance(value, (tuple, list)) else value
 
 
@@ -118,6 +121,7 @@ def _alike(end: EndTold, *, named: bool) -> tuple[object, ...]:
     return (
         *(end.kind, end.type, end.qos, end.via, end.conditional, end.resolution, end.callback),
         *(places, made_of, end.remaps, end.missing, end.name if named else "", end.system),
+        _rule(end.policy),
     )
 
 
@@ -154,11 +158,9 @@ def _name(end: EndTold) -> Iterator[str]:
         yield _row("name", f"{end.resolution}: {'known in part' if end.resolution == 'pattern' else 'not known'}")
         yield from (_row("missing", reason) for reason in end.missing[:_SHOWN])
         yield from (_row("supply", remedy) for remedy in end.remedies)
-    elif end.made_of:
-        yield _row("name", f"{end.resolution}, made of")
     else:
         yield _row("name", end.resolution)
-    yield from (_row("", _source(source)) for source in end.made_of)
+    yield from (_row("" if at else "made of", _source(source)) for at, source in enumerate(end.made_of))
     yield from (_row("remap", f"{rule}  (a rule of the launch that leads to this name)") for rule in end.remaps)
 
 
@@ -217,7 +219,9 @@ def _node(node: NodeTold) -> Iterator[str]:
         yield f"  parameter{'' if len(node.parameters) == 1 else 's'}"
         for p in node.parameters:
             value = _value(p.value) if p.value is not None else "(not plain, or not known)"
-            set_ = f"  (default {_value(p.default)})" if p.value != p.default and p.default is not None else ""
+            set_ = (
+                f"  (default {_value(p.default)})" if repr(p.value) != repr(p.default) and p.default is not None else ""
+            )
             yield f"    {p.name} = {value}{set_}  {p.declared_at or ''}".rstrip()
     yield ""
     yield from _doubts(node.doubts)

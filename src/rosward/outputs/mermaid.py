@@ -154,7 +154,9 @@ def _subgraphs(top: str, shapes: dict[_Key, _Shape], ids: dict[_Key, str], space
 
 
 def _relative(name: str, space: str) -> str:
-    return name[len(space) + 1 :] if space != "/" and name.startswith(space + "/") else name
+    """The name below its namespace; the whole of it where nothing would be left, for Mermaid refuses an empty label."""
+    below = name[len(space) + 1 :] if space != "/" and name.startswith(space + "/") else name
+    return below or name
 
 
 def _arrows(edges: dict[tuple[_Key, _Key], bool], ids: dict[_Key, str]) -> Iterator[str]:

@@ -154,10 +154,13 @@ def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: b
             dict.fromkeys(e.place for e in entries)
         )
         shown = value if value is not None else own[-1].value.text
-        return Source(parameter.name, "parameter", shown, "set in the launch file", at)
+        same = any(str(shown).lower() == p.value.text.lower() for p in own)  # True is `true` in a launch file
+        origin = "set in the launch file" if same else "set from outside, over the launch file or beside it"
+        return Source(parameter.name, "parameter", shown, origin, at)
+    # what the launch passes need not be what decides: a file of --params, too, may set it
     files = list(dict.fromkeys(p.value.text for e in entries for p in e.parameters if p.kind == "file"))
-    which = "" if not files else f" by {files[0]}" if len(files) == 1 else f" by one of {', '.join(files[:3])}"
-    return Source(parameter.name, "parameter", value, f"set from outside{which}", ())
+    passed = f"; the launch passes {', '.join(files[:3])}" if files else ""
+    return Source(parameter.name, "parameter", value, f"set from outside{passed}", ())
 
 
 def remedies(reasons: Iterable[str]) -> tuple[str, ...]:

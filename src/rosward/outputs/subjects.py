@@ -4,7 +4,7 @@
     /porter/battery                        the topic of that name
     battery                                every topic, service, action and node whose full name ends in /battery
     RW101                                  the findings of that code
-    base_driver.py:31                      what is created, declared or doubted in that line
+    base_driver.py:31                      what is created, started or doubted in that line
 
 A full name is taken before an end of one. A full name also means the names with a hole that it may be: `/left/scan` that of `/*/scan`.
 """
