@@ -3,7 +3,7 @@
 
 Every function, class and method of a stub whose real module can be imported is compared with `inspect.signature` of the
 real one; so is what the real module has and the stub lacks. Run with an interpreter that has rclpy and its relatives
-(`/work/.venv-live/bin/python -m pytest tests/models`); what is not installed is skipped.
+(`python -m pytest tests/models` with an interpreter that has it); what is not installed is skipped.
 """
 
 from __future__ import annotations
