@@ -34,7 +34,7 @@ from rosward.source.discover import discover
 from rosward.source.location import Place
 from rosward.source.workspace import SourceFile, Workspace
 from rosward.sources import SourceTree
-from rosward.systems import Outset, UnknownRequestError, parameters_for_all, systems_of
+from rosward.systems import Outset, System, UnknownRequestError, parameters_for_all, systems_of
 
 __all__ = ["NothingToReadError", "Progress", "Result", "UnknownRequestError", "extract", "launched"]
 
@@ -50,6 +50,8 @@ class Result:
     root: Path
     files: tuple[SourceFile, ...] = ()
     """The programs and launch files that were read."""
+    systems: tuple[LaunchSystem, ...] = ()
+    """What the launch files start, where they were followed."""
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -179,6 +181,7 @@ def _extract(
 ) -> Result:
     outset, sources = read.outset, read.sources
     findings: dict[Finding, None] = dict.fromkeys(read.workspace.findings)
+    systems: list[System] = []
     if request.deploys:
         systems, doubts = systems_of(request, outset)
         gathered = of_systems(systems, sources, outset, progress)
@@ -189,7 +192,8 @@ def _extract(
     findings.update(dict.fromkeys((*doubts, *gathered.findings, *outset.library.findings)))
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
-    return Result(_network(read, gathered, findings, unknown, mode), workspace.root, files)
+    network = _network(read, gathered, findings, unknown, mode)
+    return Result(network, workspace.root, files, tuple(s.tree() for s in systems))
 
 
 def _network(

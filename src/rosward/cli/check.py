@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
-    ProgressLine,
     WrongUseError,
     add_deployment,
+    add_enclaves,
     add_sources,
+    extracted,
     refusing,
     request_of,
-    underlays_of,
 )
 
 if TYPE_CHECKING:
@@ -37,19 +37,13 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
-    parser.add_argument(
-        "--enclaves",
-        choices=("node", "process", "launch"),
-        default=None,
-        help="one enclave for each node, or for each process, or as the launch files say (default: process with launch files, else node)",
-    )
+    add_enclaves(parser)
     parser.add_argument("--format", choices=("text", "json"), default="text", help="(default: %(default)s)")
 
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.outputs.check_json import check_json
     from rosward.outputs.check_text import check_text
-    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
     from rosward.policies.compare import compare
     from rosward.policies.read import read_policy
 
@@ -58,20 +52,7 @@ def _run(options: argparse.Namespace) -> int:
         raise WrongUseError("name the policy to check: a file that ends in .xml")
     request = request_of(options)
     policy = read_policy(files)
-    try:
-        with ProgressLine(shown=True) as progress:
-            result = extract(
-                *(p for p in options.paths if p not in files),
-                distro=options.distro,
-                models=options.models,
-                tests=options.tests,
-                request=request,
-                underlays=underlays_of(options),
-                enclaves=options.enclaves,
-                progress=progress,
-            )
-    except (NothingToReadError, UnknownRequestError) as error:
-        raise WrongUseError(str(error)) from error
+    result = extracted(options, [p for p in options.paths if p not in files], request)
     found = compare(result.network, policy) if policy.enclaves else ()
     write = check_json if options.format == "json" else check_text
     sys.stdout.write(write(policy, found, result.findings))

@@ -13,13 +13,14 @@ from rosward.cli.configuration import apply, unset
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
-    ProgressLine,
     WrongUseError,
     add_deployment,
+    add_enclaves,
     add_sources,
+    add_unknown,
+    extracted,
     refusing,
     request_of,
-    underlays_of,
 )
 
 if TYPE_CHECKING:
@@ -42,12 +43,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.set_defaults(run=refusing(_run, _complete))
     add_sources(parser)
     add_deployment(parser)
-    parser.add_argument(
-        "--enclaves",
-        choices=("node", "process", "launch"),
-        default=None,
-        help="one enclave for each node, or for each process, or as the launch files say (default: process with launch files, else node)",
-    )
+    add_enclaves(parser)
     parser.add_argument("-o", "--output", metavar="DIR", help="where to write (default: rosward-out)")
     parser.add_argument(
         "--format",
@@ -55,11 +51,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         metavar="LIST",
         help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: {', '.join(DEFAULT_FORMATS)})",
     )
-    parser.add_argument(
-        "--unknown",
-        choices=("deny", "wildcard"),
-        help="in the policy, leave out a name that is not known, or write * for it (default: deny)",
-    )
+    add_unknown(parser)
     parser.add_argument("--system", action="store_true", help="show the entities of the client library in the graph")
     parser.add_argument("--types", action="store_true", help="show interface types in the graph")
     parser.add_argument(
@@ -94,24 +86,8 @@ def _complete(options: argparse.Namespace) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
-
     request = request_of(options)
-    try:
-        with ProgressLine(shown=not options.quiet) as progress:
-            result = extract(
-                *options.paths,
-                distro=options.distro,
-                unknown=options.unknown,
-                models=options.models,
-                tests=options.tests,
-                request=request,
-                underlays=underlays_of(options),
-                enclaves=options.enclaves,
-                progress=progress,
-            )
-    except (NothingToReadError, UnknownRequestError) as error:
-        raise WrongUseError(str(error)) from error
+    result = extracted(options, options.paths, request, shown=not options.quiet)
     reviewed = _reviewed(result, options, unused=not request.deploys)
     written = _write(result, reviewed, options)
     if not options.quiet:

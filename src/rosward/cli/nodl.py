@@ -7,7 +7,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_sources, refusing, underlays_of
+from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_sources, extracted, refusing
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -31,23 +31,12 @@ def _run(options: argparse.Namespace) -> int:
     from rosward.deployment.request import Request, RequestError, parse_node
     from rosward.outputs.nodl import nodl_document
     from rosward.outputs.whole_files import write_text
-    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
 
     try:
         wanted = parse_node(options.executable)
     except RequestError as error:
         raise WrongUseError(str(error)) from error
-    try:
-        result = extract(
-            *options.paths,
-            distro=options.distro,
-            models=options.models,
-            tests=options.tests,
-            request=Request(nodes=(wanted,)),
-            underlays=underlays_of(options),
-        )
-    except (NothingToReadError, UnknownRequestError) as error:
-        raise WrongUseError(str(error)) from error
+    result = extracted(options, options.paths, Request(nodes=(wanted,)), shown=False)
     if not result.network.nodes:
         raise WrongUseError(f"{options.executable} makes no node")
     for node in result.network.nodes:

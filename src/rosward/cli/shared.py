@@ -6,14 +6,14 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.outputs.safe import printable
 
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
-    from rosward.pipeline import Progress
+    from rosward.pipeline import Progress, Result
 
 DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
@@ -76,6 +76,47 @@ def add_deployment(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--params", action="append", default=[], metavar="FILE.yaml", help="parameter file for every process"
     )
+
+
+def add_enclaves(parser: argparse.ArgumentParser) -> None:
+    """How enclaves are chosen."""
+    parser.add_argument(
+        "--enclaves",
+        choices=("node", "process", "launch"),
+        default=None,
+        help="one enclave for each node, or for each process, or as the launch files say (default: process with launch files, else node)",
+    )
+
+
+def add_unknown(parser: argparse.ArgumentParser) -> None:
+    """What a policy says of a name that is not known."""
+    parser.add_argument(
+        "--unknown",
+        choices=("deny", "wildcard"),
+        default="deny",
+        help="in the policy, leave out a name that is not known, or write * for it (default: deny)",
+    )
+
+
+def extracted(options: argparse.Namespace, paths: Iterable[str], request: Request, *, shown: bool = True) -> Result:
+    """What the options ask to read and to start; `shown`: progress is drawn. Raises WrongUseError."""
+    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
+
+    try:
+        with ProgressLine(shown=shown) as progress:
+            return extract(
+                *paths,
+                distro=options.distro,
+                unknown=getattr(options, "unknown", "deny"),
+                models=options.models,
+                tests=options.tests,
+                request=request,
+                underlays=underlays_of(options),
+                enclaves=getattr(options, "enclaves", None),
+                progress=progress,
+            )
+    except (NothingToReadError, UnknownRequestError) as error:
+        raise WrongUseError(str(error)) from error
 
 
 def underlays_of(options: argparse.Namespace) -> list[str]:
