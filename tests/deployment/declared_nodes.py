@@ -8,8 +8,8 @@ from pathlib import Path
 
 from rosward.deployment.declared.effects import Declarations, declared
 from rosward.deployment.declared.found import ReadFile
+from rosward.domain.text import pattern
 from rosward.domain.values import Const, Tuple, Value
-from rosward.models.command_line import word_text
 from rosward.models.configuration import Configuration, Given
 from rosward.models.effects import EffectLog
 from rosward.models.name_values import interface_types, name_options
@@ -73,7 +73,7 @@ def nodes(log: EffectLog) -> list[str]:
     found: list[str] = []
     for effect in log.nodes:
         name, namespace = final_name(log, effect)
-        found.append(f"{word_text(namespace).rstrip('/')}/{word_text(name)}")
+        found.append(f"{pattern(namespace).rstrip('/')}/{pattern(name)}")
     return found
 
 

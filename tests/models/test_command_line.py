@@ -8,7 +8,7 @@ import pytest
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Tuple, Unknown, Value
-from rosward.models.command_line import CommandLine, behind, given_to, read_words, word_text
+from rosward.models.command_line import CommandLine, behind, given_to, read_words
 from rosward.models.configuration import Configuration, Given
 from rosward.source.location import Place
 
@@ -114,7 +114,7 @@ def test_what_rcl_refuses(words: tuple[str, ...]) -> None:
 
 def test_behind_a_mark() -> None:
     assert behind(Const("__ns:=/a:=b"), ":=") == Const("/a:=b")
-    assert word_text(behind(with_hole("x:=", HOLE, "_y"), ":=")) == "*_y"
+    assert pattern(behind(with_hole("x:=", HOLE, "_y"), ":=")) == "*_y"
 
 
 def given(node: str, name: str, value: int, *, nested: bool = False) -> Given:

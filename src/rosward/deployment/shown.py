@@ -13,7 +13,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import origins_of, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Tuple, Value
-from rosward.network.launch_tree import Inclusion, LaunchEntry, SetParameter, Shown
+from rosward.network.launch_tree import LaunchEntry, SetParameter, Shown
 
 if TYPE_CHECKING:
     from rosward.deployment.resolve import Launched
@@ -71,7 +71,7 @@ def entry(started: Started, launched: Launched | None) -> LaunchEntry:
         words=tuple(shown(w) for w in (started.command or configuration.words)),
         environment=tuple((name, shown(configuration.environment[name])) for name in sorted(configuration.environment)),
         place=started.place,
-        trail=tuple(Inclusion(*step) for step in started.trail),
+        trail=started.trail,
         program=_program(launched),
         conditional=started.conditional,
         why=started.why,

@@ -14,6 +14,8 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple, final
 
+from rosward.network.launch_tree import Inclusion
+
 if TYPE_CHECKING:
     from rosward.domain.values import Value
     from rosward.models.configuration import Configuration
@@ -41,14 +43,6 @@ class Setting(NamedTuple):
     value: Value
     scope: str = "/**"
     place: Place | None = None
-
-
-class Inclusion(NamedTuple):
-    """One include on the way to what is started: where it is written, the file that it includes, and a number that tells its turns apart."""
-
-    place: Place
-    file: str
-    turn: int = 0
 
 
 @final

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from rosward.domain.choice import lift
-from rosward.domain.text import make, origins_of, parts_of
+from rosward.domain.text import make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Text, Tuple, Unknown, Value
 from rosward.models.configuration import Configuration, Given
@@ -52,16 +52,11 @@ class CommandLine(NamedTuple):
         return tuple(r.rule for r in self.remaps)
 
 
-def word_text(value: Value) -> str:
-    """A command-line word, with `*` for what is not known."""
-    return "".join(p if isinstance(p, str) else names.HOLE for p in parts_of(value))
-
-
 def read_words(words: Sequence[Value], configuration: Configuration | None = None) -> CommandLine:
     """Read the words of a command line; `configuration` knows the parameter files that they name."""
     if not words:
         return CommandLine()
-    parsed = arguments.parse_arguments([word_text(w) for w in words])
+    parsed = arguments.parse_arguments([pattern(w) for w in words])
     at = parsed.positions
     remaps = tuple(Rule(rule, behind(words[index], ":=")) for rule, index in zip(parsed.remaps, at.remaps, strict=True))
     parameters: list[Given] = []

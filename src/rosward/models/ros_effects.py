@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.heap import Obj
+from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import (
     NONE,
@@ -22,7 +23,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models.command_line import word_text
 from rosward.models.effects import EntityEffect, NodeEffect
 from rosward.models.host import host, is_true, text_of
 from rosward.models.name_values import callback_name, interface_type, qos_of
@@ -336,7 +336,7 @@ def _unknown(call: NativeCall) -> Value:
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
     subject = call.arg(1, "subject")
     return call.machine.unknown(
-        cause, text_of(subject, "" if subject is None else word_text(subject)), text_of(call.arg(2, "hint"))
+        cause, text_of(subject, "" if subject is None else pattern(subject)), text_of(call.arg(2, "hint"))
     )
 
 
@@ -360,7 +360,7 @@ def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
 
 def _default(call: NativeCall) -> Value:
     kind, name, value = call.args
-    return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, word_text(name))))
+    return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, pattern(name))))
 
 
 def _either(call: NativeCall) -> Value:
@@ -377,7 +377,7 @@ def _escape(call: NativeCall) -> Value:
 
 
 def _report(call: NativeCall) -> Value:
-    call.machine.report(text_of(call.args[0]), word_text(call.args[1]))
+    call.machine.report(text_of(call.args[0]), pattern(call.args[1]))
     return NONE
 
 

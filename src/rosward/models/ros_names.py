@@ -9,10 +9,10 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, lift, options
-from rosward.domain.text import concat, make
+from rosward.domain.text import concat, make, pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Text, Value
-from rosward.models.command_line import CommandLine, Rule, read_words, word_text
+from rosward.models.command_line import CommandLine, Rule, read_words
 from rosward.models.effects import EffectLog, NodeEffect
 from rosward.models.host import host, text_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -36,12 +36,12 @@ def final_name(log: EffectLog, effect: NodeEffect) -> tuple[Value, Value]:
     namespace = Const("/") if effect.namespace in (NONE, UNBOUND) else lift(_full_namespace, effect.namespace)
     rules = remaps_of(log, effect)
     if rules:
-        name = join_all(v for n in options(name) for v in _renamed(n, word_text(n), names.RemapKind.NODE, rules))
+        name = join_all(v for n in options(name) for v in _renamed(n, pattern(n), names.RemapKind.NODE, rules))
         namespace = join_all(
             v
             for s in options(namespace)
             for n in options(name)
-            for v in _renamed(s, word_text(n), names.RemapKind.NAMESPACE, rules)
+            for v in _renamed(s, pattern(n), names.RemapKind.NAMESPACE, rules)
         )
     return name, namespace
 

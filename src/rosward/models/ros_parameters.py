@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Origins, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Text, Tuple, Unknown, Value
-from rosward.models.command_line import ANY_NAME, given_to, type_word, word_text
+from rosward.models.command_line import ANY_NAME, given_to, type_word
 from rosward.models.effects import EffectLog, NodeEffect, ParameterEffect
 from rosward.models.host import host, is_true, text_of
 from rosward.models.native import NativeCall, NativeFunction
@@ -73,7 +74,7 @@ def _initial(
     Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
     `ignored`: whether what is set from outside does not count (ignore_override). A parameter that is not `typed` takes a value of any type.
     """
-    label = text_of(name, word_text(name))
+    label = text_of(name, pattern(name))
     override = _override(machine, node, label) if ignored != TRUE else None
     if override is not None and typed:
         _check_type(machine, label, default, override)
@@ -137,7 +138,7 @@ def values_of(log: EffectLog, effect: NodeEffect) -> dict[str, Value]:
         return {}
     name, space = final_name(log, effect)
     found: dict[str, list[Value]] = {}
-    for fqn in {fully_qualified(word_text(s), word_text(n)): None for n in options(name) for s in options(space)}:
+    for fqn in {fully_qualified(pattern(s), pattern(n)): None for n in options(name) for s in options(space)}:
         for label, value in {**given_to(fqn, general.parameters), **given_to(fqn, own.parameters)}.items():
             found.setdefault(label, []).append(value)
     return {label: join_all(values) for label, values in found.items()}
@@ -169,7 +170,7 @@ def _parameter(call: NativeCall) -> Value:
     for node in options(call.args[0]):
         table = _table(machine, node)
         for name in options(call.args[1]):
-            label = text_of(name, word_text(name))
+            label = text_of(name, pattern(name))
             record = machine.obj(table) if table is not None else None
             value = record.entries.get(Const(label)) if record is not None and isinstance(name, Const) else None
             if value is None and record is not None:

@@ -7,10 +7,12 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import options
+from rosward.domain.text import pattern
 from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
 from rosward.findings import Finding
-from rosward.models.command_line import Rule, word_text
+from rosward.models.command_line import Rule
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
+from rosward.models.host import is_true
 from rosward.models.name_values import NameOption, interface_types, name_options
 from rosward.models.ros_names import command_lines, final_name, remapped_by, remaps_of
 from rosward.models.ros_parameters import values_of
@@ -143,7 +145,7 @@ def _given_enclave(log: EffectLog, effect: NodeEffect) -> str | None:
     configuration = log.configuration
     override = configuration.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE") if configuration is not None else None
     said = override if override is not None else command_lines(log, effect)[1].enclave
-    return None if said is None else word_text(said)
+    return None if said is None else pattern(said)
 
 
 def _entities(
@@ -294,7 +296,10 @@ def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: Effe
     given = values.get("use_sim_time")
     description = switches.get("start_type_description_service", values.get("start_type_description_service"))
     sim = (given is not None and _may_be_true(given)) or any(
-        p.address == effect.address and isinstance(p.name, Const) and p.name.value == "use_sim_time" and _true(p.value)
+        p.address == effect.address
+        and isinstance(p.name, Const)
+        and p.name.value == "use_sim_time"
+        and is_true(p.value)
         for p in log.parameters
     )
     found = implicit_entities(
@@ -327,10 +332,6 @@ def _client_library(value: Value | None) -> ClientLibrary:
 
 def _may_be_true(value: Value) -> bool:
     return any(not isinstance(o, Const) or o.value is True for o in options(value))
-
-
-def _true(value: Value) -> bool:
-    return isinstance(value, Const) and value.value is True
 
 
 def _parameters(log: EffectLog, address: int) -> list[Parameter]:

@@ -24,10 +24,11 @@ from rosward.deployment.declared.read import read_package
 from rosward.deployment.declared.shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
 from rosward.deployment.declared.text import Parameters, Scope, as_value, expand, joined
 from rosward.domain.choice import lift, options
+from rosward.domain.text import pattern
 from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
 from rosward.findings import Finding
-from rosward.models.command_line import given_to, read_words, word_text
+from rosward.models.command_line import given_to, read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.models.ros_names import final_name, remaps_of
@@ -144,7 +145,7 @@ class _Execution:
         self._log.configuration = configuration
         self._done: set[tuple[object, ...]] = set()
         self._steps = Steps(_MOST_STEPS)
-        parsed = parse_arguments([word_text(w) for w in configuration.words])
+        parsed = parse_arguments([pattern(w) for w in configuration.words])
         self._arguments = tuple(configuration.words[i] for i in parsed.positions.user)
 
     def run(self) -> EffectLog:
@@ -193,7 +194,7 @@ class _Execution:
     def _scope(self, effect: NodeEffect, outer: Scope, *, first: bool) -> Scope:
         """What templates of a node see: its parameters and its names."""
         own, space = final_name(self._log, effect)
-        name, namespace = word_text(own), word_text(space)
+        name, namespace = pattern(own), pattern(space)
         given: dict[str, Value] = {}
         missing: tuple[Reason, ...] = ()
         for words in (effect.global_words, effect.words):

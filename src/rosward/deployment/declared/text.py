@@ -18,6 +18,7 @@ from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Text, Tuple, Unknown, Value
 from rosward.models.command_line import ANY_NAME
+from rosward.models.plain import with_origins
 from rosward.source.location import Place
 
 DEEPEST: Final = 8
@@ -40,7 +41,7 @@ class Parameters:
     def value(self, name: str) -> Value:
         """The value of a parameter."""
         if name in self.given:
-            return lift(lambda value: _given(value, name), self.given[name])
+            return with_origins(self.given[name], frozenset((Origin("parameter", name, settled=True, given=True),)))
         if self._open:
             return Unknown(self.missing or (Reason(Cause.PARAMETER, name, Place("")),))
         declared = self._defaults.get(name)
@@ -59,16 +60,6 @@ class Parameters:
         start = f"{prefix}." if prefix else ""
         found = [n[len(start) :].partition(".")[0] for n in self.given if n.startswith(start)]
         return list(dict.fromkeys(found)), self._open
-
-
-def _given(value: Value, name: str) -> Value:
-    """A value that somebody gives the parameter."""
-    origin = Origin("parameter", name, settled=True, given=True)
-    if isinstance(value, Const):
-        return Const(value.value, value.origins | {origin})
-    if isinstance(value, Text):
-        return Text(value.parts, value.origins | {origin})
-    return Tuple(tuple(_given(v, name) for v in value.items)) if isinstance(value, Tuple) else value
 
 
 def as_value(default: object, name: str) -> Value:

@@ -17,7 +17,7 @@ from rosward.deployment.execution.component_parameters import ComponentParameter
 from rosward.deployment.execution.namespaces import full_name, prefixed, scopes
 from rosward.deployment.execution.parameters import Parameters
 from rosward.deployment.execution.yaml_values import plain_text
-from rosward.deployment.started import Inclusion, Started, StartKind
+from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Component, NodeKind, StartNode, Template
 from rosward.domain.choice import join, lift2, options
 from rosward.domain.text import concat
@@ -28,7 +28,8 @@ from rosward.ros.validation import validate_namespace, validate_node_name
 if TYPE_CHECKING:
     from rosward.deployment.execution.ros_state import RosState
     from rosward.deployment.execution.scene import Scene
-    from rosward.source.location import Place
+    from rosward.network.launch_tree import Inclusion
+from rosward.source.location import Place
 
 _ROS_ARGS: Final = Const("--ros-args")
 _RULE: Final = Const("-r")

@@ -23,11 +23,12 @@ from rosward.deployment.execution.processes import Launch, start_process
 from rosward.deployment.execution.scene import Scene
 from rosward.deployment.execution.settings import SETTINGS, change, performed
 from rosward.deployment.execution.yaml_values import plain_text
-from rosward.deployment.started import Inclusion, Started
+from rosward.deployment.started import Started
 from rosward.domain.choice import options
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Partial, Unknown, Value
+from rosward.network.launch_tree import Inclusion
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
