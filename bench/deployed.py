@@ -25,10 +25,11 @@ from rosward.deep_stack import with_deep_stack
 from rosward.deployment.request import Request
 from rosward.deployment.resolve import Launched
 from rosward.deployment.started import StartKind
-from rosward.pipeline import NothingToReadError, Result, read_sources
+from rosward.pipeline import NothingToReadError, Result
+from rosward.reading import read_sources
 from rosward.ros.distro import Distro
 from rosward.source.workspace import Workspace
-from rosward.systems import systems_of
+from rosward.systems import Outset, systems_of
 
 WORDS: Final = ("exact", "default", "bound", "pattern", "unknown")
 
@@ -78,8 +79,8 @@ def row(folder: Path, *, listed: bool) -> Row:
     found.before = names(before)
 
     def launched() -> tuple[list[Launched], Workspace]:
-        read = read_sources([folder], Distro.JAZZY, (), (), None, lambda *_: None, tests=False)
-        systems, _ = systems_of(Request(all_launch=True), read.outset)
+        read = read_sources([folder], Distro.JAZZY)
+        systems, _ = systems_of(Request(all_launch=True), Outset.of(read))
         return [p for s in systems for p in s.programs], read.workspace
 
     programs, workspace = with_deep_stack(launched)

@@ -23,15 +23,15 @@ from pathlib import Path
 from typing import Any, Final
 
 from rosward.deep_stack import with_deep_stack
-from rosward.deployment.request import LaunchRequest, Request
+from rosward.deployment.request import LaunchRequest, Request, UnknownRequestError
 from rosward.deployment.shown import shown
 from rosward.deployment.started import Setting, Started, StartKind
 from rosward.domain.choice import options
 from rosward.domain.text import matches
 from rosward.domain.values import Const, Tuple, Unknown, Value
-from rosward.pipeline import SourcesRead, UnknownRequestError, read_sources
+from rosward.reading import read_sources
 from rosward.ros.distro import Distro
-from rosward.systems import System, systems_of
+from rosward.systems import Outset, System, systems_of
 
 KINDS: Final = {"composable": StartKind.COMPONENT, **{k.value: k for k in StartKind}}
 CUT: Final = re.compile(r"\.\.\.\[\d+ characters, sha1 \w+\]$")
@@ -97,7 +97,7 @@ def compare(
 ) -> Tally:
     """All runs of one repository."""
     tally = Tally()
-    read = read_sources([folder], Distro.KILTED, (), (), None, lambda *_: None, tests=True)
+    outset = Outset.of(read_sources([folder], Distro.KILTED, tests=True))
     for (file, variant), (run, records) in sorted(runs.items()):
         if wanted.file and wanted.file not in file:
             continue
@@ -106,12 +106,12 @@ def compare(
         arguments = tuple((name, value) for name, value in run.get("arguments", ()) if isinstance(value, str))
         start = time.process_time()
         try:
-            (system,), _ = systems_of(Request(launches=(LaunchRequest(file, None, arguments),)), read.outset)
+            (system,), _ = systems_of(Request(launches=(LaunchRequest(file, None, arguments),)), outset)
         except UnknownRequestError as error:
             print(f"{folder.name} {file}: {error}")
             system = System("", file, (), ())
         tally.seconds += time.process_time() - start
-        _compare_run(f"{folder.name} {file} [{variant}]", run, records, system, read, tally, wanted)
+        _compare_run(f"{folder.name} {file} [{variant}]", run, records, system, outset, tally, wanted)
     return tally
 
 
@@ -120,7 +120,7 @@ def _compare_run(
     run: Record,
     records: list[Record],
     system: System,
-    read: SourcesRead,
+    outset: Outset,
     tally: Tally,
     wanted: argparse.Namespace,
 ) -> None:
@@ -128,20 +128,20 @@ def _compare_run(
     missing: list[Record] = []
     for record in records:
         tally.records[record["trust"]] += 1
-        match = next((s for s in left if not differences(record, s, read)), None)
+        match = next((s for s in left if not differences(record, s, outset)), None)
         if match is None:
             missing.append(record)
             continue
         tally.found[record["trust"]] += 1
         left.remove(match)
     for record in missing:
-        near = min(left, key=lambda s: _distance(record, s, read), default=None)
-        if near is not None and "place" not in differences(record, near, read):
+        near = min(left, key=lambda s: _distance(record, s, outset), default=None)
+        if near is not None and "place" not in differences(record, near, outset):
             left.remove(near)
         if record["trust"] == "hard" or wanted.soft:
             print(f"{title}: lacks {_name(record)} ({record['trust']})")
             if near is not None:
-                for field_, (theirs, ours) in differences(record, near, read).items():
+                for field_, (theirs, ours) in differences(record, near, outset).items():
                     print(f"    {field_}: {theirs} / {ours}"[:600])
     for each in left:
         why = _explained(each, run)
@@ -160,7 +160,7 @@ def _explained(each: Started, run: Record) -> str:
     return "event" if each.event else "ours to mend"
 
 
-def differences(record: Record, ours: Started, read: SourcesRead) -> dict[str, tuple[object, object]]:
+def differences(record: Record, ours: Started, outset: Outset) -> dict[str, tuple[object, object]]:
     """In which fields a record is not covered by what we start."""
     found: dict[str, tuple[object, object]] = {}
 
@@ -191,8 +191,8 @@ def differences(record: Record, ours: Started, read: SourcesRead) -> dict[str, t
     )
     hold("remappings", theirs, [(_show(a), _show(b)) for a, b in ours.remaps], same=same)
     wanted, have = list(_their_parameters(record)), list(ours.settings)
-    lacking = [w for w in wanted if not any(_same_setting(w, s, read) for s in have)]
-    beyond = [s for s in have if not any(_same_setting(w, s, read) for w in wanted) and s.kind != "file"]
+    lacking = [w for w in wanted if not any(_same_setting(w, s, outset) for s in have)]
+    beyond = [s for s in have if not any(_same_setting(w, s, outset) for w in wanted) and s.kind != "file"]
     hold(
         "parameters",
         lacking,
@@ -202,8 +202,8 @@ def differences(record: Record, ours: Started, read: SourcesRead) -> dict[str, t
     return found
 
 
-def _distance(record: Record, ours: Started, read: SourcesRead) -> tuple[int, int]:
-    different = differences(record, ours, read)
+def _distance(record: Record, ours: Started, outset: Outset) -> tuple[int, int]:
+    different = differences(record, ours, outset)
     return ("place" in different, len(different))
 
 
@@ -219,11 +219,11 @@ def _their_parameters(record: Record) -> Iterator[tuple[str, str | None, str, ob
             yield (given["kind"], None, given.get("name", ""), given.get("value"))
 
 
-def _same_setting(theirs: tuple[str, str | None, str, object], ours: Setting, read: SourcesRead) -> bool:
+def _same_setting(theirs: tuple[str, str | None, str, object], ours: Setting, outset: Outset) -> bool:
     kind, scope, name, value = theirs
     if kind == "file":
         return ours.kind == "file" and (
-            read.outset.files.find(ours.value) == value
+            outset.files.find(ours.value) == value
             or _covers(ours.value, str(value))
             or _show(ours.value).startswith("/tmp/")
         )

@@ -8,13 +8,18 @@ for node in result.network.nodes:
     print(node.fqn, [e.name for e in node.entities])
 """
 
+import importlib
+from typing import TYPE_CHECKING, Final
+
 from rosward._version import __version__
-from rosward.engine.budget import Budget
-from rosward.findings import Finding, Rule, Severity
-from rosward.network.graph import Action, Network, Service, Topic
-from rosward.pipeline import NothingToReadError, Result, extract
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
-from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.engine.budget import Budget
+    from rosward.findings import Finding, Rule, Severity
+    from rosward.network.graph import Action, Network, Service, Topic
+    from rosward.pipeline import NothingToReadError, Result, extract
+    from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
+    from rosward.source.location import Place
 
 __all__ = [
     "Action",
@@ -37,3 +42,31 @@ __all__ = [
     "__version__",
     "extract",
 ]
+
+_WHERE: Final = {
+    "Action": "rosward.network.graph",
+    "Budget": "rosward.engine.budget",
+    "Entity": "rosward.ros.entities",
+    "EntityKind": "rosward.ros.entities",
+    "Finding": "rosward.findings",
+    "Network": "rosward.network.graph",
+    "Node": "rosward.ros.entities",
+    "NothingToReadError": "rosward.pipeline",
+    "Parameter": "rosward.ros.entities",
+    "Place": "rosward.source.location",
+    "Qos": "rosward.ros.entities",
+    "Resolution": "rosward.ros.entities",
+    "Result": "rosward.pipeline",
+    "Rule": "rosward.findings",
+    "Service": "rosward.network.graph",
+    "Severity": "rosward.findings",
+    "Topic": "rosward.network.graph",
+    "extract": "rosward.pipeline",
+}
+
+
+def __getattr__(name: str) -> object:
+    """The public names, each loaded when it is first used: the command line answers at once."""
+    if name not in _WHERE:
+        raise AttributeError(f"module 'rosward' has no attribute {name!r}")
+    return getattr(importlib.import_module(_WHERE[name]), name)

@@ -1,38 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which nodes do the processes make: those of all sources, as `ros2 run` starts them, or those of launched systems?
+"""Which nodes do the processes of all sources make, each as `ros2 run` starts it?
 
-Both end in the same way: the effects of each process become nodes (`network/collect.py`).
+The effects of each process become nodes (`network/collect.py`). For launched systems, `launches.py` does the same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from rosward.deployment.declared.effects import declared
-from rosward.deployment.resolve import Launched
-from rosward.deployment.undeclared import undeclared
-from rosward.engine.budget import Budget
-from rosward.engine.library import Library
+from rosward.deployment.given import parameter_files
+from rosward.domain.values import Const
 from rosward.findings import Finding, Severity
-from rosward.ir.program import Module
-from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
-from rosward.models.effects import EffectLog
 from rosward.network.collect import Process, collect
-from rosward.plan import Plan
-from rosward.processes import Entry, Run, node_classes, run
-from rosward.ros.distro import Distro
+from rosward.processes import Run, node_classes, run
+from rosward.reading import Progress, SourcesRead
 from rosward.ros.entities import Node
-from rosward.source.location import Place
-from rosward.source.workspace import Workspace
-from rosward.sources import SourceTree
-from rosward.systems import Outset, System
 from rosward.unreached import unreached
 
-Progress = Callable[[str, int, int], None]
-"""Told of each step: what, how many are done, how many there are."""
+__all__ = ["Gathered", "of_sources"]
 
 
 class Gathered(NamedTuple):
@@ -42,39 +30,31 @@ class Gathered(NamedTuple):
     findings: list[Finding]
 
 
-def of_sources(
-    library: Library,
-    sources: SourceTree,
-    plan: Plan,
-    budget: Budget,
-    distro: Distro,
-    configuration: Configuration | None,
-    progress: Progress,
-) -> Gathered:
-    """The nodes of every executable, of files that nothing imports, and of node classes that nothing instantiates."""
-    everything = _run_all(library, sources, plan, budget, configuration, progress)
-    findings: dict[Finding, None] = dict.fromkeys((*sources.findings, *plan.findings))
+def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress) -> Gathered:
+    """The nodes of every executable, of files that nothing imports, and of node classes that nothing instantiates.
+
+    `params` are parameter files for all of them.
+    """
+    findings: dict[Finding, None] = {}
+    given = parameter_files(params, read.workspace.root, findings)
+    configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
+    everything = _run_all(read, configuration, progress)
+    findings.update(dict.fromkeys((*read.sources.findings, *read.plan.findings)))
     nodes: list[Node] = []
     for each in everything:
         if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
             process = Process(each.entry.package, each.entry.executable, each.entry.label, each.done)
-            found, doubts = collect(each.log, process, distro)
+            found, doubts = collect(each.log, process, read.distro)
             nodes += found
             findings.update(dict.fromkeys((*each.log.findings, *doubts)))
-    modules = (m for f in sorted(plan.related) if (m := sources.module(f)) is not None)
+    modules = (m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None)
     findings.update(dict.fromkeys(unreached(everything, modules)))
     return Gathered(nodes, list(findings))
 
 
-def _run_all(
-    library: Library,
-    sources: SourceTree,
-    plan: Plan,
-    budget: Budget,
-    configuration: Configuration | None,
-    progress: Progress,
-) -> list[Run]:
+def _run_all(read: SourcesRead, configuration: Configuration | None, progress: Progress) -> list[Run]:
     """Every process of the plan, then the files that none of them imports, then the node classes that none of them instantiates."""
+    library, plan, budget = read.library, read.plan, read.budget
     runs: list[Run] = []
     total = len(plan.entries)
     for number, entry in enumerate(plan.entries):
@@ -82,7 +62,7 @@ def _run_all(
         runs.append(run(library, entry, budget, configuration))
     progress("analysing", total, total)
     for file in sorted(plan.related):
-        module = sources.module(file)
+        module = read.sources.module(file)
         if module is not None and not any(id(module.code) in r.entered for r in runs):
             runs.append(run(library, plan.for_file(file), budget, configuration))
     for file, names in node_classes(runs, library.node_class(None)).items():
@@ -94,139 +74,3 @@ def _run_all(
 def _tells(probe: Run) -> bool:
     """Whether a probe that made no node has something to tell all the same: why it may have missed one."""
     return any(f.rule.severity is Severity.ERROR or f.code in ("RW203", "RW209") for f in probe.log.findings)
-
-
-# Launched systems
-
-
-class _Made(NamedTuple):
-    """What the programs of one process make."""
-
-    nodes: tuple[Node, ...]
-    findings: tuple[Finding, ...]
-
-
-def of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, progress: Progress) -> Gathered:
-    """The nodes of launched systems. What several systems start in the same way is in the result once."""
-    runs = _Runs(outset)
-    findings: dict[Finding, None] = {}
-    known: dict[str, list[tuple[Node, ...]]] = {}
-    nodes: list[Node] = []
-    programs = [p for s in systems for p in s.programs]
-    packages: set[str] = set()
-    number = 0
-    for system in systems:
-        processes: dict[str, list[Node]] = {}
-        for program in system.programs:
-            progress("analysing", number, len(programs))
-            number += 1
-            made = runs.of(program)
-            findings.update(dict.fromkeys(made.findings))
-            processes.setdefault(program.process, []).extend(made.nodes)
-            packages.add(program.package or "")
-        for label, members in processes.items():
-            nodes += _distinct(label, members, known)
-    findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
-    read = (m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m))
-    findings.update(dict.fromkeys(unreached(runs.all(), read)))
-    return Gathered(nodes, list(findings))
-
-
-def _distinct(label: str, members: list[Node], known: dict[str, list[tuple[Node, ...]]]) -> list[Node]:
-    """The nodes of a process, unless another system has the same process; under a label of its own."""
-    stem = label.partition("#")[0]
-    bare = tuple(replace(n, process="", launched_by=None) for n in members)
-    earlier = known.setdefault(stem, [])
-    if label == stem and bare in earlier:
-        return []
-    if label != stem and earlier.count(bare) >= int(label.rpartition("#")[2]):
-        return []
-    earlier.append(bare)
-    name = stem if len(earlier) == 1 else f"{stem}#{len(earlier)}"
-    return [replace(n, process=name) for n in members]
-
-
-class _Runs:
-    """The programs that were run: one that is started twice in the same way is interpreted once."""
-
-    def __init__(self, outset: Outset) -> None:
-        self._outset = outset
-        self._runs: dict[object, Run] = {}
-
-    def all(self) -> list[Run]:
-        """What was interpreted."""
-        return list(self._runs.values())
-
-    def entered(self, module: Module) -> bool:
-        """Whether one of the programs ran a module."""
-        return any(id(module.code) in run.entered for run in self._runs.values())
-
-    def of(self, program: Launched) -> _Made:
-        """The nodes of a program and its findings."""
-        log, done = self._log(program)
-        started = program.started
-        place = started.place if started.place.file else None
-        process = Process(program.package, program.executable, program.process, done, place, program.conditional)
-        nodes, doubts = collect(log, process, self._outset.distro)
-        refused = [
-            Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
-            for error in read_words(program.configuration.words).errors
-        ]
-        return _Made(tuple(nodes), (*log.findings, *doubts, *refused))
-
-    def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]]]:
-        outset = self._outset
-        if program.entry is not None:
-            found = self._run(program.entry, program.configuration)
-            return found.log, found.done
-        if program.program is not None:
-            log = declared(
-                program.program,
-                program.configuration,
-                program.started.place,
-                outset.declarations,
-                outset.distro,
-                outset.text_at,
-            )
-        else:
-            log = undeclared(program)
-        done = frozenset[tuple[object, ...]]()
-        for index, end in enumerate(log.ends):
-            done = end if index == 0 else done & end
-        return log, done
-
-    def _run(self, entry: Entry, configuration: Configuration) -> Run:
-        key = (
-            entry,
-            configuration.words,
-            tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
-            tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
-        )
-        found = self._runs.get(key)
-        if found is None:
-            found = self._runs[key] = run(self._outset.library, entry, self._outset.budget, configuration)
-        return found
-
-
-def _of_packages(sources: SourceTree, workspace: Workspace, packages: set[str]) -> list[Finding]:
-    """What is wrong with files of these packages, of those that they depend on, and outside of any."""
-    depends = {p.name: p.depends for p in workspace.packages}
-    wanted: set[str] = set()
-    work = [p for p in packages if p in depends]
-    while work:
-        name = work.pop()
-        if name not in wanted:
-            wanted.add(name)
-            work += [d for d in depends[name] if d in depends]
-    owners = {f.relative: f.package.name if f.package is not None else "" for f in workspace.files}
-    return [f for f in sources.findings if owners.get(f.place.file, "") in wanted | {""}]
-
-
-def never_launched(systems: Iterable[System], plan: Plan) -> list[Finding]:
-    """RW323: the executables of the workspace that have to do with ROS and that no system starts."""
-    started = {(p.package, p.executable) for s in systems for p in s.programs}
-    return [
-        Finding("RW323", f"no launch file starts {e.label}", Place(e.file))
-        for e in plan.entries
-        if e.executable is not None and (e.package, e.executable) not in started
-    ]

@@ -18,9 +18,9 @@ from typing import Final, NamedTuple
 from rosward.deployment.declared.effects import Declarations
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
-from rosward.deployment.parameter_files import read_parameter_file
+from rosward.deployment.given import parameter_files
 from rosward.deployment.python.code import LaunchPython
-from rosward.deployment.request import LaunchRequest, NodeRequest, Request
+from rosward.deployment.request import LaunchRequest, NodeRequest, Request, UnknownRequestError
 from rosward.deployment.resolve import Launched, Programs
 from rosward.deployment.shown import entry
 from rosward.deployment.started import Started, StartKind
@@ -31,14 +31,10 @@ from rosward.findings import Finding
 from rosward.models.configuration import Configuration
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
+from rosward.reading import SourcesRead
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
-from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile, Workspace
-
-
-class UnknownRequestError(Exception):
-    """What is asked for is not there; the message says what."""
 
 
 class System(NamedTuple):
@@ -67,6 +63,12 @@ class Outset(NamedTuple):
     distro: Distro
     budget: Budget
 
+    @classmethod
+    def of(cls, read: SourcesRead) -> Outset:
+        """That of sources which were read."""
+        files, declarations = WorkspaceFiles(read.sources.files), Declarations(read.models)
+        return cls(read.workspace, read.library, files, declarations, read.plan.related, read.distro, read.budget)
+
     def text_at(self, path: Value) -> str | None:
         """The text of the file at a path; None where it is not among the sources."""
         file = self.files.find(path)
@@ -76,7 +78,7 @@ class Outset(NamedTuple):
 def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Finding]]:
     """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
     findings: dict[Finding, None] = {}
-    extra = _parameter_files(request.params, outset.workspace.root, findings)
+    extra = parameter_files(request.params, outset.workspace.root, findings)
     found: list[System] = []
     unread: dict[str, list[str]] = {}
     for launch, file in _launch_files(request, outset):
@@ -191,31 +193,6 @@ def _check_nodes(system: System) -> None:
     missing = [f"{p.package}/{p.executable} ({p.unknown})" for p in system.programs if p.unknown is not None]
     if missing:
         raise UnknownRequestError(f"no such executable: {', '.join(missing)}")
-
-
-def parameters_for_all(request: Request, workspace: Workspace) -> tuple[Configuration | None, list[Finding]]:
-    """The command line of every executable where only parameter files are given; None where there are none."""
-    findings: dict[Finding, None] = {}
-    extra = _parameter_files(request.params, workspace.root, findings)
-    if not extra.words:
-        return None, list(findings)
-    return replace(extra, words=(Const("--ros-args"), *extra.words)), list(findings)
-
-
-def _parameter_files(paths: Sequence[str], root: Path, findings: dict[Finding, None]) -> Configuration:
-    """What `--params` adds to the command line of every process."""
-    words: list[Value] = []
-    files = {}
-    for path in paths:
-        text = read_source(Path(path).absolute(), root)
-        if isinstance(text, Finding):
-            findings[text] = None
-            continue
-        rows, doubts = read_parameter_file(text.text, path)
-        findings.update(dict.fromkeys(doubts))
-        words += [Const("--params-file"), Const(path)]
-        files[path] = rows
-    return Configuration(tuple(words), files)
 
 
 def _with_files(started: Started, extra: Configuration) -> Started:

@@ -25,10 +25,10 @@ import rosward
 from hostile.mutations import Seed, change, seeds
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
+from rosward.launches import launched
 from rosward.outputs.files import write_outputs
 from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
 from rosward.outputs.nodl import nodl_document
-from rosward.pipeline import launched
 
 SMALL: Final = Budget(steps=20_000, entry_steps=4_000, seconds=2.0)
 FORMATS: Final = ("json", "policy", "dot", "html", "permissions")

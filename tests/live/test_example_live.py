@@ -25,10 +25,10 @@ from rosward.deployment.request import LaunchRequest, Request
 from rosward.domain.text import pattern
 from rosward.domain.values import Const, Tuple, Value
 from rosward.models.configuration import Configuration, Given
-from rosward.pipeline import SourcesRead, read_sources
 from rosward.processes import Entry
+from rosward.reading import SourcesRead, read_sources
 from rosward.ros.distro import Distro
-from rosward.systems import systems_of
+from rosward.systems import Outset, systems_of
 
 from .agreement import claims_of
 from .harness import Fact, Program, RealRclpy, Seen
@@ -73,14 +73,14 @@ def starts_of(request: Request) -> list[Start]:
         read = _read(request)
         if not request.deploys:
             return [Start(e.label, e, Configuration()) for e in read.plan.entries if e.executable is not None]
-        (system,), _ = systems_of(request, read.outset)
+        (system,), _ = systems_of(request, Outset.of(read))
         return [Start(p.process, p.entry, p.configuration) for p in system.programs if p.entry is not None]
 
     return with_deep_stack(work)
 
 
 def _read(request: Request) -> SourcesRead:
-    return read_sources([ROBOT], Distro.KILTED, (), (), None, lambda *_: None, request, tests=False)
+    return read_sources([ROBOT], Distro.KILTED, request=request)
 
 
 def program_of(start: Start, folder: Path) -> Program:

@@ -15,6 +15,10 @@ class RequestError(ValueError):
     """A request that cannot be read; the message says why."""
 
 
+class UnknownRequestError(Exception):
+    """What is asked for is not there; the message says what."""
+
+
 class LaunchRequest(NamedTuple):
     """A launch file, by path (`package` None) or by package and name, and arguments for it alone."""
 

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What do parameter files that the user names add to the command line of every process?
+
+--params robot.yaml  ->  Configuration(words=('--params-file', 'robot.yaml'), files={'robot.yaml': (…)})
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rosward.deployment.parameter_files import read_parameter_file
+from rosward.domain.values import Const, Value
+from rosward.findings import Finding
+from rosward.models.configuration import Configuration
+from rosward.source.text import read_source
+
+__all__ = ["parameter_files"]
+
+
+def parameter_files(paths: Sequence[str], root: Path, findings: dict[Finding, None]) -> Configuration:
+    """The words to add, without the `--ros-args` before them; none where there are no files."""
+    words: list[Value] = []
+    files = {}
+    for path in paths:
+        text = read_source(Path(path).absolute(), root)
+        if isinstance(text, Finding):
+            findings[text] = None
+            continue
+        rows, doubts = read_parameter_file(text.text, path)
+        findings.update(dict.fromkeys(doubts))
+        words += [Const("--params-file"), Const(path)]
+        files[path] = rows
+    return Configuration(tuple(words), files)

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which nodes do launched systems make?
+
+    Request(launches=(LaunchRequest("robot.launch.py", "bringup"),))
+    ->  the nodes of every process that the launch file starts, each with the command line that it gets
+
+The same program, started in the same way, is interpreted once, and is in the result once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from rosward.deep_stack import with_deep_stack
+from rosward.deployment.declared.effects import declared
+from rosward.deployment.request import Request
+from rosward.deployment.resolve import Launched
+from rosward.deployment.undeclared import undeclared
+from rosward.engine.budget import Budget
+from rosward.findings import Finding
+from rosward.gather import Gathered
+from rosward.ir.program import Module
+from rosward.models.command_line import read_words
+from rosward.models.configuration import Configuration
+from rosward.models.effects import EffectLog
+from rosward.network.collect import Process, collect
+from rosward.network.launch_tree import LaunchSystem
+from rosward.plan import Plan
+from rosward.processes import Entry, Run, run
+from rosward.reading import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
+from rosward.ros.distro import Distro
+from rosward.ros.entities import Node
+from rosward.source.location import Place
+from rosward.source.workspace import Workspace
+from rosward.sources import SourceTree
+from rosward.systems import Outset, System, systems_of
+from rosward.unreached import unreached
+
+__all__ = ["Deployed", "launched", "of_request"]
+
+
+class Deployed(NamedTuple):
+    """The nodes of the systems that a request starts, and what the launch files say of them."""
+
+    gathered: Gathered
+    systems: tuple[LaunchSystem, ...]
+
+
+def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deployed:
+    """Start all that is asked for. Raises UnknownRequestError where it is not there."""
+    outset = Outset.of(read)
+    systems, findings = systems_of(request, outset)
+    nodes, doubts = _of_systems(systems, read.sources, outset, progress)
+    doubts += _never_launched(systems, read.plan) if request.all_launch else []
+    return Deployed(Gathered(nodes, [*findings, *doubts]), tuple(s.tree() for s in systems))
+
+
+def launched(
+    *paths: SourcePath,
+    distro: str = "jazzy",
+    models: Sequence[SourcePath] = (),
+    tests: bool = False,
+    request: Request = EVERYTHING,
+    underlays: Sequence[SourcePath] = (),
+    budget: Budget | None = None,
+) -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
+    """What the launch files of a request start, without a look into the programs. See `pipeline.extract` for the arguments."""
+
+    def work() -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
+        read = read_sources(paths, Distro(distro), models, underlays, budget, None, request, tests=tests)
+        systems, findings = systems_of(request, Outset.of(read))
+        return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
+
+    return with_deep_stack(work)
+
+
+class _Made(NamedTuple):
+    """What the programs of one process make."""
+
+    nodes: tuple[Node, ...]
+    findings: tuple[Finding, ...]
+
+
+def _of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, progress: Progress) -> Gathered:
+    """The nodes of launched systems. What several systems start in the same way is in the result once."""
+    runs = _Runs(outset)
+    findings: dict[Finding, None] = {}
+    known: dict[str, list[tuple[Node, ...]]] = {}
+    nodes: list[Node] = []
+    programs = [p for s in systems for p in s.programs]
+    packages: set[str] = set()
+    number = 0
+    for system in systems:
+        processes: dict[str, list[Node]] = {}
+        for program in system.programs:
+            progress("analysing", number, len(programs))
+            number += 1
+            made = runs.of(program)
+            findings.update(dict.fromkeys(made.findings))
+            processes.setdefault(program.process, []).extend(made.nodes)
+            packages.add(program.package or "")
+        for label, members in processes.items():
+            nodes += _distinct(label, members, known)
+    findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
+    read = (m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m))
+    findings.update(dict.fromkeys(unreached(runs.all(), read)))
+    return Gathered(nodes, list(findings))
+
+
+def _distinct(label: str, members: list[Node], known: dict[str, list[tuple[Node, ...]]]) -> list[Node]:
+    """The nodes of a process, unless another system has the same process; under a label of its own."""
+    stem = label.partition("#")[0]
+    bare = tuple(replace(n, process="", launched_by=None) for n in members)
+    earlier = known.setdefault(stem, [])
+    if label == stem and bare in earlier:
+        return []
+    if label != stem and earlier.count(bare) >= int(label.rpartition("#")[2]):
+        return []
+    earlier.append(bare)
+    name = stem if len(earlier) == 1 else f"{stem}#{len(earlier)}"
+    return [replace(n, process=name) for n in members]
+
+
+class _Runs:
+    """The programs that were run: one that is started twice in the same way is interpreted once."""
+
+    def __init__(self, outset: Outset) -> None:
+        self._outset = outset
+        self._runs: dict[object, Run] = {}
+
+    def all(self) -> list[Run]:
+        """What was interpreted."""
+        return list(self._runs.values())
+
+    def entered(self, module: Module) -> bool:
+        """Whether one of the programs ran a module."""
+        return any(id(module.code) in run.entered for run in self._runs.values())
+
+    def of(self, program: Launched) -> _Made:
+        """The nodes of a program and its findings."""
+        log, done = self._log(program)
+        started = program.started
+        place = started.place if started.place.file else None
+        process = Process(program.package, program.executable, program.process, done, place, program.conditional)
+        nodes, doubts = collect(log, process, self._outset.distro)
+        refused = [
+            Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
+            for error in read_words(program.configuration.words).errors
+        ]
+        return _Made(tuple(nodes), (*log.findings, *doubts, *refused))
+
+    def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]]]:
+        outset = self._outset
+        if program.entry is not None:
+            found = self._run(program.entry, program.configuration)
+            return found.log, found.done
+        if program.program is not None:
+            log = declared(
+                program.program,
+                program.configuration,
+                program.started.place,
+                outset.declarations,
+                outset.distro,
+                outset.text_at,
+            )
+        else:
+            log = undeclared(program)
+        done = frozenset[tuple[object, ...]]()
+        for index, end in enumerate(log.ends):
+            done = end if index == 0 else done & end
+        return log, done
+
+    def _run(self, entry: Entry, configuration: Configuration) -> Run:
+        key = (
+            entry,
+            configuration.words,
+            tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
+            tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
+        )
+        found = self._runs.get(key)
+        if found is None:
+            found = self._runs[key] = run(self._outset.library, entry, self._outset.budget, configuration)
+        return found
+
+
+def _of_packages(sources: SourceTree, workspace: Workspace, packages: set[str]) -> list[Finding]:
+    """What is wrong with files of these packages, of those that they depend on, and outside of any."""
+    depends = {p.name: p.depends for p in workspace.packages}
+    wanted: set[str] = set()
+    work = [p for p in packages if p in depends]
+    while work:
+        name = work.pop()
+        if name not in wanted:
+            wanted.add(name)
+            work += [d for d in depends[name] if d in depends]
+    owners = {f.relative: f.package.name if f.package is not None else "" for f in workspace.files}
+    return [f for f in sources.findings if owners.get(f.place.file, "") in wanted | {""}]
+
+
+def _never_launched(systems: Iterable[System], plan: Plan) -> list[Finding]:
+    """RW323: the executables of the workspace that have to do with ROS and that no system starts."""
+    started = {(p.package, p.executable) for s in systems for p in s.programs}
+    return [
+        Finding("RW323", f"no launch file starts {e.label}", Place(e.file))
+        for e in plan.entries
+        if e.executable is not None and (e.package, e.executable) not in started
+    ]

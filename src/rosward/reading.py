@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is read, before anything of it is interpreted?
+
+read_sources([Path("my_ws")], Distro.JAZZY, …)  ->  SourcesRead(workspace, sources, plan, library, …)
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from rosward.deployment.request import Request
+from rosward.engine.budget import Budget
+from rosward.engine.library import Library
+from rosward.models.tables import natives
+from rosward.plan import Plan, make_plan
+from rosward.ros.distro import Distro
+from rosward.source.discover import discover
+from rosward.source.workspace import Workspace
+from rosward.sources import SourceTree
+
+__all__ = ["EVERYTHING", "NothingToReadError", "Progress", "SourcePath", "SourcesRead", "read_sources", "silent"]
+
+SourcePath = str | PathLike[str]
+Progress = Callable[[str, int, int], None]
+"""Told of each step: what, how many are done, how many there are."""
+
+EVERYTHING: Final = Request()
+
+
+class NothingToReadError(Exception):
+    """None of the paths holds a Python file."""
+
+
+class SourcesRead(NamedTuple):
+    """The sources, what is known of the libraries that they use, and with what they are analysed."""
+
+    workspace: Workspace
+    sources: SourceTree
+    plan: Plan
+    library: Library
+    models: tuple[Path, ...]
+    distro: Distro
+    budget: Budget
+
+
+def read_sources(
+    paths: Sequence[SourcePath],
+    distro: Distro,
+    models: Sequence[SourcePath] = (),
+    underlays: Sequence[SourcePath] = (),
+    budget: Budget | None = None,
+    progress: Progress | None = None,
+    request: Request = EVERYTHING,
+    *,
+    tests: bool = False,
+) -> SourcesRead:
+    """Read what is under `paths`, and the launch files that a request names by their path."""
+    wanted = [Path(p) for p in paths] or [Path()]
+    named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
+    workspace = discover(wanted, launch_files=named, include_tests=tests)
+    if not (workspace.files or workspace.launch_files or request.nodes):
+        raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
+    sources = SourceTree(workspace, [Path(u) for u in underlays])
+    tell = progress or silent
+    sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
+    folders = tuple(Path(m) for m in models)
+    library = Library(sources, natives(), folders)
+    plan = make_plan(workspace, sources, library)
+    return SourcesRead(workspace, sources, plan, library, folders, distro, budget or Budget())
+
+
+def silent(_what: str, _done: int, _all: int) -> None:
+    """No progress is shown."""
