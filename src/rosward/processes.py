@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, ModuleValue, Value
-from rosward.engine import modules
+from rosward.engine import handed, modules
 from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.interpreter import Interpreter
@@ -72,6 +72,7 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
     machine.catchers.clear()
     try:
         machine.spin()
+        handed.follow(machine)
     except LimitReachedError as limit:
         log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
     return Run(

@@ -29,8 +29,9 @@ from rosward.domain.values import (
 )
 from rosward.engine import attributes
 from rosward.engine.alternatives import each_apart
-from rosward.engine.escape import name_of
+from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
+from rosward.engine.handed import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.source.location import Place
@@ -259,16 +260,8 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if not outside:
         return
-    for base in cls.mro:
-        if base.__class__ is Class and not base.stub:
-            for name, value in machine.at(base.address).attrs.items():
-                if name.startswith("__"):
-                    continue
-                if value.__class__ is Function:
-                    machine.schedule_book.add(machine, BoundMethod(ref, value), None, "call by the base class")
-                elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
-                    method = attributes.bind(machine, value, ref, cls)
-                    machine.schedule_book.add(machine, method, None, "call by the base class")
+    for _, method in own_methods(machine, cls, ref):
+        machine.schedule_book.add(machine, method, None, BY_BASE)
 
 
 def type_of(machine: Interpreter, value: Value) -> Value | None:

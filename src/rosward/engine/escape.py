@@ -4,6 +4,7 @@
 lib.on_key(self.stop)         stop may be called from now on, with anything
 lib.run(self)                 RW202: on this node the library may create what it likes
 lib.run(App(node=self))       RW202 too: it has the node by an attribute
+lib.serve(Handler)            it may make a Handler, and call what nothing else calls of it
 """
 
 from __future__ import annotations
@@ -13,11 +14,15 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.heap import Obj
-from rosward.domain.values import BoundMethod, Function, Partial, Ref, Tuple, Unknown, Value
+from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Tuple, Unknown, Value
 from rosward.engine import declared
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+
+BY_LIBRARY: Final = "call by a library"
+BY_BASE: Final = "call by the base class"
+"""Events whose callbacks give their results to code that is not known."""
 
 _DEPTH: Final = 4
 """How many containers deep callables and nodes are looked for."""
@@ -44,7 +49,10 @@ def _reach(machine: Interpreter, value: Value, library: str, depth: int, seen: s
     for option in options(value):
         if isinstance(option, (Function, BoundMethod, Partial)):
             if not _is_library(option):
-                machine.schedule_book.add(machine, option, None, "call by a library")
+                machine.schedule_book.add(machine, option, None, BY_LIBRARY)
+        elif isinstance(option, Class):
+            if not option.stub:
+                machine.handed.setdefault(option, machine.place)
         elif isinstance(option, Tuple):
             if depth < _DEPTH:
                 for item in option.items:
@@ -63,8 +71,9 @@ def _is_library(value: Value) -> bool:
 def _reach_object(machine: Interpreter, ref: Ref, library: str, depth: int, seen: set[int]) -> None:
     obj = machine.obj(ref)
     if obj.kind == "generator":
-        machine.schedule_book.add(machine, ref, (), "call by a library")
+        machine.schedule_book.add(machine, ref, (), BY_LIBRARY)
     elif obj.kind == "instance":
+        machine.handed.setdefault(ref, machine.place)
         if machine.log.is_node(ref.address):
             machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
         elif _holds_node(machine, obj, _ATTRIBUTES, {ref.address}):

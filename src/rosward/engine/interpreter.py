@@ -88,6 +88,7 @@ class Interpreter:
         self.large: dict[int, bool] = {}  # whether a code body, by its id(), has loops
         self.memo: dict[object, Value] = {}
         self.instantiated: set[Place] = set()
+        self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
         self.entered: set[int] = set()  # id() of each code body that was run
         self.reached: set[int] = set()  # id() of each operation that was run and reads a method that creates an entity
         self._versions = 0

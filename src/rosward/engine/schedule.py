@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, options, reasons_of, widen
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, BoundMethod, Function, Partial, Ref, Unknown, Value
+from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
 from rosward.engine.binding import ANY
 from rosward.engine.budget import LimitReachedError
+from rosward.engine.escape import BY_BASE, BY_LIBRARY
 from rosward.engine.frame import Frame
 from rosward.engine.state import State, join_states
 from rosward.ir.program import Code, CodeKind, Parameters
@@ -64,13 +65,25 @@ class Schedule:
         self.running = False
         self._settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
 
-    def add(self, machine: Interpreter, callback: Value, args: tuple[Value, ...] | None, event: str) -> None:
-        """Register a callback."""
+    def add(
+        self,
+        machine: Interpreter,
+        callback: Value,
+        args: tuple[Value, ...] | None,
+        event: str,
+        place: Place | None = None,
+    ) -> None:
+        """Register a callback; here, unless another place is given."""
         for option in options(callback):
             key = (option, args)
             if key not in self.entries and option.__class__ is not Unknown:
                 entry = self.entries[key] = Entry(
-                    option, args, event, machine.place, machine.state.copy(), self._context(machine, option, event)
+                    option,
+                    args,
+                    event,
+                    place or machine.place,
+                    machine.state.copy(),
+                    self._context(machine, option, event),
                 )
                 if event == "thread" and not self.running:
                     self._start(machine, entry)
@@ -170,6 +183,10 @@ class Schedule:
                 result = machine.call(entry.callback, entry.args or (), {ANY: anything})
                 if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
                     machine.iterate(result)
+                elif entry.callback.__class__ is Class:  # what a library makes is its own
+                    machine.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
+                elif entry.event in (BY_LIBRARY, BY_BASE) and result is not UNBOUND:
+                    machine.escape((result,), "a library")
         except LimitReachedError as limit:
             entry.exhausted = True
             machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")

@@ -16,47 +16,16 @@ class _ParameterValue:
     """Stands for rcl_interfaces/msg/ParameterValue: whichever field is asked for holds the value."""
 
     def __init__(self, value):
-        self._value = value
-
-    @property
-    def type(self):
-        return Parameter.Type.from_parameter_value(self._value)
-
-    @property
-    def bool_value(self):
-        return self._value
-
-    @property
-    def integer_value(self):
-        return self._value
-
-    @property
-    def double_value(self):
-        return self._value
-
-    @property
-    def string_value(self):
-        return self._value
-
-    @property
-    def byte_array_value(self):
-        return self._value
-
-    @property
-    def bool_array_value(self):
-        return self._value
-
-    @property
-    def integer_array_value(self):
-        return self._value
-
-    @property
-    def double_array_value(self):
-        return self._value
-
-    @property
-    def string_array_value(self):
-        return self._value
+        self.type = Parameter.Type.from_parameter_value(value)
+        self.bool_value = value
+        self.integer_value = value
+        self.double_value = value
+        self.string_value = value
+        self.byte_array_value = value
+        self.bool_array_value = value
+        self.integer_array_value = value
+        self.double_array_value = value
+        self.string_array_value = value
 
 
 class Parameter:

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may a library do with the classes and objects that it was handed, besides what the program does with them itself?
+
+    rpc.serve(Api(node))               calls methods of the Api that nothing else calls
+    webserver.Application([Handler])   makes a Handler, and has that in its hands too
+
+What the program itself calls is followed with its own values: there it is taken that the library calls nothing else. So this is asked
+when all else has come to rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
+from rosward.engine import attributes
+from rosward.engine.escape import BY_LIBRARY
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_ROUNDS: Final = 10
+"""How often a library may be handed something by what it called itself."""
+
+
+def follow(machine: Interpreter) -> None:
+    """Run what libraries may do with what they hold, until that gives them nothing new."""
+    for _ in range(_ROUNDS):
+        before = len(machine.schedule_book.entries)
+        for value, place in list(machine.handed.items()):
+            for callback in _not_called(machine, value):
+                machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
+        if len(machine.schedule_book.entries) == before:
+            return
+        machine.spin()
+    machine.report("RW201", "libraries are handed ever more objects; what they do with the last of them may be missing")
+
+
+def own_methods(machine: Interpreter, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:
+    """The methods that sources, not models, define for an object, `__special__` ones left out: name and bound method."""
+    for base in cls.mro:
+        if base.__class__ is Class and not base.stub:
+            for name, value in machine.at(base.address).attrs.items():
+                if name.startswith("__"):
+                    continue
+                if value.__class__ is Function:
+                    yield name, BoundMethod(ref, value)
+                elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
+                    yield name, attributes.bind(machine, value, ref, cls)
+
+
+def _not_called(machine: Interpreter, value: Value) -> Iterator[Value]:
+    """Of a class, the class itself; of an object, its methods: where nothing else calls them."""
+    if isinstance(value, Class):
+        if value.place not in machine.instantiated:
+            yield value
+    elif isinstance(value, Ref):
+        cls = machine.obj(value).cls
+        if isinstance(cls, Class) and not machine.log.is_node(value.address):
+            for name, method in own_methods(machine, cls, value):
+                if not _called(machine, name, method):
+                    yield method
+
+
+def _called(machine: Interpreter, name: str, method: Value) -> bool:
+    """Whether a method was run. One that a decorator replaced is another function, which may stand for many."""
+    function = method.function if isinstance(method, BoundMethod) else method
+    return isinstance(function, Function) and function.code.name == name and id(function.code) in machine.entered
