@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Entities in code that no process reaches: left out of the result, and told (RW205).
+"""Entities in code that no process reaches: left out of the result, and told (RW205; RW204 where a library may reach it all the same).
 
 class N(Node):
     def later(self):                              # nothing calls it
         self.create_publisher(String, 'late', 10)
 if MODE == 'laser': …                             # MODE is known to be 'camera'
+class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, but rqt may: RW204
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from rosward.domain.values import External, Unknown
 from rosward.engine.attributes import CREATING
+from rosward.engine.escape import name_of
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Code, Module
@@ -35,13 +38,14 @@ _LIBRARY: Final = {
 """What creates entities when it is called, and the library that it is known by."""
 
 
-def unreached(runs: Iterable[Run], modules: Iterable[Module]) -> list[Finding]:
-    """One note for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
+def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
+    """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
     entered: set[int] = set()
     reached: set[int] = set()
     for run in runs:
         entered |= run.entered
         reached |= run.reached
+    bases = _unknown_bases(runs)
     found: dict[Finding, None] = {}
     for module in modules:
         libraries = {name.partition(".")[0] for name in module.imports}
@@ -49,6 +53,11 @@ def unreached(runs: Iterable[Run], modules: Iterable[Module]) -> list[Finding]:
         for code in _functions(module.code):
             dead = id(code) not in entered
             for name, op in _creations(code.ops, names):
+                base = bases.get((code.file, code.qualname.rpartition(".")[0]))
+                if dead and base is not None:
+                    what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
+                    found[Finding("RW204", what, Place(code.file, op.line, op.column))] = None
+                    continue
                 if dead:
                     what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
                 elif name in CREATING and id(op) not in reached:
@@ -57,6 +66,17 @@ def unreached(runs: Iterable[Run], modules: Iterable[Module]) -> list[Finding]:
                     continue
                 found[Finding("RW205", what, Place(code.file, op.line, op.column))] = None
     return list(found)
+
+
+def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:
+    """The first base that is not among the sources, by file and qualified name of the class."""
+    found: dict[tuple[str, str], str] = {}
+    for run in runs:
+        for cls in run.log.classes:
+            base = next((b for b in cls.mro if b.__class__ in (External, Unknown)), None)
+            if base is not None:
+                found[cls.place.file, cls.qualname] = name_of(base)
+    return found
 
 
 def _functions(code: Code) -> Iterator[Code]:
