@@ -260,8 +260,10 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if not outside:
         return
-    for _, method in own_methods(machine, cls, ref):
-        machine.schedule_book.add(machine, method, None, BY_BASE)
+    machine.handed.setdefault(ref, machine.place)
+    for name, method in own_methods(machine, cls, ref):
+        if not name.startswith("__"):
+            machine.schedule_book.add(machine, method, None, BY_BASE)
 
 
 def type_of(machine: Interpreter, value: Value) -> Value | None:

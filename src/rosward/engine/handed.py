@@ -20,6 +20,9 @@ from rosward.engine.escape import BY_LIBRARY
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
+_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__class_getitem__", "__set_name__"})
+"""What Python calls when it makes a class or an object, not later."""
+
 _ROUNDS: Final = 10
 """How often a library may be handed something by what it called itself."""
 
@@ -38,11 +41,11 @@ def follow(machine: Interpreter) -> None:
 
 
 def own_methods(machine: Interpreter, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:
-    """The methods that sources, not models, define for an object, `__special__` ones left out: name and bound method."""
+    """The methods that sources, not models, define for an object and that others may call on it: name and bound method."""
     for base in cls.mro:
         if base.__class__ is Class and not base.stub:
             for name, value in machine.at(base.address).attrs.items():
-                if name.startswith("__"):
+                if name in _MAKING:
                     continue
                 if value.__class__ is Function:
                     yield name, BoundMethod(ref, value)
