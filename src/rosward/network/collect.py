@@ -137,6 +137,7 @@ def _node(
         entities=tuple(entities),
         parameters=tuple(_parameters(log, effect.address)),
         reasons=identity.reasons,
+        conditional=not certain,
     )
 
 
@@ -376,7 +377,10 @@ def _merged(nodes: list[Node]) -> list[Node]:
             result[key] = node
         else:
             merged = replace(
-                known, entities=(*known.entities, *node.entities), parameters=_union(known.parameters, node.parameters)
+                known,
+                entities=(*known.entities, *node.entities),
+                parameters=_union(known.parameters, node.parameters),
+                conditional=known.conditional and node.conditional,
             )
             result[key] = merged
     return list(result.values())

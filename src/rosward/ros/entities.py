@@ -91,6 +91,7 @@ class Node:
     """One node of one process with everything that it has. `entities` is sorted by kind, name and type.
 
     `enclave` is where it runs; `given_enclave` is the one that its launch file, arguments or environment name, None where they name none.
+    `conditional`: some execution does not have it.
     """
 
     namespace: str
@@ -106,6 +107,7 @@ class Node:
     parameters: tuple[Parameter, ...] = ()
     reasons: tuple[str, ...] = field(default=())
     given_enclave: str | None = None
+    conditional: bool = False
 
     @property
     def fqn(self) -> str:

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward audit`: does the source explain what runs, and does all run that it says?"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
+from rosward.cli.shared import (
+    COMPLETE,
+    DISTROS,
+    INCOMPLETE,
+    WrongUseError,
+    add_deployment,
+    add_format,
+    add_sources,
+    extracted,
+    refusing,
+    request_of,
+)
+from rosward.cli.snapshot import add_looks
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+    from rosward.findings import Finding
+    from rosward.review.judge import Judged, Sources
+    from rosward.ros.entities import Node
+    from rosward.running.accepted import Accepted
+    from rosward.running.graph import LiveGraph
+    from rosward.running.result import Audit
+
+_DISTRO: Final = "jazzy"
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "audit",
+        help="compare the running robot with the sources",
+        description="Says which running nodes and entities the sources do not explain, and which of theirs do not run. "
+        "What runs is said by a snapshot, by texts of `ros2 node info`, or else by the graph itself, where rclpy is there.",
+        epilog="Exit status: 0 all that runs is explained, and all that is expected runs; 1 there are differences; 2 wrong use or nothing to read.",
+    )
+    parser.set_defaults(run=refusing(_run))
+    running = parser.add_argument_group("what runs (default: the graph is looked at)")
+    which = running.add_mutually_exclusive_group()
+    which.add_argument("--snapshot", metavar="FILE", help="what `rosward snapshot` wrote")
+    which.add_argument(
+        "--node-info",
+        action="append",
+        metavar="FILE",
+        help="what `ros2 node info` printed, of one or several nodes; - for the standard input; may be repeated",
+    )
+    add_looks(running)
+    running.add_argument(
+        "--allow",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="this node is known, or 'NODE NAME' for one name of a node; * is any text; may be repeated",
+    )
+    running.add_argument("--accept", metavar="FILE", help="a file with one such line for each")
+    add_sources(parser)
+    parser.set_defaults(distro=None)
+    parser.add_argument("--network", metavar="FILE", help="a network.json of an earlier `extract`, instead of sources")
+    add_deployment(parser)
+    add_format(parser, "text", "json", "sarif", "junit", "github")
+    add_output_file(parser)
+    add_review(parser)
+
+
+class _Said(NamedTuple):
+    """What the source says: its nodes, what is in doubt, and where its texts are."""
+
+    nodes: tuple[Node, ...]
+    findings: tuple[Finding, ...]
+    sources: Sources
+
+
+def _run(options: argparse.Namespace) -> int:
+    from rosward.running.compare import audit
+    from rosward.running.graph import UnreadableError
+
+    try:
+        accepted = _accepted(options)
+        graph = _graph(options)
+        if options.distro is None:
+            options.distro = graph.distro if graph.distro in DISTROS else _DISTRO
+        said = _earlier(options) if options.network is not None else _extracted(options)
+        found = audit(said.nodes, said.findings, graph, accepted)
+    except UnreadableError as error:
+        raise WrongUseError(str(error)) from error
+    return _tell(found, said, options)
+
+
+def _accepted(options: argparse.Namespace) -> Accepted:
+    from rosward.running.accepted import Accepted, read_accepted
+
+    lines = read_accepted(options.accept) if options.accept is not None else []
+    return Accepted([*lines, *options.allow])
+
+
+def _graph(options: argparse.Namespace) -> LiveGraph:
+    from rosward.running.document import read_snapshot, snapshot_of
+    from rosward.running.node_info import read_node_info
+
+    if options.snapshot is not None:
+        return read_snapshot(options.snapshot)
+    if options.node_info:
+        return read_node_info({file: _text(file) for file in options.node_info})
+    from rosward.running.snapshot import take
+
+    try:
+        return snapshot_of(take(options.seconds, options.domain_id, options.enclave))
+    except RuntimeError as error:
+        raise WrongUseError(f"the graph cannot be looked at: {error}; name a --snapshot or --node-info") from error
+
+
+def _text(file: str) -> str:
+    from rosward.findings import Finding
+    from rosward.running.node_info import LONGEST_TEXT
+    from rosward.source.text import read_bytes
+
+    if file == "-":
+        return sys.stdin.read(LONGEST_TEXT + 1)
+    data = read_bytes(file, file, LONGEST_TEXT)
+    if isinstance(data, Finding):
+        raise WrongUseError(f"--node-info: {file}: {data.message}")
+    return data.decode("utf-8", "replace")
+
+
+def _earlier(options: argparse.Namespace) -> _Said:
+    from rosward.review.judge import Sources
+    from rosward.running.network_document import read_network
+
+    request = request_of(options)
+    if options.paths or request.deploys or request.params:
+        raise WrongUseError("--network takes the place of sources: name no PATH, and nothing that is started")
+    read = read_network(options.network)
+    return _Said(read.nodes, read.findings, Sources(Path.cwd(), ()))
+
+
+def _extracted(options: argparse.Namespace) -> _Said:
+    from rosward.review.judge import Sources
+
+    result = extracted(options, options.paths, request_of(options))
+    return _Said(result.network.nodes, result.findings, Sources(result.root, result.files))
+
+
+def _tell(found: Audit, said: _Said, options: argparse.Namespace) -> int:
+    """Findings at places of the source and of the snapshot are reviewed apart: they are relative to different folders."""
+    from rosward.review.judge import Sources
+
+    differences = {d.finding: None for d in found.differences}
+    in_code = [f for f in differences if f.place.file != found.source]
+    in_snapshot = [*(f for f in differences if f.place.file == found.source), *found.findings]
+    code = reviewed(in_code, said.sources, options, unused=False)
+    paper = reviewed(in_snapshot, Sources(Path.cwd(), ()), options, unused=False)
+    shown = (*code.shown, *paper.shown)
+    if options.write_baseline is not None:
+        write_baseline(shown, options.write_baseline)
+    left = {j.finding for j in shown}
+    known = {j.finding for j in shown if j.known}
+    found = replace(
+        found,
+        differences=tuple(d for d in found.differences if d.finding in left),
+        findings=tuple(f for f in found.findings if f in left and f not in known),
+    )
+    deliver(_output(found, known, shown, said, options), options.output)
+    return COMPLETE if left <= known else INCOMPLETE
+
+
+def _output(
+    found: Audit, known: set[Finding], shown: tuple[Judged, ...], said: _Said, options: argparse.Namespace
+) -> str:
+    from rosward.outputs.audit_json import audit_json
+    from rosward.outputs.audit_text import audit_text
+    from rosward.outputs.github import github_commands
+    from rosward.outputs.junit import junit_xml
+    from rosward.outputs.sarif import sarif_json
+
+    match options.format:
+        case "json":
+            return audit_json(found, known, said.findings)
+        case "sarif":
+            return sarif_json(shown, baseline=options.baseline is not None, documentation=documentation())
+        case "junit":
+            return junit_xml(shown)
+        case "github":
+            return github_commands(shown)
+        case _:
+            return audit_text(found, known, said.findings)

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward snapshot -o FILE`: what is in the graph of the running robot, as a document for `rosward audit`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from rosward.cli.shared import COMPLETE, WrongUseError, told
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "snapshot",
+        help="write what is in the graph of the running robot",
+        description="Looks at the graph of the running ROS 2 system for some seconds and writes a document for `rosward audit`. Needs rclpy.",
+        epilog="Exit status: 0 written; 2 wrong use, or rclpy is not there.",
+    )
+    parser.set_defaults(run=told(_run))
+    parser.add_argument("-o", "--output", metavar="FILE", help="where to write; - for the standard output")
+    add_looks(parser)
+    parser.add_argument(
+        "--print-script",
+        action="store_true",
+        help="print this command as one Python file, for a robot without rosward: python3 FILE -o robot.json",
+    )
+
+
+def add_looks(parser: argparse._ActionsContainer) -> None:
+    """How the graph is looked at."""
+    parser.add_argument("--seconds", type=float, default=5.0, metavar="N", help="how long to look (default: 5)")
+    parser.add_argument("--domain-id", type=int, metavar="N", help="instead of ROS_DOMAIN_ID")
+    parser.add_argument("--enclave", metavar="PATH", help="the enclave to look from, where the graph is secured")
+
+
+def _run(options: argparse.Namespace) -> int:
+    if options.print_script:
+        sys.stdout.write(files("rosward.running").joinpath("snapshot.py").read_text(encoding="utf-8"))
+        return COMPLETE
+    if options.output is None:
+        raise WrongUseError("say where to write the snapshot: -o FILE")
+    from rosward.running.snapshot import run
+
+    return run(options.output, options.seconds, options.domain_id, options.enclave)

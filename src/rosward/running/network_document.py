@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which nodes does an earlier `network.json` say that there are?
+
+    {"schema_version": 1, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
+      ->  the nodes as `rosward.extract` gave them, and the findings
+
+As strict as the reader of snapshots. Why a name is not known is not in the file, only where; and a node is one
+of some runs only where all that it has itself is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final, NamedTuple
+
+from rosward.findings import RULES, Finding
+from rosward.ros.entities import Entity, Node, Resolution
+from rosward.running.document import Fields, json_document
+from rosward.running.graph import LISTS, UnreadableError
+from rosward.source.location import Place
+
+__all__ = ["NetworkRead", "read_network"]
+
+_MOST: Final = 200_000
+_RESOLUTIONS: Final = {r.value: r for r in Resolution}
+
+
+class NetworkRead(NamedTuple):
+    """What is in a file. `distro` is that of the extraction."""
+
+    distro: str
+    nodes: tuple[Node, ...]
+    findings: tuple[Finding, ...]
+
+
+def read_network(path: str) -> NetworkRead:
+    """What a file says. Raises UnreadableError."""
+    document = json_document(path)
+    try:
+        top = Fields(document, "the document")
+        top.version()
+        return NetworkRead(
+            distro=top.text("distro"),
+            nodes=tuple(_node(fields) for fields in top.objects("nodes", _MOST)),
+            findings=tuple(f for fields in top.objects("diagnostics", _MOST) for f in _findings(fields)),
+        )
+    except UnreadableError as error:
+        raise UnreadableError(f"{path}: no network.json of rosward: {error}") from error
+
+
+def _node(fields: Fields) -> Node:
+    defined = fields.inner("defined_at")
+    entities = tuple(_entities(fields))
+    own = [e for e in entities if not e.system]
+    launched = fields.inner("launched_by") if "launched_by" in fields else None
+    return Node(
+        namespace=fields.text("namespace"),
+        name=fields.text("name"),
+        resolution=_resolution(fields),
+        enclave=fields.text("enclave"),
+        package=fields.text_or_none("package"),
+        executable=fields.text_or_none("executable"),
+        process=fields.text("process"),
+        launched_by=None if launched is None else _place(launched),
+        defined_at=_place(defined),
+        entities=entities,
+        conditional=bool(own) and all(e.conditional for e in own),  # a node of which the file does not say it itself
+    )
+
+
+def _entities(fields: Fields) -> Iterator[Entity]:
+    for key, kind in LISTS.items():
+        for entity in fields.objects(key, _MOST):
+            yield Entity(
+                kind=kind,
+                name=entity.text("name"),
+                type=entity.text_or_none("type"),
+                system=entity.flag("system", False),
+                resolution=_resolution(entity),
+                conditional=entity.flag("conditional", False),
+                qos=entity.inner("qos").qos() if "qos" in entity else None,
+                depends_on=tuple(entity.texts("depends_on", _MOST)),
+                created_at=tuple(_place(place) for place in entity.objects("created_at", _MOST)),
+            )
+
+
+def _findings(fields: Fields) -> tuple[Finding, ...]:
+    """The finding; none where a later version has a code that this one does not."""
+    code = fields.text("code")
+    place = Place(fields.text("file"), fields.number("line"), fields.number("column"))
+    return (Finding(code, fields.long_text("message"), place),) if code in RULES else ()
+
+
+def _place(fields: Fields) -> Place:
+    return Place(fields.text("file"), fields.number("line"))
+
+
+def _resolution(fields: Fields) -> Resolution:
+    found = _RESOLUTIONS.get(fields.text("resolution"))
+    if found is None:
+        raise UnreadableError(f"{fields.where}.resolution is none that there is")
+    return found
