@@ -8,7 +8,8 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from rosward.network.connect import connect
-from rosward.outputs.permissions import permissions, permissions_xml, size_findings
+from rosward.outputs.permissions import permissions, permissions_xml
+from rosward.reduction.size import size_findings
 from rosward.ros.entities import Entity, EntityKind, Resolution
 
 from .networks import entity, node, pub, sub, system_entities, talker_and_listener
@@ -119,7 +120,7 @@ def test_each_enclave_has_its_own() -> None:
 
 
 def test_what_the_handshake_cannot_carry() -> None:
-    """Forty nodes of the usual kind fill one enclave beyond 64 KB, ten do not."""
+    """Sixty nodes of the usual kind fill one enclave beyond what is safe, ten do not."""
 
     def crowd(number: int) -> list[str]:
         nodes = [
@@ -135,7 +136,7 @@ def test_what_the_handshake_cannot_carry() -> None:
             )
             for n in range(number)
         ]
-        return [finding.code for finding in size_findings(connect("jazzy", nodes))]
+        return [finding.code for finding in size_findings(connect("jazzy", nodes).nodes)]
 
     assert crowd(10) == []
     assert crowd(60) == ["RW304"]

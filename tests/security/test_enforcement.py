@@ -12,15 +12,20 @@ import fnmatch
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 import pytest
-from outputs.networks import node, pub, sub
+from outputs.networks import fleet, node, pub, sub
 
 from rosward import Network, Resolution
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import connect
 from rosward.outputs.grants import Enclave, enclaves
-from rosward.outputs.permissions import permissions, permissions_xml, size_findings
+from rosward.outputs.permissions import permissions, permissions_xml
+from rosward.policies.rights import Direction
+from rosward.reduction.compact import compact
+from rosward.reduction.privileges import Privilege, on_dds
+from rosward.reduction.size import LARGEST, size_findings
 
 from .cyclone import Cyclone, DdsError
 from .endpoints import Endpoint, endpoints_of, turned
@@ -28,6 +33,7 @@ from .keystore import Keystore
 from .systems import NAMES
 
 STRING = "std_msgs::msg::dds_::String_"
+_WAY = {Direction.PUBLISH: "write", Direction.SUBSCRIBE: "read"}
 FILLINGS = ("1", "", "x/y", "_")
 
 
@@ -140,6 +146,35 @@ def test_the_size_of_signed_permissions_is_estimated_from_above(keystore: Keysto
     for nodes in range(60, 80):
         network = connect("jazzy", [node(f"/n{i}", pub("/out"), enclave="/all") for i in range(nodes)])
         signed = keystore.enclave("/all", permissions_xml(network, "/all", keystore.domain)) / "permissions.p7s"
-        sizes[signed.stat().st_size] = bool(size_findings(network))
-    assert {told for size, told in sizes.items() if size > 64 * 1024} == {True}
-    assert {told for size, told in sizes.items() if size < 63 * 1024} == {False}
+        sizes[signed.stat().st_size] = bool(size_findings(network.nodes))
+    assert {told for size, told in sizes.items() if size > LARGEST} == {True}
+    assert {told for size, told in sizes.items() if size < LARGEST - 1024} == {False}
+
+
+@pytest.mark.parametrize("largest", [7_000, 4_300, 4_000])
+def test_patterns_in_place_of_names_allow_what_is_needed_and_what_is_told(
+    largest: int, dds: Cyclone, keystore: Keystore, tally: Counter[str]
+) -> None:
+    """`--compact`: a robot of a fleet in one enclave, the other robot's nodes in theirs; the fewer bytes, the wider the patterns."""
+    nodes = [replace(n, enclave="/robot1") if n.fqn.startswith("/robot1/") else n for n in fleet(robots=2).nodes]
+    network = connect("jazzy", nodes)
+    widened = compact(network.nodes, largest=largest).widened["/robot1"]
+    (enclave,) = (e for e in enclaves(network) if e.path == "/robot1")
+    tried = everything([network])
+    more = {Privilege(each.kind, name) for each in widened for name in each.more}
+    told = [(_WAY[r.direction], re.compile(fnmatch.translate(r.name))) for each in more for r in on_dds(each)]
+    patterns = [
+        (_WAY[r.direction], re.compile(fnmatch.translate(r.name)))
+        for w in widened
+        for r in on_dds(Privilege(w.kind, w.name))
+    ]
+    document = permissions(network, keystore.domain, widened={"/robot1": widened})["/robot1"]
+    with dds.participant(keystore.domain, keystore.enclave("/robot1", document)) as participant:
+        allowed = {endpoint for endpoint in tried if participant.may(endpoint)}
+    needed = rightful(enclave, tried)
+    assert needed <= allowed
+    assert {e for e in tried if any(way == e.way and p.fullmatch(e.topic) for way, p in patterns)} <= allowed
+    assert all(any(way == e.way and p.fullmatch(e.topic) for way, p in told) for e in allowed - needed)
+    tally["policies enforced"] += 1
+    tally["endpoints allowed by patterns"] += len(allowed)
+    tally["of these not needed, and told"] += len(allowed - needed)

@@ -2,18 +2,20 @@
 """In which enclave does each process run?
 
     process demo/pair with the nodes /a and /b        per node: /a, /b    per process: /pair    as launched: /
+    the same, and the user assigned /b to /joint      /joint for both
 
 A context, and so a process, has one enclave (rcl, init.c). What its start names counts, whatever is asked for: ROS_SECURITY_ENCLAVE_OVERRIDE,
-or the last --enclave among its arguments.
+or the last --enclave among its arguments. What the user assigns comes before all, and is told where it means that a start has to be changed.
 """
 
 from __future__ import annotations
 
 import enum
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 
 from rosward.findings import Finding
+from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
 
@@ -31,16 +33,23 @@ class EnclaveMode(enum.Enum):
     """As rcl does it: `/`."""
 
 
-def with_enclaves(nodes: Iterable[Node], mode: EnclaveMode) -> tuple[list[Node], list[Finding]]:
-    """The nodes with their enclaves, and what conflicts (RW308)."""
+def with_enclaves(
+    nodes: Iterable[Node], mode: EnclaveMode, assigned: Assignment = NOTHING_ASSIGNED
+) -> tuple[list[Node], list[Finding]]:
+    """The nodes with their enclaves, and what conflicts (RW308) or is assigned in vain (RW341)."""
     processes: dict[str, list[Node]] = {}
     for node in nodes:
         processes.setdefault(node.process, []).append(node)
-    taken = _spoken_for(processes.values())
+    taken = _spoken_for(processes.values()) | assigned.paths
     placed: list[Node] = []
-    findings: list[Finding] = []
+    findings: list[Finding] = assigned.unused(processes)
     for members in processes.values():
         given = sorted({n.given_enclave for n in members if n.given_enclave is not None})
+        chosen = assigned.of(members)
+        if chosen:
+            findings += _differ(members, given, chosen)
+            placed += [replace(n, enclave=chosen[0]) for n in members]
+            continue
         findings += _conflicts(members, given, mode)
         if given and mode is not EnclaveMode.NODE:
             placed += [replace(n, enclave=given[-1]) for n in members]
@@ -60,6 +69,16 @@ def _spoken_for(processes: Collection[list[Node]]) -> set[str]:
     named = {n.given_enclave for members in processes for n in members if n.given_enclave is not None}
     alone = [members[0].fqn for members in processes if len({n.fqn for n in members}) == 1]
     return {*named, *alone}
+
+
+def _differ(members: list[Node], given: list[str], chosen: tuple[str, ...]) -> Iterator[Finding]:
+    place = members[0].launched_by or members[0].defined_at
+    process = members[0].process
+    if len(chosen) > 1:
+        yield Finding("RW308", f"process {process} is assigned to several enclaves: {', '.join(chosen)}", place)
+    if given and given[-1] != chosen[0]:
+        message = f"process {process} is assigned to {chosen[0]}, but its start names {given[-1]}: change that"
+        yield Finding("RW308", message, place)
 
 
 def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list[Finding]:

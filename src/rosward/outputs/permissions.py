@@ -16,21 +16,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
-from rosward.findings import Finding
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.outputs.grants import Enclave, Profile, enclave_named, enclaves
+from rosward.outputs.grants import NOT_WIDENED, Enclave, Profile, enclave_named, enclaves
 from rosward.outputs.safe import xml_attribute, xml_text
+from rosward.reduction.widened import Widenings
 from rosward.ros.entities import EntityKind
 
-__all__ = ["NOT_AFTER", "NOT_BEFORE", "permissions", "permissions_xml", "size_findings"]
+__all__ = ["NOT_AFTER", "NOT_BEFORE", "permissions", "permissions_xml"]
 
 NOT_BEFORE: Final = "2020-01-01T00:00:00"
 NOT_AFTER: Final = "2049-12-31T23:59:59"
 """Wide and fixed, so that the same sources give the same bytes; the certificate sets the narrower limit."""
 
-_LARGEST: Final = 64 * 1024
-_SIGNATURE: Final = 2048  # the S/MIME envelope around the text: headers, and the signer's certificate in base64
 _SCHEMA: Final = "http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_permissions.xsd"
 _ACTION_SERVICES: Final = ("cancel_goal", "get_result", "send_goal")
 _ACTION_TOPICS: Final = ("feedback", "status")
@@ -45,9 +43,10 @@ def permissions_xml(
     not_after: str = NOT_AFTER,
     ros_discovery_info: bool = True,
     unknown: UnknownNames = "deny",
+    widened: Widenings = NOT_WIDENED,
 ) -> str:
     """The permissions of one enclave of the network; ValueError if there is none such. Dates are `xs:dateTime`."""
-    chosen = enclave_named(network, enclave, unknown)
+    chosen = enclave_named(network, enclave, unknown, widened)
     return _document(chosen, _Terms(domain_id, not_before, not_after, ros_discovery_info))
 
 
@@ -59,28 +58,11 @@ def permissions(
     not_after: str = NOT_AFTER,
     ros_discovery_info: bool = True,
     unknown: UnknownNames = "deny",
+    widened: Widenings = NOT_WIDENED,
 ) -> dict[str, str]:
     """The permissions of every enclave, by its path."""
     terms = _Terms(domain_id, not_before, not_after, ros_discovery_info)
-    return {enclave.path: _document(enclave, terms) for enclave in enclaves(network, unknown)}
-
-
-def size_findings(network: Network, unknown: UnknownNames = "deny") -> list[Finding]:
-    """RW304 for each enclave whose permissions, signed, would be larger than the DDS handshake can carry."""
-    findings = []
-    for enclave in enclaves(network, unknown):
-        size = _signed_size(_document(enclave, _Terms()))
-        if size > _LARGEST:
-            message = (
-                f"the signed permissions of enclave {enclave.path} come to about {size // 1024} KB, 64 KB are possible"
-            )
-            findings.append(Finding("RW304", message, enclave.profiles[0].nodes[0].defined_at))
-    return findings
-
-
-def _signed_size(document: str) -> int:
-    """At most so many bytes: S/MIME ends each line by a carriage return too."""
-    return len(document.encode()) + document.count("\n") + _SIGNATURE
+    return {enclave.path: _document(enclave, terms) for enclave in enclaves(network, unknown, widened)}
 
 
 class _Terms(NamedTuple):

@@ -11,7 +11,7 @@ A rule with a pattern is told where it also allows names that nobody uses.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple, final
+from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
 from rosward.network.graph import Network
@@ -22,15 +22,30 @@ from rosward.policies.records import EnclavePolicy, Policy, PolicyRule
 from rosward.policies.rights import DISCOVERY, Direction, Right
 from rosward.source.location import Place
 
-__all__ = ["Discrepancy", "compare"]
+__all__ = ["Discrepancy", "Related", "compare"]
+
+_MOST_PLACES: Final = 5
+
+
+class Related(NamedTuple):
+    """Another place that has to do with a discrepancy, in the policy or in the sources."""
+
+    message: str
+    place: Place
+    in_policy: bool
 
 
 class Discrepancy(NamedTuple):
-    """One difference in one enclave; `right` is what lacks or is too much, '' where the enclave itself is."""
+    """One difference in one enclave; `right` is what lacks or is too much, '' where the enclave itself is.
+
+    `in_policy`: the finding stands in the policy, else in the sources.
+    """
 
     enclave: str
     right: str
     finding: Finding
+    in_policy: bool = False
+    related: tuple[Related, ...] = ()
 
 
 def compare(network: Network, policy: Policy) -> tuple[Discrepancy, ...]:
@@ -38,6 +53,7 @@ def compare(network: Network, policy: Policy) -> tuple[Discrepancy, ...]:
     by_path = {enclave.path: enclave for enclave in policy.enclaves}
     found: list[Discrepancy] = []
     needed: dict[str, list[Need]] = {}
+    runs: dict[str, list[Related]] = {}
     for wanted in needs_of(network.nodes):
         chosen = _candidates(wanted, by_path)
         if not chosen:
@@ -45,12 +61,13 @@ def compare(network: Network, policy: Policy) -> tuple[Discrepancy, ...]:
         for enclave in chosen:
             found += _lacking(enclave, wanted)
             needed.setdefault(enclave.path, []).extend(wanted.needs)
+            runs.setdefault(enclave.path, []).extend(_nodes(wanted))
     for enclave in policy.enclaves:
         if enclave.path in needed:
-            found += _superfluous(enclave, needed[enclave.path])
+            found += _superfluous(enclave, needed[enclave.path], runs[enclave.path])
         else:
             message = f"no process of the sources runs in enclave {enclave.path}"
-            found.append(Discrepancy(enclave.path, "", Finding("RW404", message, enclave.place)))
+            found.append(Discrepancy(enclave.path, "", Finding("RW404", message, enclave.place), in_policy=True))
     return tuple(sorted(dict.fromkeys(found), key=_order))
 
 
@@ -82,20 +99,24 @@ def _lacking(enclave: EnclavePolicy, wanted: EnclaveNeeds) -> Iterator[Discrepan
         short = [(right, said) for right, said in judged if said.verdict is not Verdict.ALLOWED]
         if short:
             message = _told(need, short)
-            yield Discrepancy(enclave.path, str(need), Finding("RW401", message, need.places[0]))
+            related = [Related(f"enclave {enclave.path} of the policy", enclave.place, in_policy=True)]
+            related += (Related(f"denied by {r}", r.place, in_policy=True) for r in _denials(short))
+            related += (Related(f"{need}, too", place, in_policy=False) for place in need.places[1:_MOST_PLACES])
+            finding = Finding("RW401", message, need.places[0])
+            yield Discrepancy(enclave.path, str(need), finding, related=tuple(related))
     for right in DISCOVERY:
         if judge(right).verdict is not Verdict.ALLOWED:
             message = f"{right} is not allowed, which every process needs that runs on DDS"
-            yield Discrepancy(enclave.path, str(right), Finding("RW401", message, enclave.place))
+            finding = Finding("RW401", message, enclave.place)
+            yield Discrepancy(enclave.path, str(right), finding, in_policy=True, related=tuple(_nodes(wanted)))
 
 
 def _told(need: Need, short: list[tuple[Right, Judgement]]) -> str:
     refused = any(said.verdict is Verdict.REFUSED for _, said in short)
     open_ = "*" in need.name
     verb = "is not allowed" if refused else "may be lacking: no rule allows all that the name may be"
-    rules = dict.fromkeys(said.rule for _, said in short if said.rule is not None and not said.rule.allow)
     parts = [f"{need} {verb}"]
-    parts += [f"denied by {rule} ({rule.place})" for rule in rules]
+    parts += [f"denied by {rule} ({rule.place})" for rule in _denials(short)]
     if len(short) < len(need.rights):
         parts.append(f"of its rights on DDS lacks {', '.join(str(right) for right, _ in short)}")
     if need.conditional and not open_:
@@ -103,10 +124,23 @@ def _told(need: Need, short: list[tuple[Right, Judgement]]) -> str:
     return f"{'; '.join(parts)} (node {_several(need.nodes)}{_more_places(need.places)})"
 
 
-def _superfluous(enclave: EnclavePolicy, needs: list[Need]) -> Iterator[Discrepancy]:
+def _denials(short: list[tuple[Right, Judgement]]) -> list[PolicyRule]:
+    """The rules that take the rights away."""
+    return list(dict.fromkeys(said.rule for _, said in short if said.rule is not None and not said.rule.allow))
+
+
+def _nodes(wanted: EnclaveNeeds) -> list[Related]:
+    """Where the nodes of an enclave are in the sources."""
+    return [
+        Related(f"node {node.fqn} runs in this enclave", node.defined_at, in_policy=False)
+        for node in wanted.nodes[:_MOST_PLACES]
+    ]
+
+
+def _superfluous(enclave: EnclavePolicy, needs: list[Need], nodes: list[Related]) -> Iterator[Discrepancy]:
     if enclave.default_allow:
         message = "<default>ALLOW</default> allows everything that no rule denies"
-        yield Discrepancy(enclave.path, "default ALLOW", Finding("RW402", message, enclave.place))
+        yield Discrepancy(enclave.path, "default ALLOW", Finding("RW402", message, enclave.place), True, tuple(nodes))
     used = _Used(needs)
     judge = Judge(enclave)
     for rule in enclave.rules:
@@ -114,13 +148,23 @@ def _superfluous(enclave: EnclavePolicy, needs: list[Need]) -> Iterator[Discrepa
             continue
         of = f" in profile {rule.profile}" if rule.profile else ""
         white = " (the white space belongs to the name)" if rule.name != rule.name.strip() or " " in rule.name else ""
+        related = nodes
         if not any(used.may_use(right) for right in rule.rights):
             message = f"{rule}{of} is allowed, and never used{white}"
         elif not all(used.covers(right) for right in rule.rights):
-            message = f"{rule}{of} allows more than is used: {_several(used.through(rule))}"
+            through = used.through(rule)
+            message = f"{rule}{of} allows more than is used: {_several(through)}"
+            related = _of_needs([n for n in needs if str(n) in through]) or nodes
         else:
             continue
-        yield Discrepancy(enclave.path, str(rule), Finding("RW402", message, rule.place))
+        finding = Finding("RW402", message, rule.place)
+        yield Discrepancy(enclave.path, str(rule), finding, in_policy=True, related=tuple(related))
+
+
+def _of_needs(needs: list[Need]) -> list[Related]:
+    """Where the sources use what a rule allows."""
+    places = [(need, place) for need in needs for place in need.places]
+    return [Related(f"{need} is created here", place, in_policy=False) for need, place in places[:_MOST_PLACES]]
 
 
 def _effective(judge: Judge, right: Right) -> bool:
