@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import subprocess
 import xml.etree.ElementTree as ET
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -102,6 +103,18 @@ def test_a_renderer_that_is_missing_or_fails(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr("subprocess.run", too_slow)
     assert "seconds" in texts(graph_svg(network))[0]
+
+
+def test_graphviz_draws_where_graphviz_pure_is_not_there(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    dot = tmp_path / "dot"
+    dot.write_text("#!/bin/sh\ncat >/dev/null\necho '<?xml version=\"1.0\"?><svg>drawn</svg>'\n", encoding="utf-8")
+    dot.chmod(0o755)
+    monkeypatch.setattr("rosward.outputs.svg._PROGRAM", "no-such-program")
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    assert graph_svg(talker_and_listener()) == "<svg>drawn</svg>\n"
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    assert "not installed" in texts(graph_svg(talker_and_listener()))[0], "a program of the folder that is analysed"
 
 
 ANY = st.text(alphabet=st.characters(), max_size=10) | st.sampled_from(

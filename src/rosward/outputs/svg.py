@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The graph as a picture, drawn by `graphviz-pure`: a Graphviz in one program, with its own fonts, the same on every
-machine.
+machine. Where it is not installed (rosdep has no key for it) the `dot` of the system draws, with the fonts that are there.
 
 A graph beyond any eye (see `_MOST_EDGES`), or a renderer that is missing or fails, gives a picture that says so in
 words, with the numbers and where to look instead. The limit is a size and not a time, so that the same sources give the
@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 import sysconfig
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Final
 
@@ -25,7 +26,8 @@ from rosward.outputs.safe import xml_text
 __all__ = ["graph_svg"]
 
 _PROGRAM: Final = "graphviz-pure"
-_NAMES: Final = (f"{_PROGRAM}.exe", _PROGRAM) if os.name == "nt" else (_PROGRAM,)
+_INSTEAD: Final = "dot"
+_ENDINGS: Final = (".exe", "") if os.name == "nt" else ("",)
 _MOST_EDGES: Final = 3000
 _MOST_VERTICES: Final = 3000
 _SECONDS: Final = 60
@@ -53,15 +55,19 @@ def graph_svg(network: Network, system: bool = False, types: bool = False, *, li
 
 
 def _program() -> str | None:
-    """The program beside the running Python, which is the version that was asked for, or that of the search path.
+    """The program beside the running Python, which is the version that was asked for, or that of the search path; else Graphviz.
 
     Never one of the current folder: that may be the folder that is analysed.
     """
-    folders = [str(Path(sys.executable).parent), sysconfig.get_path("scripts")]
+    beside = (str(Path(sys.executable).parent), sysconfig.get_path("scripts"))
+    return _found(_PROGRAM, beside) or _found(_INSTEAD)
+
+
+def _found(name: str, folders: Iterable[str] = ()) -> str | None:
     here = Path.cwd()
     for folder in (*folders, *os.environ.get("PATH", "").split(os.pathsep)):
-        for name in _NAMES:
-            program = Path(folder) / name
+        for ending in _ENDINGS:
+            program = Path(folder) / f"{name}{ending}"
             if (
                 Path(folder).is_absolute()
                 and Path(folder) != here

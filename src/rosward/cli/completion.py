@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may stand next on the command line? Asked by the shell, through argcomplete, when somebody presses Tab.
+
+    rosward extract --launch deli<Tab>           delivery_bringup:building.launch.xml  delivery_bringup:fleet.launch.py  …
+    rosward explain /por<Tab>                    the names in rosward-out/network.json, and codes of findings
+    rosward extract --format json,ht<Tab>        json,html
+
+argcomplete knows commands, options and choices from the parser by itself; here stands the rest. The sources are listed, not analysed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Final
+
+from rosward.cli.shared import MODES
+from rosward.findings import RULES
+from rosward.source.discover import discover
+from rosward.source.text import read_bytes
+from rosward.source.workspace import SourceFile, Workspace
+
+__all__ = ["complete", "offer"]
+
+_NETWORK: Final = Path("rosward-out", "network.json")
+_NETWORK_LIMIT: Final = 50_000_000
+
+Completer = Callable[..., Iterable[str]]
+
+
+def complete(parser: argparse.ArgumentParser) -> None:
+    """Answer the shell and exit, where argcomplete is installed; return where it is not."""
+    try:
+        from argcomplete import autocomplete
+    except ImportError:
+        return
+    offer(parser)
+    autocomplete(parser, exclude=["-h", "--help"])
+
+
+def offer(parser: argparse.ArgumentParser) -> None:
+    """Say of each option of the parser, and of its commands, what can stand behind it."""
+    from argcomplete.completers import DirectoriesCompleter, FilesCompleter
+
+    by_dest: dict[str, Completer] = {
+        "arg": _nothing,
+        "enclaves": _enclaves,
+        "launch": _launch_files,
+        "node": _executables,
+        "executable": _executables,
+        "name": _names,
+        "params": FilesCompleter(("yaml", "yml")),
+        "POLICY_FILE_PATH": FilesCompleter(("xml",)),
+    }
+    for action in _actions(parser):
+        if action.choices is None and action.dest in by_dest:
+            action.completer = by_dest[action.dest]  # type: ignore[attr-defined]
+        elif action.metavar == "DIR":
+            action.completer = DirectoriesCompleter()  # type: ignore[attr-defined]
+        elif action.dest == "format" and action.metavar == "LIST":
+            action.completer = _formats  # type: ignore[attr-defined]
+
+
+def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:
+    for action in parser._actions:
+        yield action
+        if isinstance(action, argparse._SubParsersAction):
+            for command in action.choices.values():
+                yield from _actions(command)
+
+
+def _nothing(**_: object) -> Sequence[str]:
+    return ()
+
+
+def _enclaves(prefix: str, **_: object) -> list[str]:
+    """How they are chosen, or the file that assigns them."""
+    from argcomplete.completers import FilesCompleter
+
+    return [*MODES, *FilesCompleter(("toml",))(prefix)]
+
+
+def _launch_files(parsed_args: argparse.Namespace, **_: object) -> list[str]:
+    """`PKG:FILE`, with the folder where a package has two of that name."""
+    by_name: dict[tuple[str, str], list[SourceFile]] = {}
+    for file in _sources(parsed_args).launch_files:
+        if file.package is not None:
+            by_name.setdefault((file.package.name, file.path.name), []).append(file)
+    return [
+        f"{package}:{name if len(files) == 1 else file.path.relative_to(file.package.path).as_posix()}"
+        for (package, name), files in sorted(by_name.items())
+        for file in files
+        if file.package is not None
+    ]
+
+
+def _executables(parsed_args: argparse.Namespace, **_: object) -> list[str]:
+    """`PKG/EXE`."""
+    return sorted({f"{each.package.name}/{each.name}" for each in _sources(parsed_args).executables})
+
+
+def _sources(parsed_args: argparse.Namespace) -> Workspace:
+    paths = [Path(path) for path in getattr(parsed_args, "paths", None) or () if os.path.lexists(path)]
+    return discover(paths or [Path()])
+
+
+def _names(**_: object) -> list[str]:
+    """What `explain` can be asked for: what the last result has in it, and codes of findings."""
+    return sorted({*_names_of_the_last_result(), *RULES})
+
+
+def _names_of_the_last_result() -> Iterator[str]:
+    data = read_bytes(os.fspath(_NETWORK), os.fspath(_NETWORK), _NETWORK_LIMIT)
+    try:
+        network = json.loads(data) if isinstance(data, bytes) else {}
+    except (ValueError, RecursionError):
+        return
+    for part, key in (("nodes", "fqn"), ("topics", "name"), ("services", "name"), ("actions", "name")):
+        members = network.get(part) if isinstance(network, dict) else None
+        for member in members if isinstance(members, list) else ():
+            name = member.get(key) if isinstance(member, dict) else None
+            if isinstance(name, str):
+                yield name
+
+
+def _formats(prefix: str, **_: object) -> list[str]:
+    """The list so far with one more."""
+    from rosward.cli.extract import FORMATS
+
+    before, comma, _last = prefix.rpartition(",")
+    taken = before.split(",")
+    return [f"{before}{comma}{each}" for each in FORMATS if each not in taken]

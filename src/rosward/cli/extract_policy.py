@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does `ros2 security extract_policy` take, and what does it do?
+
+    ros2 security extract_policy policy.xml ~/ws/src --launch bringup:robot.launch.py
+    ->  the policy.xml that `rosward extract` writes, for the distro and with the underlays of the sourced ROS
+
+Unlike `generate_policy`, which adds what it sees to a file that is there, this writes the file anew, since the sources say all of it; a file
+that somebody else wrote is left alone. Nothing of ROS is imported here: the class that sros2 loads stands in `ros2_security.py`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from rosward.cli.configuration import apply, leave_open
+from rosward.cli.extract import add_compact, compacted
+from rosward.cli.reviewing import add_review, reviewed_result, write_baseline
+from rosward.cli.shared import (
+    COMPLETE,
+    DISTROS,
+    INCOMPLETE,
+    WrongUseError,
+    add_deployment,
+    add_enclaves,
+    add_sources,
+    add_unknown,
+    check_paths,
+    extracted,
+    request_of,
+    told,
+)
+from rosward.source.text import read_bytes
+
+if TYPE_CHECKING:
+    from rosward.pipeline import Result
+    from rosward.reduction.widened import Widenings
+    from rosward.review.judge import Reviewed
+
+__all__ = ["add_arguments", "run"]
+
+_OURS: Final = b"<!-- Written by rosward"
+_HEAD: Final = 4_096
+_LIMIT: Final = 100_000_000
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.epilog = "Exit status: 0 complete; 1 written, but incomplete, or no nodes; 2 wrong use or nothing to read."
+    parser.add_argument("POLICY_FILE_PATH", help="path of the policy xml file, which is written anew")
+    add_sources(parser)
+    _as_sourced(parser)
+    add_deployment(parser)
+    add_enclaves(parser)
+    add_unknown(parser)
+    add_compact(parser)
+    add_review(parser)
+    parser.add_argument("--replace", action="store_true", help="also write over a file that rosward did not write")
+    volume = parser.add_mutually_exclusive_group()
+    volume.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
+    volume.add_argument("-v", "--verbose", action="store_true", help="print every doubt")
+    leave_open(parser)
+    if "_ARGCOMPLETE" in os.environ:
+        from rosward.cli.completion import offer
+
+        offer(parser)
+
+
+def _as_sourced(parser: argparse.ArgumentParser) -> None:
+    """The defaults of a shell in which ROS is set up."""
+    parser.add_argument(
+        "--no-ament-prefix-path",
+        dest="ament_prefix_path",
+        action="store_false",
+        help="the folders of AMENT_PREFIX_PATH are no underlays",
+    )
+    parser.set_defaults(ament_prefix_path=True, distro=os.environ.get("ROS_DISTRO") or "jazzy")
+    texts = {
+        "--distro": "what the client library adds by itself (default: that of ROS_DISTRO, else jazzy)",
+        "--ament-prefix-path": "the folders of the environment variable AMENT_PREFIX_PATH are underlays, too (default)",
+    }
+    for action in parser._actions:
+        action.help = next((texts[o] for o in action.option_strings if o in texts), action.help)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Extract and write; returns the exit status."""
+    return told(_run)(options)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from rosward.cli import command_line
+    from rosward.review.judge import Sources
+
+    options.command, options.commands = "extract_policy", command_line().get_default("commands")
+    apply(options)
+    check_paths(options)
+    if options.distro not in DISTROS:
+        raise WrongUseError(f"ROS_DISTRO is {options.distro}, which is not known: choose --distro {'|'.join(DISTROS)}")
+    file = Path(options.POLICY_FILE_PATH)
+    if not options.replace and not _replaceable(file):
+        raise WrongUseError(f"{file} was not written by rosward: compare it by `rosward check`, or give --replace")
+    request = request_of(options)
+    result = extracted(options, options.paths, request, shown=not options.quiet)
+    widened: Widenings = {}
+    if options.compact:
+        result, widened = compacted(result, options)
+    found, _ = reviewed_result(result, Sources(result.root, result.files), options, unused=not request.deploys)
+    if not result.network.nodes:
+        print("rosward: no nodes found, so no policy was written", file=sys.stderr)  # noqa: T201
+        return INCOMPLETE
+    written = [_write(result, file, options, widened)]
+    if options.write_baseline is not None:
+        written.append(write_baseline(found.shown, options.write_baseline))
+    if not options.quiet:
+        _summarise(result, found, written, options)
+    return COMPLETE if found.complete else INCOMPLETE
+
+
+def _replaceable(file: Path) -> bool:
+    """Whether nothing of anybody else is lost with the file."""
+    if not os.path.lexists(file):
+        return True
+    data = read_bytes(file, str(file), _LIMIT)
+    return isinstance(data, bytes) and (not data or _OURS in data[:_HEAD])
+
+
+def _write(result: Result, file: Path, options: argparse.Namespace, widened: Widenings) -> str:
+    from rosward.outputs.policy import policy_xml
+    from rosward.outputs.whole_files import write_text
+
+    policy = policy_xml(result.network, unknown=options.unknown, widened=widened)
+    try:
+        return write_text(str(file.parent), file.name, policy)
+    except OSError as error:
+        raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
+
+
+def _summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
+    from rich.console import Console
+
+    from rosward.outputs.text import summary
+
+    console = Console(soft_wrap=not sys.stdout.isatty())
+    network = replace(result.network, findings=found.new)
+    summary(network, console, options.verbose, written, found, options.configuration, result.excluded)

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the shell offers when somebody presses Tab: the protocol of argcomplete, spoken to a process as bash speaks it."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Final
+
+import pytest
+
+from rosward.cli import main
+
+pytest.importorskip("argcomplete")
+
+EXAMPLES: Final = Path(__file__).parent.parent.parent / "examples"
+
+
+def offered(line: str, folder: Path) -> list[str]:
+    """What stands below the cursor, which is at the end of the line."""
+    answer = folder / "offered.txt"
+    environment = {
+        **os.environ,
+        "_ARGCOMPLETE": "1",
+        "_ARGCOMPLETE_IFS": "\n",
+        "_ARGCOMPLETE_SUPPRESS_SPACE": "1",
+        "_ARGCOMPLETE_STDOUT_FILENAME": str(answer),
+        "COMP_LINE": line,
+        "COMP_POINT": str(len(line.encode())),
+        "COMP_TYPE": "9",
+    }
+    command = [sys.executable, "-c", "import sys; from rosward.cli import main; sys.exit(main())"]
+    done = subprocess.run(command, env=environment, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    assert done.stderr == ""
+    assert done.returncode == 0
+    return answer.read_text(encoding="utf-8").split("\n")
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """An example beside its result."""
+    (tmp_path / "src").symlink_to(EXAMPLES)
+    (tmp_path / "groups.toml").touch()
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("rosward ext", ["extract"]),
+        ("rosward extract --all", ["--all-launch"]),
+        ("rosward extract --distro ", ["humble", "iron", "jazzy", "kilted", "rolling"]),
+        ("rosward extract --launch delivery_bringup:f", ["delivery_bringup:fleet.launch.py"]),
+        ("rosward extract src --launch delivery_bringup:b", ["delivery_bringup:building.launch.xml"]),
+        ("rosward extract --node delivery_base/b", ["delivery_base/base_driver", "delivery_base/battery_monitor"]),
+        ("rosward extract --format json,h", ["json,html"]),
+        ("rosward extract --format json,js", [""]),
+        ("rosward extract --arg ", [""]),
+        ("rosward extract --enclaves ", ["node", "process", "launch", "src/", "groups.toml"]),
+        ("rosward nodl delivery_fleet/m", ["delivery_fleet/monitor"]),
+        ("rosward explain RW40", ["RW401", "RW402", "RW403", "RW404", "RW405"]),
+    ],
+)
+def test_what_is_offered(line: str, expected: list[str], workspace: Path) -> None:
+    assert offered(line, workspace) == expected
+
+
+def test_names_of_the_last_result_are_offered_to_explain(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(workspace)
+    assert main(["extract", "-q", "--format", "json"]) == 0
+    assert offered("rosward explain /building/doors/o", workspace) == ["/building/doors/open"]
+    Path("rosward-out/network.json").write_text('{"nodes": [1, {"fqn": []}], "topics": {}}', encoding="utf-8")
+    assert offered("rosward explain /b", workspace) == [""]
+
+
+def test_two_launch_files_of_one_name_are_told_apart(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>demo</name></package>", encoding="utf-8")
+    for folder in ("launch/sim", "launch/real"):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / "robot.launch.xml").write_text("<launch/>", encoding="utf-8")
+    expected = ["demo:launch/real/robot.launch.xml", "demo:launch/sim/robot.launch.xml"]
+    assert offered("rosward extract --launch demo:", tmp_path) == expected
+
+
+def test_the_shell_may_ask_rosward() -> None:
+    """argcomplete asks programs only that say so near the start of the file."""
+    for module in ("cli/__init__.py", "__main__.py"):
+        file = Path(__file__).parent.parent.parent / "src" / "rosward" / module
+        assert b"PYTHON_ARGCOMPLETE_OK" in file.read_bytes()[:1024]
+
+
+def test_nothing_is_loaded_where_nobody_asks() -> None:
+    code = "import sys; from rosward.cli import main; main(['launch-tree', '/nowhere']); sys.exit('argcomplete' in sys.modules)"
+    environment = {k: v for k, v in os.environ.items() if k != "_ARGCOMPLETE"}
+    subprocess.run([sys.executable, "-c", code], check=True, env=environment, capture_output=True, timeout=60)
