@@ -64,9 +64,9 @@ def test_two_networks_as_text(capsys: pytest.CaptureFixture[str]) -> None:
         "entities lost: 1\n"
         "  - /talker: publisher /chatter (std_msgs/msg/String)\n"
         "rights gained: 1\n"
-        "  + /talker: publisher /status\n"
+        "  + /talker: publisher /status  (talker.py:7)\n"
         "rights lost: 1\n"
-        "  - /talker: publisher /chatter\n"
+        "  - /talker: publisher /chatter  (talker.py:7)\n"
     )
     assert main(["diff", old, new, "--fail-on", "new-rights"]) == 1
     assert main(["diff", old, old, "--fail-on", "new-rights"]) == 0
@@ -77,10 +77,12 @@ def test_two_networks_as_markdown(capsys: pytest.CaptureFixture[str]) -> None:
     main(["diff", old, new, "--format", "markdown"])
     out = capsys.readouterr().out
     assert out.startswith(
-        "## Nodes, entities and rights\n\n**rights gained: 1**\n\n- `/talker: publisher /status`\n\n**entities gained"
+        "**rosward:** 1 new right, 1 right gone, 1 new entity, 1 entity gone.\n\n"
+        "| enclave | new right | where |\n|---|---|---|\n| `/talker` | publisher `/status` | `talker.py:7` |\n\n"
+        "<details><summary>entities gained: 1</summary>\n\n- `/talker: publisher /status (std_msgs/msg/String)`\n\n</details>"
     )
     main(["diff", old, old, "--format", "markdown"])
-    assert capsys.readouterr().out == "## Nodes, entities and rights\n\nNo difference.\n"
+    assert capsys.readouterr().out == "**rosward:** no change of nodes, entities and rights.\n"
 
 
 def test_a_name_that_became_unknown_is_a_new_right(capsys: pytest.CaptureFixture[str]) -> None:

@@ -21,6 +21,7 @@ from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
 from rosward.policies.records import EnclavePolicy, Policy
 from rosward.policies.rights import Right
+from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
 __all__ = ["Change", "Differences", "RightLine", "compare", "read_snapshot"]
@@ -30,11 +31,12 @@ _LARGEST: Final = 32_000_000
 
 
 class RightLine(NamedTuple):
-    """A right of an enclave: the words and the name of the rule that gives it."""
+    """A right of an enclave: the words and the name of the rule that gives it; `place` is that of the rule, or of the code that needs it."""
 
     enclave: str
     words: str
     name: str
+    place: Place
 
     def __str__(self) -> str:
         return f"{self.enclave}: {self.words} {self.name}"
@@ -49,11 +51,17 @@ class Change(Generic[_Line]):
 
 
 class Differences(NamedTuple):
-    """All changes. Of two policies, nodes are profiles, and there are no entities."""
+    """All changes. Of two policies, nodes are profiles, and there are no entities. `notes` say what was not compared."""
 
     nodes: Change[str]
     entities: Change[EntityLine]
     rights: Change[RightLine]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing came and nothing went."""
+        return not any(change.gained or change.lost for change in self[:3])
 
 
 def read_snapshot(path: str) -> Snapshot:
@@ -82,22 +90,25 @@ def compare(old: Snapshot, new: Snapshot) -> Differences:
 def _beyond(policy: Policy, other: Policy) -> tuple[RightLine, ...]:
     """The rights that one gives and the other does not, or not wholly."""
     others = {enclave.path: enclave for enclave in other.enclaves}
-    found = {line for e in policy.enclaves for line in _beyond_enclave(e, others.get(e.path))}
-    return tuple(sorted(found))
+    found: dict[tuple[str, str, str], RightLine] = {}
+    for enclave in policy.enclaves:
+        for line in _beyond_enclave(enclave, others.get(enclave.path)):
+            found.setdefault(line[:3], line)
+    return tuple(sorted(found.values()))
 
 
 def _beyond_enclave(enclave: EnclavePolicy, other: EnclavePolicy | None) -> Iterator[RightLine]:
     if other is None:
         other = EnclavePolicy(enclave.path, enclave.place, adds_discovery=False)
     if enclave.default_allow and not other.default_allow:
-        yield RightLine(enclave.path, "default", "ALLOW")
+        yield RightLine(enclave.path, "default", "ALLOW", enclave.place)
     if _in_short(enclave) == _in_short(other):
         return
     own, judge = Judge(enclave), Judge(_without_shared_denials(other, enclave))
     for rule in enclave.rules:
         given = [r for r in rule.rights if rule.allow and own(r).verdict is not Verdict.REFUSED]
         if any(judge(right).verdict is not Verdict.ALLOWED for right in given):
-            yield RightLine(enclave.path, rule.words, rule.name)
+            yield RightLine(enclave.path, rule.words, rule.name, rule.place)
 
 
 def _in_short(enclave: EnclavePolicy) -> list[tuple[bool, tuple[Right, ...]]]:

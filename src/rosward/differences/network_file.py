@@ -22,7 +22,7 @@ from rosward.ros.entities import EntityKind, Resolution
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
-__all__ = ["read_network"]
+__all__ = ["network_of", "read_network"]
 
 _LARGEST: Final = 32_000_000
 _MOST_PATTERNS: Final = 1_000
@@ -47,7 +47,16 @@ def read_network(path: str) -> Snapshot:
     if isinstance(data, Finding):
         raise UnreadableError(f"{path}: {data.message}")
     try:
-        document = json.loads(data)
+        text = data.decode("utf-8-sig")
+    except ValueError as error:
+        raise UnreadableError(f"{path}: no JSON: {error}") from error
+    return network_of(text, path)
+
+
+def network_of(text: str, path: str) -> Snapshot:
+    """The snapshot of the text of a `network.json`; `path` is what messages call it. Raises UnreadableError."""
+    try:
+        document = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise UnreadableError(f"{path}: no JSON: {error}") from error
     try:
@@ -62,7 +71,7 @@ def _snapshot(document: object, path: str) -> Snapshot:
         raise UnreadableError(f"schema_version is not {_SCHEMA_VERSION}")
     nodes: set[str] = set()
     entities: set[EntityLine] = set()
-    rules: dict[str, dict[PolicyRule, None]] = {}
+    rules: dict[str, dict[tuple[str, str], PolicyRule]] = {}
     for number, value in enumerate(_list(top, "nodes", "the document")):
         where = f"nodes[{number}]"
         node = _object(value, where)
@@ -71,12 +80,12 @@ def _snapshot(document: object, path: str) -> Snapshot:
         granted = rules.setdefault(_text(node, "enclave", where), {})
         for line, rule in _entities(node, fqn, where, path):
             entities.add(line)
-            granted[rule] = None
+            granted.setdefault((rule.words, rule.name), rule)
     for enclave, granted in rules.items():
-        if sum(is_pattern(rule.name) for rule in granted) > _MOST_PATTERNS:
+        if sum(is_pattern(name) for _, name in granted) > _MOST_PATTERNS:
             raise UnreadableError(f"enclave {enclave} has more than {_MOST_PATTERNS:,} names with a wildcard")
     place = Place(path)
-    enclaves = tuple(EnclavePolicy(enclave, place, tuple(rules[enclave])) for enclave in sorted(rules))
+    enclaves = tuple(EnclavePolicy(enclave, place, tuple(rules[enclave].values())) for enclave in sorted(rules))
     return Snapshot("network", frozenset(nodes), frozenset(entities), Policy(enclaves))
 
 
@@ -93,8 +102,18 @@ def _entities(node: dict[str, object], fqn: str, where: str, path: str) -> Itera
             if _text(entity, "resolution", place) not in _RESOLUTIONS:
                 raise UnreadableError(f"{place}.resolution is none that there is")
             right = "/*" if entity["resolution"] == _UNKNOWN and name.endswith("/*") else name
-            rule = PolicyRule(True, kind.value, right, rights_of(kind, right), Place(path))
+            rule = PolicyRule(True, kind.value, right, rights_of(kind, right), _created(entity, path))
             yield EntityLine(fqn, kind.value, name, type_ or ""), rule
+
+
+def _created(entity: dict[str, object], path: str) -> Place:
+    """Where the entity is created first; the file that was read, where it does not say."""
+    places = entity.get("created_at")
+    first = places[0] if isinstance(places, list) and places else None
+    if not isinstance(first, dict):
+        return Place(path)
+    file, line = first.get("file"), first.get("line")
+    return Place(file, line) if isinstance(file, str) and isinstance(line, int) else Place(path)
 
 
 def _object(value: object, where: str) -> dict[str, object]:

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Trees that no honest `git add` makes: whatever a commit holds, nothing is written outside of the new folder."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from rosward.revisions.git import Git, GitError
+from rosward.revisions.tree import write_commit
+
+
+def git(*arguments: str, text: bytes = b"") -> bytes:
+    identity = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+    return subprocess.run(["git", *identity, *arguments], check=True, capture_output=True, input=text).stdout.strip()
+
+
+@pytest.fixture
+def repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Git:
+    (tmp_path / "ws").mkdir()
+    monkeypatch.chdir(tmp_path / "ws")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    git("init", "-q")
+    return Git(str(tmp_path / "ws"))
+
+
+def blob(content: bytes) -> bytes:
+    return git("hash-object", "-w", "--stdin", text=content)
+
+
+def tree(*entries: tuple[bytes, bytes, bytes]) -> bytes:
+    """Mode, object and name of each entry, as they are; git's own check of names is not asked."""
+    raw = b"".join(mode + b" " + name + b"\0" + bytes.fromhex(obj.decode()) for mode, obj, name in entries)
+    return git("hash-object", "-t", "tree", "-w", "--stdin", "--literally", text=raw)
+
+
+def commit(root: bytes) -> str:
+    return git("commit-tree", root.decode(), "-m", "x").decode()
+
+
+@pytest.mark.parametrize("name", [b"..", b".git", b".GIT"])
+def test_a_name_that_leads_elsewhere_is_refused(name: bytes, repository: Git, tmp_path: Path) -> None:
+    inner = tree((b"100644", blob(b"x"), b"spy.py"))
+    with pytest.raises(GitError):
+        write_commit(repository, commit(tree((b"40000", inner, name))), str(tmp_path / "out"))
+    assert not (tmp_path / "spy.py").exists()
+
+
+def test_nothing_is_written_through_a_link(repository: Git, tmp_path: Path) -> None:
+    """A link and a folder of one name; in the folder a file, or another link."""
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    link = blob(str(outside).encode())
+    for mode in (b"100644", b"120000"):
+        inner = tree((mode, blob(b"x"), b"spy.py"))
+        root = tree((b"120000", link, b"a"), (b"40000", inner, b"a"))
+        with pytest.raises(GitError):
+            write_commit(repository, commit(root), str(tmp_path / f"out{mode.decode()}"))
+    assert not list(outside.iterdir())
+
+
+def test_links_that_lead_out_by_a_detour(repository: Git, tmp_path: Path) -> None:
+    (tmp_path / "secret").write_text("secret", encoding="utf-8")
+    root = tree(
+        (b"120000", blob(b"."), b"a"),
+        (b"120000", blob(b"a/../secret"), b"b"),
+        (b"120000", blob(b"loop"), b"loop"),
+    )
+    notes = write_commit(repository, commit(root), str(tmp_path / "out"))
+    assert not (tmp_path / "out" / "b").is_symlink()
+    assert "the symbolic link b leads out of the sources and is not followed" in notes
+
+
+def test_trees_that_stand_for_endless_files_are_refused(repository: Git, tmp_path: Path) -> None:
+    """Ten trees, each with the one before under ten names: ten thousand million files."""
+    root = tree((b"100644", blob(b"x"), b"f.py"))
+    for _ in range(10):
+        root = tree(*((b"40000", root, f"d{n}".encode()) for n in range(10)))
+    with pytest.raises(GitError, match=r"more than|bytes"):
+        write_commit(repository, commit(root), str(tmp_path / "out"))
+
+
+def test_what_is_too_large_keeps_its_size_and_no_content(repository: Git, tmp_path: Path) -> None:
+    root = tree((b"100644", blob(b"a" * 9_000_000), b"big.py"), (b"100644", blob(b"png"), b"x.png"))
+    assert write_commit(repository, commit(root), str(tmp_path / "out")) == ()
+    sizes = {p.name: (p.stat().st_size, p.read_bytes().strip(b"\0")) for p in (tmp_path / "out").iterdir()}
+    assert sizes == {"big.py": (9_000_000, b""), "x.png": (3, b"")}
