@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of an analysis: what a form says, as the server reads it.
+
+/** The settings that the fields of a form show, without what is started. */
+export function settingsOf(form) {
+  const field = (name) => form.elements.namedItem(name);
+  return {
+    distro: field("distro").value,
+    unknown: field("unknown").value,
+    enclaves: field("enclaves").value || null,
+    tests: field("tests").checked,
+  };
+}

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can be asked of the server, address by address.
+
+    GET  /                                the page on which something is chosen
+    POST /api/uploads                     files, or a zip                         -> {"id": …}
+    POST /api/workspaces                  {"path": …, "settings": …, "watch": …}  -> {"id": …}
+    POST /api/examples/talker                                                     -> {"id": …}
+    GET  /api/results, /api/news          all results in short, once or with every change (server-sent events)
+    GET  /results/ID                      the page of a result
+    GET  /results/ID/report               its report, in a sandbox
+    GET  /results/ID/files/policy.xml     one of its files
+    POST /api/results/ID/again            {"settings": …}                         -> {"id": …}
+    POST /api/results/ID/cancel, …/delete, …/watch
+
+What is refused is answered by {"error": "…"} and status 400.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import AsyncIterator, Awaitable, Callable
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from starlette.requests import Request
+from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Response, StreamingResponse
+from starlette.routing import BaseRoute, Route
+
+from rosward.outputs.safe import printable
+from rosward.server.pages import ASSETS, asset
+from rosward.server.places import RefusedError
+from rosward.server.results import Result
+from rosward.server.security import REPORT_POLICY
+from rosward.server.server import Server
+from rosward.server.settings import read_settings
+from rosward.server.shown import in_short
+from rosward.server.uploads import read_upload
+
+__all__ = ["routes"]
+
+_LONGEST_BODY: Final = 256 * 1024
+_TEXT: Final = "text/plain; charset=utf-8"
+
+Answer = Callable[[Request], Awaitable[Response]]
+
+
+def routes(server: Server) -> list[BaseRoute]:
+    """The addresses of a server."""
+    asked = _Asked(server)
+    posts = {
+        "/api/uploads": asked.upload,
+        "/api/workspaces": asked.workspace,
+        "/api/examples/{name}": asked.example,
+        "/api/results/{id}/again": asked.again,
+        "/api/results/{id}/cancel": asked.cancel,
+        "/api/results/{id}/delete": asked.delete,
+        "/api/results/{id}/watch": asked.watch,
+    }
+    gets = {
+        "/": asked.start,
+        "/assets/{name}": asked.asset,
+        "/api/results": asked.results,
+        "/api/news": asked.news,
+        "/results/{id}": asked.result,
+        "/results/{id}/report": asked.report,
+        "/results/{id}/files/{path:path}": asked.file,
+    }
+    return [
+        *(Route(path, _refusing(answer), methods=["POST"]) for path, answer in posts.items()),
+        *(Route(path, answer, methods=["GET"]) for path, answer in gets.items()),
+    ]
+
+
+def _refusing(answer: Answer) -> Answer:
+    """An answer that says why something is refused."""
+
+    async def answered(request: Request) -> Response:
+        try:
+            return await answer(request)
+        except RefusedError as error:
+            return JSONResponse({"error": printable(str(error))}, 400)
+
+    return answered
+
+
+class _Asked(NamedTuple):
+    """What the server does when it is asked."""
+
+    server: Server
+
+    # Pages
+
+    async def start(self, _request: Request) -> Response:
+        server = self.server
+        return HTMLResponse(server.pages.start(tuple(server.examples.values()), names_paths=server.names_paths))
+
+    async def asset(self, request: Request) -> Response:
+        name = request.path_params["name"]
+        return Response(asset(name), media_type=ASSETS[name]) if name in ASSETS else Response(status_code=404)
+
+    async def result(self, request: Request) -> Response:
+        server = self.server
+        result = self._of(request)
+        if result is None:
+            return HTMLResponse(server.pages.missing(), 404)
+        changes = _read(server.results.output(result) / "changes.txt") if result.summary.get("changed") else ""
+        watched = server.watches.watches(result.source)
+        return HTMLResponse(server.pages.result(result, server.example_of(result), changes, watched=watched))
+
+    async def report(self, request: Request) -> Response:
+        result = self._of(request)
+        if result is None or result.state != "done":
+            return Response(status_code=404)
+        page = self.server.results.output(result) / "report.html"
+        return FileResponse(page, media_type="text/html", headers={"Content-Security-Policy": REPORT_POLICY})
+
+    async def file(self, request: Request) -> Response:
+        """One of the files that the analysis wrote; `?show` for a look at it, else to be saved."""
+        result, path = self._of(request), request.path_params["path"]
+        if result is None or path not in _files(result):
+            return Response(status_code=404)
+        folder = self.server.results.output(result)
+        file = (folder / path).resolve()
+        if not file.is_relative_to(folder.resolve()):
+            return Response(status_code=404)
+        headers = {"Content-Security-Policy": "sandbox; default-src 'none'"}
+        if "show" in request.query_params:
+            return FileResponse(file, media_type=_TEXT, headers=headers)
+        name = f"{result.source.title}-rosward.zip" if path == "outputs.zip" else path.rpartition("/")[2]
+        return FileResponse(file, media_type="application/octet-stream", filename=name, headers=headers)
+
+    # News
+
+    async def results(self, _request: Request) -> Response:
+        return JSONResponse(self._all())
+
+    async def news(self, _request: Request) -> Response:
+        server = self.server
+        if server.news.streams >= server.limits.streams:
+            return JSONResponse({"error": "too many pages are open"}, 503)
+
+        async def events() -> AsyncIterator[str]:
+            async for _ in server.news.stream():
+                yield f"data: {json.dumps(self._all())}\n\n"
+
+        return StreamingResponse(events(), media_type="text/event-stream")
+
+    # What is to be done
+
+    async def upload(self, request: Request) -> Response:
+        server = self.server
+        async with server.uploading:
+            key, folder = server.results.new_upload()
+            try:
+                came = await read_upload(request, folder, server.limits)
+            except BaseException:
+                server.results.drop_upload(key)
+                raise
+        return _started(server.open_upload(key, came.title, came.settings, zipped=came.zipped))
+
+    async def workspace(self, request: Request) -> Response:
+        body = await _body(request)
+        path = body.get("path")
+        if not self.server.names_paths:
+            raise RefusedError("this server can be reached from other machines: it opens no folders that a page names")
+        if not isinstance(path, str):
+            raise RefusedError("name a folder or a file")
+        settings = read_settings(body.get("settings", {}))
+        return _started(self.server.open_workspace(path, settings, watch=body.get("watch") is True))
+
+    async def example(self, request: Request) -> Response:
+        example = self.server.examples.get(request.path_params["name"])
+        return Response(status_code=404) if example is None else _started(self.server.open_example(example))
+
+    async def again(self, request: Request) -> Response:
+        body, result = await _body(request), self._wanted(request)
+        return _started(self.server.again(result, read_settings(body.get("settings", {}))))
+
+    async def cancel(self, request: Request) -> Response:
+        await self.server.jobs.cancel(self._wanted(request).id)
+        return JSONResponse({})
+
+    async def delete(self, request: Request) -> Response:
+        await self.server.remove(self._wanted(request))
+        return JSONResponse({})
+
+    async def watch(self, request: Request) -> Response:
+        body, result = await _body(request), self._wanted(request)
+        if result.source.kind != "workspace":
+            raise RefusedError("only a folder of this machine can be watched")
+        if body.get("on") is True:
+            self.server.watches.start(result.source)
+        else:
+            await self.server.watches.stop(result.source)
+        self.server.results.touch()
+        return JSONResponse({})
+
+    def _all(self) -> list[dict[str, object]]:
+        watches = self.server.watches
+        return [in_short(result, watched=watches.watches(result.source)) for result in self.server.results.all()]
+
+    def _of(self, request: Request) -> Result | None:
+        return self.server.results.get(request.path_params["id"])
+
+    def _wanted(self, request: Request) -> Result:
+        result = self._of(request)
+        if result is None:
+            raise RefusedError("this result is not there any more")
+        return result
+
+
+def _started(result: Result) -> Response:
+    return JSONResponse({"id": result.id}, 201)
+
+
+def _files(result: Result) -> frozenset[str]:
+    files = result.summary.get("files")
+    return frozenset([*files, "outputs.zip"]) if isinstance(files, list) else frozenset()
+
+
+def _read(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8")
+    except OSError:
+        return ""
+
+
+async def _body(request: Request) -> dict[str, object]:
+    """The JSON object of a request. Raises RefusedError."""
+    data = bytearray()
+    async for part in request.stream():
+        data += part
+        if len(data) > _LONGEST_BODY:
+            raise RefusedError("too much was sent")
+    try:
+        document = json.loads(data or b"{}")
+    except (ValueError, RecursionError) as error:
+        raise RefusedError("this is no JSON") from error
+    if not isinstance(document, dict):
+        raise RefusedError("this is no JSON object")
+    return document

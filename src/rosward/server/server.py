@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What belongs to one running server: its results, its queue, what it watches, and who may ask it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+from collections.abc import AsyncIterator, Callable
+from pathlib import Path
+from typing import final
+
+from rosward.server.examples import Example, examples, write_example
+from rosward.server.jobs import Jobs, Runner
+from rosward.server.limits import Limits
+from rosward.server.news import News
+from rosward.server.pages import Pages
+from rosward.server.places import RefusedError
+from rosward.server.results import Result, Results, Source
+from rosward.server.settings import Settings
+from rosward.server.watching import Watches
+from rosward.server.workers import run_job
+
+__all__ = ["Server", "workspace_at"]
+
+
+@final
+class Server:
+    """All parts, and what takes several of them. `names_paths`: pages may name workspaces of this machine."""
+
+    def __init__(self, folder: Path, limits: Limits, *, names_paths: bool = True, run: Runner = run_job) -> None:
+        self.limits = limits
+        self.names_paths = names_paths
+        self.news = News()
+        self.results = Results(folder, limits, self.news.tell)
+        self.jobs = Jobs(self.results, limits, run)
+        self.watches = Watches(self.results, self.jobs, limits, folder)
+        self.pages = Pages(limits)
+        self.examples: dict[str, Example] = {example.name: example for example in examples()}
+        self.uploading = asyncio.Semaphore(limits.workers)
+
+    @contextlib.asynccontextmanager
+    async def lifespan(self, begin: Callable[[], None] | None = None) -> AsyncIterator[None]:
+        """While the server runs; behind it, no process and no watch is left."""
+        try:
+            if begin is not None:
+                begin()
+            yield
+        finally:
+            await self.close()
+
+    async def close(self) -> None:
+        """End all that runs."""
+        self.news.close()
+        await self.watches.close()
+        await self.jobs.close()
+
+    def open_workspace(self, path: str, settings: Settings, *, watch: bool) -> Result:
+        """Analyse a workspace of this machine. Raises RefusedError."""
+        source = workspace_at(path)
+        if watch:
+            self.watches.start(source)
+        return self.jobs.submit(source, settings)
+
+    def open_example(self, example: Example) -> Result:
+        """Analyse an example. Raises RefusedError."""
+        known = (r.source for r in self.results.all())
+        title = example.title
+        source = next((s for s in known if s.kind == "example" and s.title == title), None)
+        if source is not None:
+            return self.jobs.submit(source, example.settings)
+        key, folder = self.results.new_upload()
+        write_example(example, folder)
+        return self._submit(Source("example", key, title), example.settings)
+
+    def _submit(self, source: Source, settings: Settings) -> Result:
+        """Analyse what was uploaded; where that is refused, it is removed."""
+        try:
+            return self.jobs.submit(source, settings)
+        except RefusedError:
+            self.results.drop_upload(source.key)
+            raise
+
+    def open_upload(self, key: str, title: str, settings: Settings, *, zipped: bool) -> Result:
+        """Analyse an upload. Raises RefusedError."""
+        return self._submit(Source("upload", key, title, zipped), settings)
+
+    def again(self, result: Result, settings: Settings) -> Result:
+        """Analyse the same sources with other settings. Raises RefusedError."""
+        if result.source.kind == "workspace":
+            workspace_at(result.source.key)
+        return self.jobs.submit(result.source, settings)
+
+    async def remove(self, result: Result) -> None:
+        """Remove a result, and cancel it where it runs."""
+        await self.jobs.cancel(result.id)
+        self.results.delete(result.id)
+
+    def example_of(self, result: Result) -> Example | None:
+        """The example that a result is of."""
+        same = (e for e in self.examples.values() if result.source.kind == "example" and e.title == result.source.title)
+        return next(same, None)
+
+
+def workspace_at(path: str) -> Source:
+    """A workspace by a path that the user wrote. Raises RefusedError."""
+    if not path.strip() or "\0" in path or len(path) > 4_000:
+        raise RefusedError("name a folder or a file")
+    absolute = Path(os.path.abspath(os.path.expanduser(path.strip())))  # noqa: PTH100, PTH111
+    try:
+        there = absolute.is_dir() or absolute.is_file()
+    except OSError:
+        there = False
+    if not there:
+        raise RefusedError(f"there is no folder or file {absolute}")
+    return Source("workspace", str(absolute), absolute.name or str(absolute))

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does the page ask of an analysis?
+
+    {"distro": "humble", "launch": ["bringup/launch/robot.launch.py"], "arguments": {"sim": "true"}}
+      ->  Settings(distro='humble', launch=('bringup/launch/robot.launch.py',), arguments=(('sim', 'true'),))
+
+The same record is sent to the process that analyses, and kept with its result. What is not of this form is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final, NamedTuple
+
+from rosward.network.checks import UnknownNames
+from rosward.server.places import RefusedError
+
+__all__ = ["DISTROS", "ENCLAVES", "Settings", "read_settings"]
+
+DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
+ENCLAVES: Final = ("node", "process", "launch")
+_MOST_LAUNCHES: Final = 50
+_MOST_ARGUMENTS: Final = 200
+_LONGEST: Final = 2_000
+_OUTSIDE: Final = re.compile(r"^/|\\|(^|/)\.\.(/|$)")
+
+
+class Settings(NamedTuple):
+    """The options. `launch` are launch files as they are named in the sources; without one, every executable is started."""
+
+    distro: str = "jazzy"
+    unknown: UnknownNames = "deny"
+    enclaves: str | None = None
+    tests: bool = False
+    launch: tuple[str, ...] = ()
+    all_launch: bool = False
+    arguments: tuple[tuple[str, str], ...] = ()
+
+    def document(self) -> dict[str, object]:
+        """As `read_settings` reads it."""
+        return {
+            **self._asdict(),
+            "launch": list(self.launch),
+            "arguments": dict(self.arguments),
+        }
+
+    def words(self) -> str:
+        """For people: what is not as it is without options."""
+        parts = [self.distro]
+        parts += ["every launch file"] if self.all_launch else list(self.launch)
+        parts += [f"{name}:={value}" for name, value in self.arguments]
+        parts += ["wildcards for unknown names"] if self.unknown == "wildcard" else []
+        parts += [f"an enclave for each {self.enclaves}"] if self.enclaves in {"node", "process"} else []
+        parts += ["enclaves of the launch files"] if self.enclaves == "launch" else []
+        parts += ["with tests"] if self.tests else []
+        return ", ".join(parts)
+
+
+def read_settings(document: object) -> Settings:
+    """The settings that a decoded JSON document holds. Raises RefusedError."""
+    if not isinstance(document, dict) or set(document) - set(Settings._fields):
+        raise RefusedError("settings of another form")
+    distro, unknown, enclaves = (
+        document.get("distro", "jazzy"),
+        document.get("unknown", "deny"),
+        document.get("enclaves"),
+    )
+    if distro not in DISTROS:
+        raise RefusedError(f"the distro is one of {', '.join(DISTROS)}")
+    if unknown not in {"deny", "wildcard"}:
+        raise RefusedError("unknown names are denied (deny) or get a wildcard (wildcard)")
+    if enclaves is not None and enclaves not in ENCLAVES:
+        raise RefusedError(f"enclaves are one of {', '.join(ENCLAVES)}")
+    tests, all_launch = document.get("tests", False), document.get("all_launch", False)
+    if not isinstance(tests, bool) or not isinstance(all_launch, bool):
+        raise RefusedError("tests and all_launch are true or false")
+    launch, arguments = _launch(document.get("launch", [])), _arguments(document.get("arguments", {}))
+    if arguments and not (launch or all_launch):
+        raise RefusedError("launch arguments need a launch file")
+    return Settings(
+        str(distro), "wildcard" if unknown == "wildcard" else "deny", enclaves, tests, launch, all_launch, arguments
+    )
+
+
+def _launch(value: object) -> tuple[str, ...]:
+    if not isinstance(value, list) or len(value) > _MOST_LAUNCHES or not all(isinstance(v, str) for v in value):
+        raise RefusedError("launch is a list of launch files of the sources")
+    if any(not v or len(v) > _LONGEST or not v.isprintable() or _OUTSIDE.search(v) for v in value):
+        raise RefusedError("a launch file is named by its path below the folder of the sources")
+    return tuple(dict.fromkeys(value))
+
+
+def _arguments(value: object) -> tuple[tuple[str, str], ...]:
+    if not isinstance(value, dict) or len(value) > _MOST_ARGUMENTS:
+        raise RefusedError("arguments are names and values")
+    pairs = [(name, text) for name, text in value.items() if isinstance(name, str) and isinstance(text, str)]
+    if len(pairs) < len(value) or any(not n or max(len(n), len(t)) > _LONGEST for n, t in pairs):
+        raise RefusedError("arguments are names and values")
+    return tuple(pairs)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The process that analyses: reads a job from its input, bounds itself, does it, and tells how it ended.
+
+It is a process of its own so that the server answers while it computes, and so that what goes wrong in it (a limit, a crash, somebody who
+cancels) ends it and nothing else. It bounds its memory, its processor time and the size of its files before it looks at what was uploaded.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+import threading
+import traceback
+from typing import TextIO
+
+from rosward.outputs.safe import printable
+from rosward.pipeline import NothingToReadError, UnknownRequestError
+from rosward.server.analysis import analyse
+from rosward.server.job import End, Job, read_job
+from rosward.server.limits import Limits
+from rosward.server.places import RefusedError
+from rosward.server.telling import Teller
+
+__all__ = ["main"]
+
+
+def main() -> None:
+    """Do the job that stands in the first line of the input."""
+    teller = Teller(_stream_of_its_own())
+    job = read_job(sys.stdin.readline())
+    threading.Thread(target=_end_with_input, daemon=True).start()
+    _bound(job.limits)
+    teller.end(_end_of(job, teller))
+
+
+def _stream_of_its_own() -> TextIO:
+    """The standard output, which nothing else can write to from here on."""
+    stream = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    return stream
+
+
+def _end_with_input() -> None:
+    """The server holds the other end of our input, and writes nothing more to it."""
+    with contextlib.suppress(OSError, ValueError):
+        sys.stdin.read()
+    if sys.platform != "win32":
+        os.killpg(0, signal.SIGKILL)
+    os._exit(1)
+
+
+def _bound(limits: Limits) -> None:
+    if sys.platform == "win32":
+        return
+    import resource
+
+    bounds = (
+        (resource.RLIMIT_AS, limits.memory),
+        (resource.RLIMIT_CPU, int(limits.seconds) + 5),
+        (resource.RLIMIT_FSIZE, limits.unpacked),
+        (resource.RLIMIT_CORE, 0),
+    )
+    for kind, bound in bounds:
+        hard = resource.getrlimit(kind)[1]
+        wanted = bound if hard == resource.RLIM_INFINITY else min(bound, hard)
+        with contextlib.suppress(OSError, ValueError):
+            resource.setrlimit(kind, (wanted, wanted))
+
+
+def _end_of(job: Job, teller: Teller) -> End:
+    try:
+        analyse(job, teller)
+    except (RefusedError, UnknownRequestError) as error:
+        return End("failed", printable(str(error)))
+    except NothingToReadError:
+        return End("failed", "There is no Python file and no launch file in it.")
+    except MemoryError:
+        return End("failed", f"It needs more than {job.limits.memory // 2**20:,} MB of memory.")
+    except OSError as error:
+        return End("failed", f"The result cannot be written: {error.strerror or error}.")
+    except Exception as error:
+        print(printable(traceback.format_exc()).replace("\\x0a", "\n"), file=sys.stderr)  # noqa: T201
+        return End(
+            "failed", f"The analysis failed ({type(error).__name__}). This is a fault of rosward: please report it."
+        )
+    return End("done")

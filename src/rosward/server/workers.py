@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How is an analysis run in a process of its own, and how does it end, whatever happens?
+
+    await run_job(job, tell)    ->    End('done')
+
+The process has a session of its own, so that it is killed with all that it started. It never looks for modules in the current folder, which
+may be the folder that is analysed, nor where PYTHONPATH says.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import signal
+import sys
+from asyncio.subprocess import PIPE, Process
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+
+from rosward.server.job import LONGEST_LINE, End, Job, Step, read_line
+
+__all__ = ["run_job"]
+
+_START: Final = "import sys; sys.path[:] = sys.argv[1:]; from rosward.server.worker import main; main()"
+
+
+async def run_job(job: Job, tell: Callable[[Step], None]) -> End:
+    """Do a job in a process of its own; if this is cancelled, the process is killed."""
+    process = await asyncio.create_subprocess_exec(
+        sys.executable,
+        "-I",
+        "-c",
+        _START,
+        *_search_path(),
+        stdin=PIPE,
+        stdout=PIPE,
+        cwd=Path(job.output).parent,
+        limit=LONGEST_LINE,
+        start_new_session=True,
+    )
+    try:
+        return await asyncio.wait_for(_talk(process, job, tell), job.limits.seconds)
+    except asyncio.TimeoutError:
+        return End("failed", f"It took more than {job.limits.seconds:g} seconds.")
+    finally:
+        _kill(process)
+        await process.wait()
+
+
+def _search_path() -> list[str]:
+    """Where the modules of this process come from, without the current folder; absolute."""
+    own = str(Path(__file__).parent.parent.parent)
+    here = os.getcwd()  # noqa: PTH109
+    return list(dict.fromkeys([*(p for p in sys.path if os.path.isabs(p) and p != here), own]))  # noqa: PTH117
+
+
+async def _talk(process: Process, job: Job, tell: Callable[[Step], None]) -> End:
+    assert process.stdin is not None
+    assert process.stdout is not None
+    with contextlib.suppress(ConnectionError):
+        process.stdin.write(f"{job.line()}\n".encode())
+        await process.stdin.drain()
+    while line := await _line(process.stdout):
+        said = read_line(line)
+        if isinstance(said, End):
+            return said
+        if said is not None:
+            tell(said)
+    return _ended_early(await process.wait())
+
+
+async def _line(stream: asyncio.StreamReader) -> bytes:
+    try:
+        return await stream.readline()
+    except ValueError:  # longer than anything that we write
+        return b"\n"
+
+
+def _ended_early(status: int) -> End:
+    if status == -getattr(signal, "SIGXCPU", 0):
+        return End("failed", "It took too much time.")
+    if status < 0:
+        return End(
+            "failed",
+            f"The analysis was killed ({signal.Signals(-status).name}): it may need more memory than there is.",
+        )
+    return End("failed", f"The analysis ended with status {status}.")
+
+
+def _kill(process: Process) -> None:
+    if process.returncode is None:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            if sys.platform == "win32":
+                process.kill()
+            else:
+                os.killpg(process.pid, signal.SIGKILL)
