@@ -95,18 +95,20 @@ def rows(text: str, word: str) -> list[str]:
 
 def test_a_topic_with_its_two_ends(explain: Explain) -> None:
     text = explain("/porter/battery")
-    assert text.startswith("topic /porter/battery  sensor_msgs/msg/BatteryState\n  1 publisher, 1 subscription\n")
+    assert text.startswith(
+        "topic /porter/battery  sensor_msgs/msg/BatteryState\n  1 publisher     /porter/base_driver\n"
+    )
     publisher, subscription = text.split("\nsubscription of ")
     assert "publisher of /porter/base_driver\n" in publisher
     assert rows(publisher, "created") == [f"{BASE}/base_driver.py:31"]
     assert "> 31 │         self._battery = self.create_publisher(BatteryState, 'battery', SENSOR)" in publisher
-    assert rows(publisher, "name") == ["exact"]
+    assert rows(publisher, "name") == ["exact: the code alone decides it"]
     assert rows(publisher, "started") == ["ros2 run delivery_base base_driver"]
     assert rows(publisher, "policy") == [
         'enclave /porter/base_driver: <topics publish="ALLOW"> <topic>/porter/battery</topic>'
     ]
     assert rows(subscription, "callback") == ["BatteryMonitor._on_state"]
-    assert rows(subscription, "name") == ["default"]
+    assert rows(subscription, "name") == ["default: holds where nobody sets it otherwise"]
     assert rows(subscription, "made of") == [f"parameter input = 'battery': its default ({BASE}/battery_monitor.py:19)"]
 
 
@@ -117,7 +119,7 @@ def test_the_same_topic_by_the_end_of_its_name(explain: Explain) -> None:
 def test_a_remapped_name_with_many_nodes(explain: Explain) -> None:
     """Thirteen nodes inherit the line: it is told once, with the launch of each."""
     text = explain("/fleet/heartbeat", EXAMPLES, *FLEET)
-    assert "1 subscription, 13 publishers" in text
+    assert "  13 publishers   /porter1/base_driver, " in text
     assert text.count("create_publisher(Header, f'/{ROBOT}/heartbeat', 10)") == 1
     assert rows(text, "remap") == [
         "/porter/heartbeat → /fleet/heartbeat  (a rule of the launch that leads to this name)"
@@ -132,7 +134,7 @@ def test_a_name_from_the_parameter_of_a_launch_file(explain: Explain) -> None:
     text = explain("/porter1/eye/image_raw", EXAMPLES, *FLEET)
     subscription = text[text.index("subscription of /porter1/dock_detector") :].split("\n\n")[0]
     assert rows(subscription, "by") == ["message_filters.Subscriber"]
-    assert rows(subscription, "name") == ["bound"]
+    assert rows(subscription, "name") == ["bound: it is set from outside"]
     assert rows(subscription, "made of") == [f"parameter camera = 'eye': set in the launch file ({ROBOT}:48)"]
 
 
@@ -167,7 +169,7 @@ def test_what_is_told_to_supply_makes_the_name_known(explain: Explain, unknown: 
     (unknown / "p.yaml").write_text("/**:\n  ros__parameters: {topic: left}\n", encoding="utf-8")
     text = explain("/robot/left/state", unknown, "--params", str(unknown / "p.yaml"))
     assert text.startswith("topic /robot/left/state ")
-    assert rows(text, "name") == ["bound"]
+    assert rows(text, "name") == ["bound: it is set from outside"]
     assert rows(text, "made of") == ["parameter topic = 'left': set from outside"]
 
 

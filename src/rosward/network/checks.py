@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What can only be seen in the whole: several nodes in a process, wildcards, enclave paths, types that differ, names
-used twice.
+"""What can only be seen in the whole: several nodes in a process, wildcards, enclave paths, types that differ, QoS
+that does not fit (`qos.py`), names used twice.
 
 One function a rule, each from the network to findings. `check` runs them all.
 """
@@ -14,6 +14,7 @@ from typing import Literal, TypeVar
 from rosward.findings import Finding
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
 from rosward.network.graph import Network
+from rosward.network.qos import incompatible_qos
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.location import Place
 
@@ -40,6 +41,7 @@ def check(network: Network, unknown: UnknownNames = "deny") -> list[Finding]:
         *_long_enclaves(network.nodes),
         *_outside_ros_names(network.nodes),
         *_differing_types(network.nodes),
+        *incompatible_qos(network.nodes),
         *_names_used_twice(network.nodes),
     ]
 

@@ -16,15 +16,16 @@ there is a comment with the reason.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final
+from typing import Final, NamedTuple
 
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.outputs.grants import Enclave, Grant, Omission, Profile, enclave_named, enclaves
+from rosward.outputs.grants import NOT_WIDENED, Enclave, Grant, Omission, Profile, enclave_named, enclaves
 from rosward.outputs.safe import xml_attribute, xml_comment, xml_text
+from rosward.reduction.widened import Widened, Widenings
 from rosward.ros.entities import Entity, EntityKind, Resolution
 
-__all__ = ["policies", "policy_xml"]
+__all__ = ["VERBS", "Line", "policies", "policy_lines", "policy_xml"]
 
 _ELEMENTS: Final = (
     (EntityKind.ACTION_CLIENT, "actions", "call", "action"),
@@ -34,6 +35,9 @@ _ELEMENTS: Final = (
     (EntityKind.PUBLISHER, "topics", "publish", "topic"),
     (EntityKind.SUBSCRIPTION, "topics", "subscribe", "topic"),
 )
+VERBS: Final = {kind: attribute for kind, _, attribute, _ in _ELEMENTS}
+"""What a policy calls the right to have an endpoint of a kind."""
+
 _MOST_PLACES: Final = 5
 _HEADER: Final = (
     "Written by rosward from the source of the system.",
@@ -41,62 +45,80 @@ _HEADER: Final = (
 )
 
 
-def policy_xml(network: Network, enclave: str | None = None, unknown: UnknownNames = "deny") -> str:
+class Line(NamedTuple):
+    """One line of a policy, and the right that it gives, if it gives one."""
+
+    text: str
+    grant: Grant | None = None
+
+
+def policy_xml(
+    network: Network,
+    enclave: str | None = None,
+    unknown: UnknownNames = "deny",
+    widened: Widenings = NOT_WIDENED,
+) -> str:
     """The policy of the whole network, or of one enclave of it (ValueError if there is no such enclave).
 
     `unknown="wildcard"` writes `/*` for a name of which nothing is known, so that the node works but is hardly
     confined. A network without nodes gives a policy without enclaves, which sros2 rightly refuses: there is nothing to
     write a policy for.
     """
-    return _document(enclaves(network, unknown) if enclave is None else [enclave_named(network, enclave, unknown)])
+    if enclave is None:
+        return _document(enclaves(network, unknown, widened))
+    return _document([enclave_named(network, enclave, unknown, widened)])
 
 
-def policies(network: Network, unknown: UnknownNames = "deny") -> dict[str, str]:
+def policies(network: Network, unknown: UnknownNames = "deny", widened: Widenings = NOT_WIDENED) -> dict[str, str]:
     """The policy of each enclave alone, by its path, which is absolute and has only letters, digits, `_` and `/`."""
-    return {enclave.path: _document([enclave]) for enclave in enclaves(network, unknown)}
+    return {enclave.path: _document([enclave]) for enclave in enclaves(network, unknown, widened)}
+
+
+def policy_lines(chosen: Iterable[Enclave]) -> Iterator[Line]:
+    """The policy of these enclaves line by line; the last line is empty, so that joined by line ends they are the file."""
+    yield Line('<?xml version="1.0" encoding="UTF-8"?>')
+    yield from (Line(xml_comment(line)) for line in _HEADER)
+    yield Line('<policy version="0.2.0">')
+    yield Line("  <enclaves>")
+    for enclave in chosen:
+        yield from _enclave(enclave)
+    yield Line("  </enclaves>")
+    yield Line("</policy>")
+    yield Line("")
 
 
 def _document(chosen: Iterable[Enclave]) -> str:
-    lines = [
-        '<?xml version="1.0" encoding="UTF-8"?>',
-        *(xml_comment(line) for line in _HEADER),
-        '<policy version="0.2.0">',
-        "  <enclaves>",
-        *(line for one in chosen for line in _enclave(one)),
-        "  </enclaves>",
-        "</policy>",
-    ]
-    return "\n".join(lines) + "\n"
+    return "\n".join(line.text for line in policy_lines(chosen))
 
 
-def _enclave(enclave: Enclave) -> Iterator[str]:
-    yield f'    <enclave path="{xml_attribute(enclave.path)}">'
-    yield "      <profiles>"
+def _enclave(enclave: Enclave) -> Iterator[Line]:
+    yield Line(f'    <enclave path="{xml_attribute(enclave.path)}">')
+    yield Line("      <profiles>")
     for profile in enclave.profiles:
         yield from _profile(profile, enclave)
-    yield "      </profiles>"
-    yield "    </enclave>"
+    yield Line("      </profiles>")
+    yield Line("    </enclave>")
 
 
-def _profile(profile: Profile, enclave: Enclave) -> Iterator[str]:
+def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
     notes = list(_notes(profile, enclave))
     attributes = f'ns="{xml_attribute(profile.namespace)}" node="{xml_attribute(profile.name)}"'
     if not notes and not profile.grants:
-        yield f"        <profile {attributes}/>"
+        yield Line(f"        <profile {attributes}/>")
         return
-    yield f"        <profile {attributes}>"
+    yield Line(f"        <profile {attributes}>")
     for note in notes:
-        yield f"          {xml_comment(note)}"
+        yield Line(f"          {xml_comment(note)}")
     for kind, element, attribute, child in _ELEMENTS:
         grants = [grant for grant in profile.grants if grant.kind is kind]
         if grants:
-            yield f'          <{element} {attribute}="ALLOW">'
+            yield Line(f'          <{element} {attribute}="ALLOW">')
             for grant in grants:
                 origin = _origin(grant)
                 comment = f"  {xml_comment(origin)}" if origin else ""
-                yield f"            <{child}>{xml_text(grant.name)}</{child}>{comment}"
-            yield f"          </{element}>"
-    yield "        </profile>"
+                yield Line(f"            <{child}>{xml_text(grant.name)}</{child}>{comment}", grant)
+            yield Line(f"          </{element}>")
+    yield Line("        </profile>")
 
 
 def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
@@ -121,6 +143,8 @@ def _omission(omission: Omission) -> str:
 def _origin(grant: Grant) -> str:
     """`src/talker.py:20, conditional`; empty for what the client library needs at each node."""
     own = [entity for entity in grant.entities if not entity.system]
+    if grant.widened is not None:
+        return _compacted(grant.widened, _places(own))
     if not own:
         return ""
     parts = [_places(own)]
@@ -134,6 +158,14 @@ def _origin(grant: Grant) -> str:
             "partly known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
         )
     return ", ".join(part for part in parts if part)
+
+
+def _compacted(widened: Widened, places: str) -> str:
+    """What a pattern stands for, and what more it allows."""
+    names = sorted(widened.members)
+    rest = f" and {len(names) - _MOST_PLACES} more" if len(names) > _MOST_PLACES else ""
+    own = f"compacted: {', '.join(names[:_MOST_PLACES])}{rest}"
+    return "; ".join(part for part in (own, widened.also(_MOST_PLACES), places) if part)
 
 
 def _at(entity: Entity) -> str:

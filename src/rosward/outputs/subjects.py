@@ -19,6 +19,7 @@ from typing import Final, NamedTuple
 from rosward.findings import RULES
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
+from rosward.network.holes import may_be
 from rosward.ros.entities import Entity, EntityKind, Node
 
 __all__ = ["Meeting", "Subjects", "close_matches", "is_at", "subjects", "word_of"]
@@ -66,7 +67,7 @@ def subjects(network: Network, query: str) -> Subjects:
         return Subjects(place=(at.group(1).removeprefix("./"), int(at.group(2))))
     if query.startswith("/"):
         found = _named(network, lambda name: name == query)
-        holes = _named(network, lambda name: "*" in name and name != query and _may_be(query, name)).meetings
+        holes = _named(network, lambda name: "*" in name and name != query and may_be(query, name)).meetings
         found = found._replace(meetings=(*found.meetings, *(m for m in holes if not _unknown(m))))
         if found != Subjects():
             return found
@@ -115,18 +116,3 @@ def _meetings(ends: Iterable[tuple[Node, Entity]]) -> tuple[Meeting, ...]:
 def _unknown(meeting: Meeting) -> bool:
     """Of such a name nothing is known but perhaps its namespace: it may be any name, so it answers no question."""
     return all(e.name.endswith("/*") for _, e in meeting.ends)
-
-
-def _may_be(name: str, pattern: str) -> bool:
-    """Whether a name fits a pattern, in linear time."""
-    first, *rest = pattern.split("*")
-    last = rest.pop()
-    if not (name.startswith(first) and name.endswith(last) and len(name) >= len(first) + len(last)):
-        return False
-    at, end = len(first), len(name) - len(last)
-    for piece in rest:
-        found = name.find(piece, at, end)
-        if found < 0:
-            return False
-        at = found + len(piece)
-    return True

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""By which short name does one part of the report speak of another?
+
+    node /a/talker with a publisher /a/chatter   ->   n0, its end e0, and the topic t0 that e0 is an end of
+
+Numbers follow the order of the network, so the same sources give the same ones. Everything that is looked up later is in a dictionary here.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+from rosward.network.graph import Network
+from rosward.outputs.subjects import word_of
+from rosward.ros.entities import Entity, Node
+
+__all__ = ["End", "Endpoint", "Member", "Numbered", "numbered"]
+
+_WORDS: Final = ("topic", "service", "action")
+
+
+class Member(NamedTuple):
+    """A node and its entities."""
+
+    id: str
+    node: Node
+    ends: tuple[End, ...]
+
+
+class End(NamedTuple):
+    """An entity, with the ids of its node and of the topic, service or action that it is an end of."""
+
+    id: str
+    node_id: str
+    endpoint_id: str
+    node: Node
+    entity: Entity
+
+
+class Endpoint(NamedTuple):
+    """A topic, service or action, and its ends."""
+
+    id: str
+    word: str
+    name: str
+    ends: tuple[End, ...]
+
+
+class Numbered(NamedTuple):
+    """All of a network under its ids. `entity_ids` is by the identity of the record: equal entities of two nodes are two."""
+
+    members: tuple[Member, ...]
+    endpoints: tuple[Endpoint, ...]
+    entity_ids: dict[int, str]
+
+
+def numbered(network: Network) -> Numbered:
+    """Give everything its id."""
+    rank = {word: number for number, word in enumerate(_WORDS)}
+    names = {(rank[word_of(e)], e.name) for node in network.nodes for e in node.entities}
+    ids = {(_WORDS[word], name): f"t{number}" for number, (word, name) in enumerate(sorted(names))}
+    ends_of: dict[tuple[str, str], list[End]] = {key: [] for key in ids}
+    members: list[Member] = []
+    entity_ids: dict[int, str] = {}
+    counted = 0
+    for number, node in enumerate(network.nodes):
+        own: list[End] = []
+        for entity in node.entities:
+            key = (word_of(entity), entity.name)
+            end = End(f"e{counted}", f"n{number}", ids[key], node, entity)
+            entity_ids[id(entity)] = end.id
+            ends_of[key].append(end)
+            own.append(end)
+            counted += 1
+        members.append(Member(f"n{number}", node, tuple(own)))
+    endpoints = tuple(Endpoint(ids[key], *key, tuple(ends)) for key, ends in ends_of.items())
+    return Numbered(tuple(members), endpoints, entity_ids)

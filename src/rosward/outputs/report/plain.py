@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How does a value of the analysis stand in the document?
+
+    Place("a.py", 3, 9)  ->  {"file": "a.py", "line": 3}
+    9007199254740993     ->  "9007199254740993"     (JavaScript would read another number)
+
+Text that is shown has no control characters and no direction marks, and has a bound, as lists have: what is longer says how long it was.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Final
+
+from rosward.outputs.safe import printable
+from rosward.source.location import Place
+
+__all__ = ["place_row", "place_rows", "shown", "value_row"]
+
+_LONGEST: Final = 2000
+_MOST_ITEMS: Final = 100
+_WHOLE_NUMBERS: Final = 2**53
+"""Above it JavaScript has no longer every whole number."""
+
+
+def place_row(place: Place) -> dict[str, object]:
+    """A place as file and line."""
+    return {"file": place.file, "line": place.line}
+
+
+def place_rows(places: Iterable[Place]) -> list[dict[str, object]]:
+    """Places in the order given, each file and line once."""
+    return [{"file": file, "line": line} for file, line in dict.fromkeys((p.file, p.line) for p in places)]
+
+
+def value_row(value: object) -> object:
+    """The value of a parameter; null for none and for what is not known."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        return value if abs(value) <= _WHOLE_NUMBERS else str(value)
+    if isinstance(value, float) and not math.isfinite(value):
+        return ".nan" if math.isnan(value) else ".inf" if value > 0 else "-.inf"
+    if value is None or isinstance(value, (bool, float, str)):
+        return value
+    if isinstance(value, (list, tuple, bytes, bytearray)):
+        more = [f"… {len(value) - _MOST_ITEMS} more"] if len(value) > _MOST_ITEMS else []
+        return [value_row(item) for item in value[:_MOST_ITEMS]] + more
+    return None
+
+
+def shown(value: object) -> object:
+    """A piece of the document with every text in it, keys too, made harmless to show."""
+    if isinstance(value, str):
+        return printable(value if len(value) <= _LONGEST else _cut(value))
+    if isinstance(value, dict):
+        return {shown(key): shown(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [shown(item) for item in value]
+    return value
+
+
+def _cut(text: str) -> str:
+    return f"{text[:_LONGEST]}… ({len(text)} characters)"
