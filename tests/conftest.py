@@ -8,3 +8,6 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--update-cases", action="store_true", help="rewrite the expectations of tests/cases by what comes out"
     )
+    parser.addoption(
+        "--update-pages", action="store_true", help="rewrite the runs that README.md and docs show by what is printed"
+    )

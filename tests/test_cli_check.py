@@ -5,8 +5,12 @@ from __future__ import annotations
 
 import json
 import re
+import xml.etree.ElementTree as ET
+from importlib import resources
 from pathlib import Path
+from typing import Any
 
+import jsonschema
 import pytest
 
 from rosward.cli import main
@@ -28,6 +32,9 @@ node.declare_parameter("arm", rclpy.Parameter.Type.STRING)
 node.create_subscription(String, node.get_parameter("arm").value + "/state", None, 10)
 rclpy.spin(node)
 """
+SCHEMA = jsonschema.Draft202012Validator(
+    json.loads((resources.files("rosward.outputs") / "schemas" / "check.schema.json").read_text())
+)
 RULE = re.compile(r" *<(topic|service|action)>(.*)</\1>.*\n")
 
 
@@ -46,6 +53,7 @@ def checked(text: str, capsys: pytest.CaptureFixture[str], *options: str) -> tup
     Path("policy.xml").write_text(text, encoding="utf-8")
     status = main(["check", "policy.xml", "src", "--format", "json", *options])
     document = json.loads(capsys.readouterr().out)
+    SCHEMA.validate(document)
     assert document["clean"] is (status == 0)
     found = [f for e in document["enclaves"] for f in e["findings"]]
     return status, [
@@ -136,16 +144,6 @@ def test_wrong_use_is_status_2(arguments: list[str], capsys: pytest.CaptureFixtu
     assert capsys.readouterr().err.startswith("rosward: ")
 
 
-def test_the_example_of_the_documentation_is_true(capsys: pytest.CaptureFixture[str]) -> None:
-    page = (Path(__file__).parent.parent / "docs" / "checking-policies.md").read_text(encoding="utf-8")
-    code, policy, included, expected = re.findall(r"```\w+\n(.*?)```", page, re.DOTALL)[:4]
-    for file, text in (("doc/src/driver.py", code), ("doc/policy.xml", policy), ("doc/common/node.xml", included)):
-        Path(file).parent.mkdir(parents=True, exist_ok=True)
-        Path(file).write_text(text, encoding="utf-8")
-    assert main(["check", "doc/policy.xml", "doc/src"]) == 1
-    assert capsys.readouterr().out.replace(" doc/", " ") == expected
-
-
 def test_an_enclave_that_is_known_in_part_may_be_any_that_matches(
     policy: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -159,3 +157,92 @@ def test_an_enclave_that_is_known_in_part_may_be_any_that_matches(
         "RW404 policy.xml None",
         "RW405 talker.py None",
     ]
+
+
+# Outputs for machines, comments, baseline
+
+
+def broken(policy: str) -> None:
+    """The right to /robot/chatter is taken away, that to /extra is too much."""
+    text = policy.replace("<topic>/robot/chatter</topic>", "<topic>/extra</topic>")
+    Path("policy.xml").write_text(text, encoding="utf-8")
+
+
+def results(capsys: pytest.CaptureFixture[str], *options: str) -> list[dict[str, Any]]:
+    capsys.readouterr()
+    main(["check", "policy.xml", "src", "--format", "sarif", *options])
+    found: list[dict[str, Any]] = json.loads(capsys.readouterr().out)["runs"][0]["results"]
+    return found
+
+
+def at(location: dict[str, Any]) -> str:
+    physical = location["physicalLocation"]
+    return f"{physical['artifactLocation']['uri']}:{physical['region']['startLine']}"
+
+
+def test_sarif_has_the_place_in_the_policy_and_the_place_in_the_source(
+    policy: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path(".git").mkdir()
+    broken(policy)
+    line = next(n for n, text in enumerate(policy.splitlines(), 1) if "/robot/chatter" in text)
+    enclave = next(n for n, text in enumerate(policy.splitlines(), 1) if "<enclave " in text)
+    lacking, extra = sorted(results(capsys), key=lambda r: str(r["ruleId"]))
+    assert (lacking["ruleId"], extra["ruleId"]) == ("RW401", "RW402")
+    places = {
+        r["ruleId"]: [at(p) for key in ("locations", "relatedLocations") for p in r[key]] for r in (lacking, extra)
+    }
+    assert places == {
+        "RW401": ["src/talker.py:10", f"policy.xml:{enclave}"],
+        "RW402": [f"policy.xml:{line}", "src/talker.py:9"],
+    }
+
+
+def test_fingerprints_stay_when_lines_move(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    broken(policy)
+    before = {str(r["partialFingerprints"]) for r in results(capsys)}
+    Path("src/talker.py").write_text("# moved\n" + NODE, encoding="utf-8")
+    Path("policy.xml").write_text(
+        Path("policy.xml").read_text(encoding="utf-8").replace("<enclaves>", "\n<enclaves>"), encoding="utf-8"
+    )
+    assert {str(r["partialFingerprints"]) for r in results(capsys)} == before
+
+
+def test_junit_and_github(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    broken(policy)
+    assert main(["check", "policy.xml", "src", "--format", "junit", "-o", "out/check.xml"]) == 1
+    assert capsys.readouterr().out == ""
+    names = [case.get("name") for case in ET.parse("out/check.xml").iter("testcase")]
+    assert [str(n)[:5] for n in names] == ["RW402", "RW401"]
+    assert main(["check", "policy.xml", "src", "--format", "github"]) == 1
+    out = capsys.readouterr().out.splitlines()
+    assert out[0].startswith("::error file=talker.py,line=10,col=1,title=RW401 ")
+    assert out[1].startswith("::warning file=policy.xml,line=")
+
+
+def test_comments_in_code_and_policy_count(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """A right that lacks is an error, so its code has to be accepted, too."""
+    broken(policy)
+    text = Path("policy.xml").read_text(encoding="utf-8")
+    Path("policy.xml").write_text(
+        text.replace("/extra</topic>", "/extra</topic> <!-- rosward: ignore[RW402] -->"), encoding="utf-8"
+    )
+    Path("src/talker.py").write_text(
+        NODE.replace('"chatter", 10)', '"chatter", 10)  # rosward: ignore[RW401]'), encoding="utf-8"
+    )
+    assert main(["check", "policy.xml", "src"]) == 1
+    assert capsys.readouterr().out.endswith("\n1 right lacking, 1 ignored.\n")
+    Path("rosward.toml").write_text('accepted = ["RW401"]\n', encoding="utf-8")
+    assert main(["check", "policy.xml", "src"]) == 0
+    assert capsys.readouterr().out.endswith("and no more, 2 ignored.\n")
+
+
+def test_a_baseline(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
+    broken(policy)
+    assert main(["check", "policy.xml", "src", "--write-baseline", "known.json"]) == 1
+    assert main(["check", "policy.xml", "src", "--baseline", "known.json"]) == 0
+    assert capsys.readouterr().out.endswith("Nothing new: 2 in the baseline.\n")
+    Path("policy.xml").write_text(policy.replace("<topic>/robot/chatter</topic>", ""), encoding="utf-8")
+    assert main(["check", "policy.xml", "src", "--baseline", "known.json"]) == 0
+    Path("policy.xml").write_text(policy.replace("<topic>/rosout</topic>", ""), encoding="utf-8")
+    assert main(["check", "policy.xml", "src", "--baseline", "known.json"]) == 1

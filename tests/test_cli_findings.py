@@ -90,7 +90,7 @@ def test_acceptance_alone_ignores_nothing() -> None:
     ],
 )
 def test_a_comment_without_a_finding_is_a_note(comment: str, told: str, capsys: pytest.CaptureFixture[str]) -> None:
-    program("node.create_publisher(String, 'a', 10){comment}\n", comment=comment)
+    program("node.create_publisher(String, '/tf', 10){comment}\n", comment=comment)  # tools read it: no loose end
     assert extract("-v") == 0
     assert codes() == ["RW010"]
     assert told in capsys.readouterr().out
@@ -238,9 +238,9 @@ def test_a_code_of_the_file_is_ignored_but_an_error_only_if_accepted() -> None:
         ('models = ["nowhere"]', "no such folder"),
         ('ignore = ["RW999"]', "no RW999"),
         ('format = "pdf"', "choose out of"),
-        ('output = "../elsewhere"', "below that of the file"),
-        ('output = "/tmp/elsewhere"', "below that of the file"),
-        ('output = "link/out"', "below that of the file"),
+        ('output = "../elsewhere"', "below the folder of the file"),
+        ('output = "/tmp/elsewhere"', "below the folder of the file"),
+        ('output = "link/out"', "below the folder of the file"),
         ("distro = ", "no TOML"),
         ("a = " + "[" * 20_000, "no TOML"),
     ],
@@ -257,3 +257,21 @@ def test_a_pyproject_that_says_nothing_of_rosward_may_be_broken() -> None:
     program(PARTLY)
     Path("pyproject.toml").write_text("[[[", encoding="utf-8")
     assert extract() == 0
+
+
+@pytest.mark.parametrize(("severity", "status"), [("error", 0), ("warning", 1), ("note", 1)])
+def test_what_makes_a_run_fail_can_be_chosen(severity: str, status: int) -> None:
+    program(PARTLY)  # a warning
+    assert extract("--fail-on", severity) == status
+    assert extract("--fail-on", severity, "--write-baseline", "known.json") == status
+    assert extract("--fail-on", severity, "--baseline", "known.json") == 0
+
+
+def test_annotations_for_github(capsys: pytest.CaptureFixture[str]) -> None:
+    """One workflow command for each new finding, errors first, after the summary."""
+    program(PARTLY, UNKNOWN, file="src/a,b.py")
+    assert main(["extract", "src", "-q", "--format", "github"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("::error file=src/a%2Cb.py,line=9,col=1,title=RW101 unknown name::")
+    assert lines[1].startswith("::warning file=src/a%2Cb.py,line=8,col=1,title=RW")
+    assert all(line.startswith("::") for line in lines)

@@ -35,8 +35,14 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "deployment": frozenset({"deployment", "network", "processes", "sources"}) | _ENGINE,
     "review": frozenset({"review"}) | _TEXT,
     "policies": frozenset({"policies", "network", "ros"}) | _TEXT,
+    "reduction": frozenset({"reduction", "policies", "network", "ros"}) | _TEXT,
+    "running": frozenset({"running", "policies", "network", "ros"}) | _TEXT,
+    "revisions": frozenset({"revisions"}),
     "differences": frozenset({"differences", "policies", "network", "ros"}) | _TEXT,
-    "outputs": frozenset({"outputs", "differences", "network", "policies", "review", "ros", "_version"}) | _TEXT,
+    "outputs": frozenset(
+        {"outputs", "differences", "network", "policies", "reduction", "review", "ros", "running", "_version"}
+    )
+    | _TEXT,
     "sources": frozenset({"engine", "frontends", "ir"}) | _TEXT,
     "processes": _ENGINE,
     "unreached": frozenset({"processes"}) | _ENGINE,
@@ -49,13 +55,33 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
         {"deep_stack", "deployment", "gather", "plan", "processes", "reading", "sources", "systems", "unreached"}
     )
     | _NETWORK,
-    "pipeline": frozenset({"deep_stack", "deployment", "gather", "launches", "reading"}) | _NETWORK,
+    "pipeline": frozenset({"deep_stack", "deployment", "gather", "launches", "reading", "reduction"}) | _NETWORK,
     "cli": frozenset(
-        {"cli", "deployment", "differences", "policies", "launches", "pipeline", "outputs", "review", "_version"}
+        {
+            "cli",
+            "network",
+            "deployment",
+            "differences",
+            "policies",
+            "launches",
+            "pipeline",
+            "outputs",
+            "reduction",
+            "review",
+            "revisions",
+            "running",
+            "server",
+            "_version",
+        }
     )
     | _TEXT,
+    "server": frozenset(
+        {"server", "deep_stack", "deployment", "differences", "outputs", "pipeline", "review", "sources", "_version"}
+    )
+    | _NETWORK,
     "__init__": frozenset({"pipeline", "_version"}) | _NETWORK,
     "__main__": frozenset({"cli"}),
+    "ros2_security": frozenset({"cli"}),
     "_version": frozenset(),
 }
 """What each folder (or module at the top) may import. What only type checkers read is free."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`python -m rosward`."""
+# PYTHON_ARGCOMPLETE_OK
 
 import sys
 

@@ -3,7 +3,7 @@
 
 A finding is the only way in which rosward speaks of a doubt: what is not known, not read or assumed has a code,
 a place, a message and what to do about it. Codes are stable: RW0xx input, RW1xx names, RW2xx analysis, RW3xx system and policy,
-RW4xx policies that are checked.
+RW4xx policies that are checked, RW5xx running systems.
 """
 
 from __future__ import annotations
@@ -59,6 +59,12 @@ _TABLE: Final = (
         "ignore comment without a finding",
         _N,
         "Remove the comment, or the code from its brackets: it ignores nothing.",
+    ),
+    Rule(
+        "RW011",
+        "excluded by a pattern",
+        _N,
+        "Nothing of it was read: what it creates is not in the result. See --exclude.",
     ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the value that is missing a default in the source."),
@@ -129,7 +135,7 @@ _TABLE: Final = (
         "RW304",
         "permissions too large",
         _W,
-        "Signed permissions above 64 KB break the DDS handshake: split the enclave.",
+        "The DDS handshake fails above about 64 KB: split the enclave (`rosward enclaves suggest`), or let patterns stand for names (`--compact`).",
     ),
     Rule(
         "RW305",
@@ -149,6 +155,12 @@ _TABLE: Final = (
         "enclaves conflict",
         _W,
         "One process has one enclave: name it in one place only (--enclave, or ROS_SECURITY_ENCLAVE_OVERRIDE).",
+    ),
+    Rule(
+        "RW309",
+        "incompatible QoS",
+        _W,
+        "The two never talk: let the publisher offer what the subscription requests, or the subscription request less.",
     ),
     # Deployment
     Rule("RW310", "launch file cannot be read", _E, "Correct the launch file: what it starts is not in the result."),
@@ -201,12 +213,69 @@ _TABLE: Final = (
     Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
     Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
+    # Loose ends
+    Rule("RW331", "topic that nobody publishes", _N, "Check name and remapping; or the publisher is not analysed."),
+    Rule(
+        "RW332", "topic that nobody subscribes to", _N, "Check name and remapping; or tools alone, or nobody, reads it."
+    ),
+    Rule("RW333", "service without a server", _N, "Check name and remapping; or the server is not analysed."),
+    Rule("RW334", "action without a server", _N, "Check name and remapping; or the server is not analysed."),
+    # Rights that are put together
+    Rule(
+        "RW340",
+        "rights widened to fit",
+        _N,
+        "A pattern stands for several names, as --compact asks: see whether what it allows besides is harmless, or split the enclave.",
+    ),
+    Rule(
+        "RW341",
+        "assignment of nothing that runs",
+        _W,
+        "Correct the file that --enclaves names: no node or process is called so.",
+    ),
     # Policies that are checked
     Rule("RW401", "right that is lacking", _E, "Add the rule, or the node fails when it creates this."),
     Rule("RW402", "right that is never used", _W, "Take the rule away, or name only what is used."),
     Rule("RW403", "policy cannot be read", _E, "Correct the file: what is not read was not compared."),
     Rule("RW404", "enclave of no process", _W, "Take the enclave away, or add what runs in it to the analysis."),
     Rule("RW405", "process without an enclave in the policy", _E, "Add the enclave: the process does not start."),
+    # Running systems
+    Rule(
+        "RW501",
+        "running node that the source does not explain",
+        _E,
+        "Find out who starts it; name its source, its launch file or its declaration, or accept it (--allow).",
+    ),
+    Rule(
+        "RW502",
+        "running entity that the source does not explain",
+        _E,
+        "Find out what creates it: another version of the program, a parameter, a plugin; or accept it (--allow).",
+    ),
+    Rule(
+        "RW503",
+        "expected, and not running",
+        _W,
+        "Look at the log of its node; or analyse what really is started (--launch, --arg, --params).",
+    ),
+    Rule(
+        "RW504",
+        "running with another type or QoS",
+        _W,
+        "Build and start the version that was analysed, or analyse the one that runs.",
+    ),
+    Rule(
+        "RW505",
+        "part of the running system not known",
+        _E,
+        "Take the snapshot again, or correct the text: what is not known was not compared.",
+    ),
+    Rule(
+        "RW506",
+        "running, explained by an unknown name only",
+        _W,
+        "Give the value that is missing a default in the source, or accept the name (--allow).",
+    ),
 )
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}

@@ -32,6 +32,7 @@ from rosward.processes import Entry, Run, run
 from rosward.reading import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Node
+from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.workspace import Workspace
 from rosward.sources import SourceTree
@@ -62,6 +63,7 @@ def launched(
     distro: str = "jazzy",
     models: Sequence[SourcePath] = (),
     tests: bool = False,
+    exclude: Sequence[str | Exclusion] = (),
     request: Request = EVERYTHING,
     underlays: Sequence[SourcePath] = (),
     budget: Budget | None = None,
@@ -69,7 +71,8 @@ def launched(
     """What the launch files of a request start, without a look into the programs. See `pipeline.extract` for the arguments."""
 
     def work() -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
-        read = read_sources(paths, Distro(distro), models, underlays, budget, None, request, tests=tests)
+        chosen = Distro(distro)
+        read = read_sources(paths, chosen, models, underlays, budget, None, request, tests=tests, exclude=exclude)
         systems, findings = systems_of(request, Outset.of(read))
         return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
 

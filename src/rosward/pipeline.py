@@ -10,21 +10,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from rosward.deep_stack import with_deep_stack
 from rosward.deployment.request import Request, UnknownRequestError
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Severity
 from rosward.gather import Gathered, of_sources
+from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import connect
 from rosward.network.contexts import EnclaveMode, with_enclaves
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchSystem
 from rosward.reading import EVERYTHING, NothingToReadError, Progress, SourcePath, SourcesRead, read_sources, silent
+from rosward.reduction.size import size_findings
 from rosward.ros.distro import Distro
+from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
-from rosward.source.workspace import SourceFile
+from rosward.source.workspace import SkipReason, SourceFile
 
 __all__ = ["NothingToReadError", "Progress", "Result", "UnknownRequestError", "extract"]
 
@@ -39,6 +43,8 @@ class Result:
     """The programs and launch files that were read."""
     systems: tuple[LaunchSystem, ...] = ()
     """What the launch files start, where they were followed."""
+    excluded: int = 0
+    """How many files and folders were left unread because a pattern means them."""
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -57,9 +63,11 @@ def extract(
     unknown: UnknownNames = "deny",
     models: Sequence[SourcePath] = (),
     tests: bool = False,
+    exclude: Sequence[str | Exclusion] = (),
     request: Request = EVERYTHING,
     underlays: Sequence[SourcePath] = (),
     enclaves: str | None = None,
+    assigned: Assignment = NOTHING_ASSIGNED,
     budget: Budget | None = None,
     progress: Progress | None = None,
 ) -> Result:
@@ -71,9 +79,11 @@ def extract(
         unknown: 'deny' or 'wildcard', what a policy made of the result will write for a name that is not known.
         models: folders of stub files that describe libraries, and of declared interfaces of nodes.
         tests: whether test files are read too.
+        exclude: patterns, as in .gitignore, of files and folders that are not read at all.
         request: what is started; by default every executable, as `ros2 run` starts it.
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
+        assigned: enclaves that somebody chose for some of the processes.
         budget: limits of the analysis.
         progress: called as the work goes on.
 
@@ -81,6 +91,7 @@ def extract(
         NothingToReadError: where no Python file is found.
         UnknownRequestError: where what is to be started is not there.
         ValueError: where the distro or the kind of enclaves is not known.
+        PatternError: where a pattern has no meaning.
 
     Nothing of what is read is imported or executed.
     """
@@ -91,17 +102,24 @@ def extract(
     tell = progress or silent
     return with_deep_stack(
         lambda: _extract(
-            read_sources(paths, chosen, models, underlays, budget, tell, request, tests=tests),
+            read_sources(paths, chosen, models, underlays, budget, tell, request, tests=tests, exclude=exclude),
             request,
             unknown,
-            mode,
+            _Enclaves(mode, assigned),
             tell,
         )
     )
 
 
+class _Enclaves(NamedTuple):
+    """How enclaves are chosen."""
+
+    mode: EnclaveMode
+    assigned: Assignment
+
+
 def _extract(
-    read: SourcesRead, request: Request, unknown: UnknownNames, mode: EnclaveMode, progress: Progress
+    read: SourcesRead, request: Request, unknown: UnknownNames, wanted: _Enclaves, progress: Progress
 ) -> Result:
     systems: tuple[LaunchSystem, ...] = ()
     if request.deploys:
@@ -113,14 +131,15 @@ def _extract(
     findings = dict.fromkeys((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
-    return Result(_network(read, gathered, findings, unknown, mode), workspace.root, files, systems)
+    excluded = sum(s.reason is SkipReason.EXCLUDED for s in workspace.skipped)
+    return Result(_network(read, gathered, findings, unknown, wanted), workspace.root, files, systems, excluded)
 
 
 def _network(
-    read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, mode: EnclaveMode
+    read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, wanted: _Enclaves
 ) -> Network:
-    nodes, conflicts = with_enclaves(gathered.nodes, mode)
-    findings.update(dict.fromkeys(conflicts))
+    nodes, conflicts = with_enclaves(gathered.nodes, wanted.mode, wanted.assigned)
+    findings.update(dict.fromkeys((*conflicts, *size_findings(nodes, unknown))))
     if not nodes:
         findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
     return connect(

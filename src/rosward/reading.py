@@ -19,6 +19,7 @@ from rosward.models.tables import natives
 from rosward.plan import Plan, make_plan
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
+from rosward.source.exclude import Exclusion, exclusions_of
 from rosward.source.workspace import Workspace
 from rosward.sources import SourceTree
 
@@ -57,11 +58,13 @@ def read_sources(
     request: Request = EVERYTHING,
     *,
     tests: bool = False,
+    exclude: Sequence[str | Exclusion] = (),
 ) -> SourcesRead:
     """Read what is under `paths`, and the launch files that a request names by their path."""
     wanted = [Path(p) for p in paths] or [Path()]
     named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
-    workspace = discover(wanted, launch_files=named, include_tests=tests)
+    patterns = exclusions_of(exclude, map(str, wanted))
+    workspace = discover(wanted, launch_files=named, include_tests=tests, exclude=patterns)
     if not (workspace.files or workspace.launch_files or request.nodes):
         raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
     sources = SourceTree(workspace, [Path(u) for u in underlays])

@@ -3,6 +3,7 @@
 
 One module a command; each has `add(commands)`, which declares its options, and a function that runs it.
 """
+# PYTHON_ARGCOMPLETE_OK
 
 from __future__ import annotations
 
@@ -12,17 +13,23 @@ import sys
 from collections.abc import Sequence
 
 from rosward._version import __version__
-from rosward.cli import check, diff, explain, extract, launch_tree, nodl
-from rosward.cli.shared import COMPLETE, INTERRUPTED
+from rosward.cli import audit, check, diff, enclaves, explain, extract, launch_tree, listing, nodl, serve, snapshot
+from rosward.cli.configuration import apply, leave_open
+from rosward.cli.shared import COMPLETE, INTERRUPTED, told
 
-__all__ = ["main"]
+__all__ = ["command_line", "main"]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 wrong use or nothing to read."""
-    options = _parser().parse_args(arguments)
+    parser = command_line()
+    if "_ARGCOMPLETE" in os.environ:
+        from rosward.cli.completion import complete
+
+        complete(parser)
+    options = parser.parse_args(arguments)
     try:
-        status: int = options.run(options)
+        status: int = told(_run)(options)
     except BrokenPipeError:  # the reader of our output has gone: that is no failure of ours
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return COMPLETE
@@ -32,13 +39,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return status
 
 
-def _parser() -> argparse.ArgumentParser:
+def _run(options: argparse.Namespace) -> int:
+    apply(options)
+    status: int = options.run(options)
+    return status
+
+
+def command_line() -> argparse.ArgumentParser:
+    """The parser of all commands."""
     parser = argparse.ArgumentParser(
         prog="rosward",
         description="Reads the source of a ROS 2 system, running nothing of it, and writes its computation graph and SROS2 policies.",
     )
     parser.add_argument("--version", action="version", version=f"rosward {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for command in (extract, explain, check, diff, launch_tree, nodl):
+    for command in (extract, listing, explain, check, diff, enclaves, launch_tree, nodl, snapshot, audit, serve):
         command.add(commands)
+    leave_open(parser)
+    parser.set_defaults(commands=tuple(commands.choices))
     return parser

@@ -5,15 +5,17 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_enclaves,
+    add_format,
     add_sources,
     extracted,
     refusing,
@@ -22,6 +24,9 @@ from rosward.cli.shared import (
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
+    from rosward.outputs.checked import Checked
+    from rosward.pipeline import Result
+    from rosward.policies.records import Policy
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -32,19 +37,18 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         usage="%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]",
         description="Says what the code needs and the policy lacks, and what the policy allows and no code uses. "
         "The files that end in .xml are the policies, SROS2's or permissions of DDS; the other paths are the sources.",
-        epilog="Exit status: 0 the policy is exactly right; 1 there are findings; 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 the policy is exactly right; 1 there are findings that are not in the baseline; 2 wrong use or nothing to read.",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
-    parser.add_argument("--format", choices=("text", "json"), default="text", help="(default: %(default)s)")
+    add_format(parser, "text", "json", "sarif", "junit", "github")
+    add_output_file(parser)
+    add_review(parser)
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.outputs.check_json import check_json
-    from rosward.outputs.check_text import check_text
-    from rosward.policies.compare import compare
     from rosward.policies.read import read_policy
 
     files = [p for p in options.paths if p.lower().endswith(".xml") and not os.path.isdir(p)]  # noqa: PTH112
@@ -53,7 +57,43 @@ def _run(options: argparse.Namespace) -> int:
     request = request_of(options)
     policy = read_policy(files)
     result = extracted(options, [p for p in options.paths if p not in files], request)
-    found = compare(result.network, policy) if policy.enclaves else ()
-    write = check_json if options.format == "json" else check_text
-    sys.stdout.write(write(policy, found, result.findings))
-    return INCOMPLETE if found or policy.findings or not result.complete else COMPLETE
+    found = _checked(policy, result, options)
+    deliver(_text(found, options), options.output)
+    return COMPLETE if found.clean else INCOMPLETE
+
+
+def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Checked:
+    """Findings in the sources and in the policy are reviewed apart: their places are relative to different folders."""
+    from rosward.outputs.checked import checked
+    from rosward.policies.compare import compare
+    from rosward.review.judge import Sources
+
+    differences = compare(result.network, policy) if policy.enclaves else ()
+    sources, papers = Sources(result.root, result.files), Sources(Path.cwd(), ())
+    in_code = dict.fromkeys((*result.findings, *(d.finding for d in differences if not d.in_policy)))
+    in_policy = dict.fromkeys((*policy.findings, *(d.finding for d in differences if d.in_policy)))
+    code = reviewed(list(in_code), sources, options, unused=False)
+    paper = reviewed(list(in_policy), papers, options, unused=False)
+    if options.write_baseline is not None:
+        write_baseline((*code.shown, *paper.shown), options.write_baseline)
+    return checked(policy, differences, code, paper, (sources.prefix, papers.prefix))
+
+
+def _text(found: Checked, options: argparse.Namespace) -> str:
+    from rosward.outputs.check_json import check_json
+    from rosward.outputs.check_text import check_text
+    from rosward.outputs.github import github_commands
+    from rosward.outputs.junit import junit_xml
+    from rosward.outputs.sarif import sarif_json
+
+    match options.format:
+        case "json":
+            return check_json(found)
+        case "sarif":
+            return sarif_json(found.shown, baseline=options.baseline is not None, documentation=documentation())
+        case "junit":
+            return junit_xml(found.shown)
+        case "github":
+            return github_commands(found.shown)
+        case _:
+            return check_text(found)

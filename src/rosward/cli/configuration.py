@@ -4,195 +4,107 @@
     # rosward.toml, or [tool.rosward] in pyproject.toml
     distro = "humble"
     launch = ["bringup:robot.launch.py"]        as if `--distro humble --launch bringup:robot.launch.py` were given
-    ignore = ["RW302"]
+    [command.check]
+    format = "github"                           for `rosward check` alone
 
-The nearest file above the first PATH counts. An option of the command line replaces that of the file. The file comes with the sources, so it
-is not trusted: it can have outputs written below its own folder only, and `--no-config` leaves it unread.
+The nearest file above the first PATH counts, for every command that reads sources. An option of the command line replaces that of the file.
+The file comes with the sources, so it is not trusted: it can have outputs written below its own folder only, and `--no-config` leaves it unread.
 """
 
 from __future__ import annotations
 
 import argparse
-import importlib
-import os
-import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from rosward.cli.shared import DISTROS, WrongUseError
-from rosward.findings import RULES, Finding
-from rosward.source.text import read_bytes
+from rosward.cli.configuration_file import Configuration, read_configuration
+from rosward.cli.configuration_keys import KEYS, Value
+from rosward.cli.shared import WrongUseError
 
-__all__ = ["OPTIONS", "apply", "unset"]
+__all__ = ["apply", "leave_open"]
 
-_LIMIT: Final = 1_000_000
-
-_Value = str | bool | list[str]
-_Reader = Callable[[object, Path], _Value]
+_STARTING: Final = frozenset({"launch", "all_launch", "node"})
+"""If the command line says what is started, the file does not add to it."""
 
 
-class _WrongValueError(Exception):
-    """A value of the wrong kind; the message says which is right."""
+class _Open(NamedTuple):
+    """An option that the command line may leave to the file, and what holds where nobody sets it."""
 
-
-class _Option(NamedTuple):
-    """How the value of a key is read, and what holds where nobody sets it."""
-
-    read: _Reader
+    action: argparse.Action | None
     default: object
 
 
-def _text(value: object, _folder: Path) -> str:
-    if not isinstance(value, str):
-        raise _WrongValueError("a string")
-    return value
-
-
-def _flag(value: object, _folder: Path) -> bool:
-    if not isinstance(value, bool):
-        raise _WrongValueError("true or false")
-    return value
-
-
-def _texts(value: object, _folder: Path) -> list[str]:
-    if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
-        raise _WrongValueError("a list of strings")
-    return [str(v) for v in value]
-
-
-def _one_of(*choices: str) -> _Reader:
-    def read(value: object, _folder: Path) -> str:
-        if not isinstance(value, str) or value not in choices:
-            raise _WrongValueError(f"one of {', '.join(choices)}")
-        return value
-
-    return read
-
-
-def _path(value: object, folder: Path) -> str:
-    return os.path.join(folder, _text(value, folder))  # noqa: PTH118
-
-
-def _paths(value: object, folder: Path) -> list[str]:
-    return [_path(v, folder) for v in _texts(value, folder)]
-
-
-def _launches(value: object, folder: Path) -> list[str]:
-    """`PKG:FILE` stays; a path is one below the folder of the file."""
-    return [
-        text if ":" in text.partition(",")[0] else os.path.join(folder, text)  # noqa: PTH118
-        for text in _texts(value, folder)
-    ]
-
-
-def _below(value: object, folder: Path) -> str:
-    """A folder to write to: below that of the file, also where a symbolic link leads."""
-    path = Path(_path(value, folder))
-    try:
-        inside = path.resolve().is_relative_to(folder.resolve())
-    except (OSError, RuntimeError, ValueError):
-        inside = False
-    if not inside:
-        raise _WrongValueError("a folder below that of the file (use -o for any other)")
-    return str(path)
-
-
-def _codes(value: object, folder: Path) -> list[str]:
-    codes = _texts(value, folder)
-    wrong = [code for code in codes if code not in RULES]
-    if wrong:
-        raise _WrongValueError(f"a list of codes, and there is no {', '.join(wrong)}")
-    return codes
-
-
-def _formats(value: object, folder: Path) -> str:
-    return value if isinstance(value, str) else ",".join(_texts(value, folder))
-
-
-OPTIONS: Final[Mapping[str, _Option]] = {
-    "distro": _Option(_one_of(*DISTROS), "jazzy"),
-    "unknown": _Option(_one_of("deny", "wildcard"), "deny"),
-    "enclaves": _Option(_one_of("node", "process", "launch"), None),
-    "models": _Option(_paths, ()),
-    "underlay": _Option(_paths, ()),
-    "ament-prefix-path": _Option(_flag, False),
-    "tests": _Option(_flag, False),
-    "launch": _Option(_launches, ()),
-    "all-launch": _Option(_flag, False),
-    "arg": _Option(_texts, ()),
-    "node": _Option(_texts, ()),
-    "params": _Option(_paths, ()),
-    "format": _Option(_formats, None),
-    "output": _Option(_below, "rosward-out"),
-    "system": _Option(_flag, False),
-    "types": _Option(_flag, False),
-    "baseline": _Option(_path, None),
-    "ignore": _Option(_codes, ()),
-    "accepted": _Option(_codes, ()),
-}
-"""The keys, which are the long options of `extract`, and `ignore` and `accepted`, which are in the file alone."""
-
-
-def unset() -> dict[str, None]:
-    """The defaults of the parser, so that what the command line does not say can be told from what it says."""
-    return {key.replace("-", "_"): None for key in OPTIONS}
+def leave_open(parser: argparse.ArgumentParser) -> None:
+    """Let what the command line does not say be told from what it says. For parsers with all their options, and those within."""
+    own: dict[str, argparse.Action] = {}
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for inner in action.choices.values():
+                leave_open(inner)
+        if action.option_strings:
+            own.setdefault(action.dest, action)  # --json is another word for one value of --format
+    if "no_config" not in own:
+        return
+    found = {dest: _Open(action, action.default) for dest, action in own.items() if _key(dest) in KEYS}
+    for key, option in KEYS.items():
+        if option.file_alone:
+            found[_dest(key)] = _Open(None, [])
+    parser.set_defaults(left_open=found, **dict.fromkeys(found))
 
 
 def apply(options: argparse.Namespace) -> None:
     """Give each option that the command line left open its value: of the file, else the default. Raises WrongUseError."""
-    given, source = ({}, None) if options.no_config else _of_file(Path(next(iter(options.paths), ".")))
-    options.configuration = source
-    for key, option in OPTIONS.items():
-        name = key.replace("-", "_")
-        if getattr(options, name) is None:
-            default = list(option.default) if isinstance(option.default, tuple) else option.default
-            setattr(options, name, given.get(key, default))
+    left_open: Mapping[str, _Open] = getattr(options, "left_open", {})
+    if not left_open:
+        return
+    read = Configuration() if options.no_config else read_configuration(_start(options), frozenset(options.commands))
+    options.configuration = read.path
+    given = _given(read, options.command, left_open)
+    if any(getattr(options, dest, None) is not None for dest in _STARTING):
+        given = {dest: value for dest, value in given.items() if dest not in _STARTING | {"arg"}}
+    for dest, option in left_open.items():
+        if getattr(options, dest) is None:
+            default = list(option.default) if isinstance(option.default, list) else option.default
+            setattr(options, dest, given.get(dest, default))
 
 
-def _of_file(start: Path) -> tuple[dict[str, _Value], str | None]:
-    """What the nearest file above a path says, and its path."""
-    folder = start.absolute()
-    for above in (folder, *folder.parents):
-        for name in ("rosward.toml", "pyproject.toml"):
-            path = above / name
-            table = _table(path) if os.path.isfile(path) else None  # noqa: PTH113
-            if table is not None:
-                return _values(table, path), str(path)
-    return {}, None
+def _start(options: argparse.Namespace) -> Path:
+    """Where the search begins: the first PATH that is no document to compare."""
+    paths = [p for p in options.paths if Path(p).is_dir() or not p.lower().endswith((".xml", ".json"))]
+    return Path(next(iter(paths), "."))
 
 
-def _table(path: Path) -> dict[str, object] | None:
-    """The settings in a file; None where it is a pyproject.toml that has none."""
-    whole = path.name == "rosward.toml"
-    data = read_bytes(path, str(path), _LIMIT)
-    if not isinstance(data, Finding) and not whole and b"rosward" not in data:
-        return None
-    if isinstance(data, Finding):
-        if not whole:
-            return None
-        raise WrongUseError(f"{path}: {data.message}")
-    tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
+def _given(read: Configuration, command: str, left_open: Mapping[str, _Open]) -> dict[str, object]:
+    """What the file says for a command: its own table over the common keys."""
+    own = read.commands.get(command, {})
+    foreign = [key for key in own if _dest(key) not in left_open]
+    if foreign:
+        raise WrongUseError(f"{read.path}: {command} has no option {foreign[0]!r}")
+    common = {k: v for k, v in read.common.items() if command in (KEYS[k].command or command)}
+    merged = {_dest(k): v for k, v in {**common, **own}.items() if _dest(k) in left_open}
+    return {dest: _taken(read, dest, value, left_open[dest].action) for dest, value in merged.items()}
+
+
+def _taken(read: Configuration, dest: str, value: Value, action: argparse.Action | None) -> object:
+    """The value as the command line would take it: by the type and the choices of its option."""
+    if action is None:
+        return value
     try:
-        document = tomllib.loads(data.decode("utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise WrongUseError(f"{path}: this is no TOML: {error} (--no-config leaves it unread)") from error
-    if whole:
-        return dict(document)
-    tool = document.get("tool")
-    table = tool.get("rosward") if isinstance(tool, dict) else None
-    if table is not None and not isinstance(table, dict):
-        raise WrongUseError(f"{path}: tool.rosward must be a table")
-    return table
+        if callable(action.type) and isinstance(value, str):
+            taken: object = action.type(value)
+            return taken
+    except (argparse.ArgumentTypeError, TypeError, ValueError) as error:
+        raise WrongUseError(f"{read.path}: {_key(dest)}: {error}") from error
+    values = value if isinstance(value, list) else [value]
+    if action.choices is not None and any(v not in action.choices for v in values):
+        raise WrongUseError(f"{read.path}: {_key(dest)} must be one of {', '.join(map(str, action.choices))}")
+    return value
 
 
-def _values(table: Mapping[str, object], path: Path) -> dict[str, _Value]:
-    values: dict[str, _Value] = {}
-    for key, value in table.items():
-        if key not in OPTIONS:
-            raise WrongUseError(f"{path}: there is no option {key!r}; choose out of {', '.join(OPTIONS)}")
-        try:
-            values[key] = OPTIONS[key].read(value, path.parent)
-        except _WrongValueError as error:
-            raise WrongUseError(f"{path}: {key} must be {error}") from error
-    return values
+def _dest(key: str) -> str:
+    return key.replace("-", "_")
+
+
+def _key(dest: str) -> str:
+    return dest.replace("_", "-")

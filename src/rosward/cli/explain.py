@@ -12,6 +12,7 @@ from rosward.cli.shared import (
     INCOMPLETE,
     add_deployment,
     add_enclaves,
+    add_format,
     add_sources,
     add_unknown,
     extracted,
@@ -41,14 +42,19 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     add_deployment(parser)
     add_enclaves(parser)
     add_unknown(parser)
-    parser.add_argument("--json", action="store_true", help="as JSON, with nothing left out")
+    add_format(parser, "text", "json", what="JSON leaves nothing out (default: text)")
 
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.outputs.explain import explain_json, explain_text
-    from rosward.outputs.explained import explained
+    from rosward.outputs.explained import explained, rule_alone
 
-    result = extracted(options, options.paths, request_of(options))
+    request = request_of(options)
+    alone = rule_alone(options.name) if not (options.paths or request.deploys) else None
+    if alone is not None:
+        sys.stdout.write(explain_json(alone) if options.format == "json" else explain_text(alone))
+        return COMPLETE
+    result = extracted(options, options.paths, request)
     answer = explained(result.network, options.name, result.root, result.systems, options.unknown)
-    sys.stdout.write(explain_json(answer) if options.json else explain_text(answer))
+    sys.stdout.write(explain_json(answer) if options.format == "json" else explain_text(answer))
     return INCOMPLETE if answer.empty else COMPLETE

@@ -4,12 +4,11 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.configuration import apply, unset
+from rosward.cli.reviewing import add_review, documentation, reviewed_result, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -25,10 +24,12 @@ from rosward.cli.shared import (
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
+    from rosward.findings import Finding
     from rosward.pipeline import Result
+    from rosward.reduction.widened import Widenings
     from rosward.review.judge import Reviewed
 
-FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions", "sarif", "junit")
+FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions", "sarif", "junit", "github", "none")
 DEFAULT_FORMATS: Final = ("json", "policy", "svg", "dot", "html")
 
 
@@ -38,33 +39,51 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "extract",
         help="write the graph, the policies and a report of the sources",
         description="Reads files, packages or workspaces and writes the computation graph, the SROS2 policies and a report.",
-        epilog="Exit status: 0 complete; 1 extracted, but incomplete (an unknown name, an unreadable file, a limit); 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 complete; 1 extracted, but incomplete (an unknown name, an unreadable file, a limit), or as --fail-on says; "
+        "2 wrong use or nothing to read.",
     )
-    parser.set_defaults(run=refusing(_run, _complete))
+    parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
-    parser.add_argument("-o", "--output", metavar="DIR", help="where to write (default: rosward-out)")
+    parser.add_argument(
+        "-o", "--output", metavar="DIR", default="rosward-out", help="where to write (default: rosward-out)"
+    )
     parser.add_argument(
         "--format",
         type=_formats,
         metavar="LIST",
-        help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: {', '.join(DEFAULT_FORMATS)})",
+        default=DEFAULT_FORMATS,
+        help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: {', '.join(DEFAULT_FORMATS)}); none writes no file",
     )
     add_unknown(parser)
+    add_compact(parser)
     parser.add_argument("--system", action="store_true", help="show the entities of the client library in the graph")
     parser.add_argument("--types", action="store_true", help="show interface types in the graph")
     parser.add_argument(
-        "--baseline", metavar="FILE", help="findings in it are not new: they do not count for the exit status"
+        "--loose-ends",
+        action="store_true",
+        help="note topics without a publisher or subscription, and services and actions without a server (the report has them anyway)",
     )
-    parser.add_argument("--write-baseline", metavar="FILE", help="write the findings of this run there")
+    add_review(parser)
     parser.add_argument(
-        "--no-config", action="store_true", help="do not read rosward.toml or pyproject.toml of what is analysed"
+        "--fail-on",
+        choices=("error", "warning", "note"),
+        default="error",
+        help="exit with 1 where there are new findings of this weight, or a heavier one (default: error)",
     )
     volume = parser.add_mutually_exclusive_group()
     volume.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
     volume.add_argument("-v", "--verbose", action="store_true", help="print every doubt")
-    parser.set_defaults(**unset())
+
+
+def add_compact(parser: argparse.ArgumentParser) -> None:
+    """What happens to permissions that are too large."""
+    parser.add_argument(
+        "--compact",
+        action="store_true",
+        help="where the permissions of an enclave are too large for DDS, let patterns stand for several names, and say what they allow besides",
+    )
 
 
 def _formats(text: str) -> tuple[str, ...]:
@@ -75,80 +94,75 @@ def _formats(text: str) -> tuple[str, ...]:
     return wanted
 
 
-def _complete(options: argparse.Namespace) -> None:
-    """The options of the configuration file, and defaults."""
-    apply(options)
-    try:
-        options.format = DEFAULT_FORMATS if options.format is None else options.format
-        options.format = _formats(options.format) if isinstance(options.format, str) else options.format
-    except argparse.ArgumentTypeError as error:
-        raise WrongUseError(f"format: {error}") from error
-
-
 def _run(options: argparse.Namespace) -> int:
+    from rosward.findings import Severity
+    from rosward.review.judge import Sources
+
     request = request_of(options)
     result = extracted(options, options.paths, request, shown=not options.quiet)
-    reviewed = _reviewed(result, options, unused=not request.deploys)
-    written = _write(result, reviewed, options)
+    widened: Widenings = {}
+    if options.compact:
+        result, widened = compacted(result, options)
+    sources = Sources(result.root, result.files)
+    found, loose = reviewed_result(result, sources, options, unused=not request.deploys)
+    written = _write(result, found, loose, options, widened)
     if not options.quiet:
-        _summarise(result, reviewed, written, options)
-    return COMPLETE if reviewed.complete else INCOMPLETE
+        _summarise(result, found, written, options)
+    if "github" in options.format:
+        from rosward.outputs.github import github_commands
+
+        sys.stdout.write(github_commands(found.shown))
+    heaviest = [severity.value for severity in Severity]
+    failing = heaviest[: heaviest.index(options.fail_on) + 1]
+    return INCOMPLETE if any(f.rule.severity.value in failing for f in found.new) else COMPLETE
 
 
-def _reviewed(result: Result, options: argparse.Namespace, *, unused: bool) -> Reviewed:
-    """The findings without those that are to be ignored. `unused`: whether comments without a finding are told."""
-    from rosward.review.baseline import BaselineError, read_baseline
-    from rosward.review.judge import Sources, Wishes, review
+def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:
+    """The same network, with what patterns do to the size of permissions among its findings."""
+    from rosward.network.connect import with_findings
+    from rosward.reduction.compact import compact
 
-    try:
-        baseline = read_baseline(options.baseline) if options.baseline is not None else frozenset[str]()
-    except BaselineError as error:
-        raise WrongUseError(f"--baseline: {error}") from error
-    wishes = Wishes(frozenset(options.ignore), frozenset(options.accepted), baseline)
-    return review(result.findings, Sources(result.root, result.files), wishes, unused=unused)
+    network = result.network
+    compaction = compact(network.nodes, options.unknown)
+    kept = tuple(f for f in network.findings if f.code != "RW304")
+    network = with_findings(replace(network, findings=kept), compaction.findings)
+    return replace(result, network=network), compaction.widened
 
 
-def _write(result: Result, reviewed: Reviewed, options: argparse.Namespace) -> list[str]:
+def _write(
+    result: Result,
+    found: Reviewed,
+    loose: tuple[Finding, ...],
+    options: argparse.Namespace,
+    widened: Widenings,
+) -> list[str]:
     from rosward.outputs.files import Scan, write_outputs
-    from rosward.outputs.whole_files import write_text
-    from rosward.review.baseline import baseline_text
+    from rosward.outputs.report.document import Background
 
-    target = options.output
     try:
         written = write_outputs(
-            replace(result.network, findings=reviewed.findings),
+            replace(result.network, findings=found.findings),
             options.output,
             options.format,
             unknown=options.unknown,
             system=options.system,
             types=options.types,
-            scan=Scan(reviewed.shown, options.baseline is not None, _documentation()),
+            scan=Scan(found.shown, options.baseline is not None, documentation()),
+            background=Background(result.root, result.systems, loose),
+            widened=widened,
         )
-        if options.write_baseline is not None:
-            target = options.write_baseline
-            folder, name = os.path.split(target)
-            written.append(write_text(folder or ".", name, baseline_text(reviewed.shown)))
     except OSError as error:
-        raise WrongUseError(f"cannot write to {target}: {error.strerror or error}") from error
+        raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error
+    if options.write_baseline is not None:
+        written.append(write_baseline(found.shown, options.write_baseline))
     return written
 
 
-def _documentation() -> str | None:
-    """Where the installed package says that the explanation of findings is."""
-    from importlib.metadata import PackageNotFoundError, metadata
-
-    try:
-        urls = metadata("rosward").get_all("Project-URL") or []
-    except PackageNotFoundError:
-        return None
-    return next((url.partition(", ")[2] for url in urls if url.startswith("Findings, ")), None)
-
-
-def _summarise(result: Result, reviewed: Reviewed, written: list[str], options: argparse.Namespace) -> None:
+def _summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
     from rich.console import Console
 
     from rosward.outputs.text import summary
 
     console = Console(soft_wrap=not sys.stdout.isatty())
-    network = replace(result.network, findings=reviewed.new)
-    summary(network, console, options.verbose, written, reviewed, options.configuration)
+    network = replace(result.network, findings=found.new)
+    summary(network, console, options.verbose, written, found, options.configuration, result.excluded)

@@ -12,6 +12,7 @@ from rosward.cli.shared import (
     INCOMPLETE,
     WrongUseError,
     add_deployment,
+    add_format,
     add_sources,
     refusing,
     request_of,
@@ -33,12 +34,12 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
-    parser.add_argument("--json", action="store_true", help="as JSON")
+    add_format(parser, "text", "json")
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
     from rosward.launches import launched
+    from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
     from rosward.pipeline import NothingToReadError, UnknownRequestError
 
     options.all_launch = options.all_launch or not (options.launch or options.node)
@@ -49,10 +50,13 @@ def _run(options: argparse.Namespace) -> int:
             distro=options.distro,
             models=options.models,
             tests=options.tests,
+            exclude=options.exclude,
             request=request,
             underlays=underlays_of(options),
         )
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
-    sys.stdout.write(launch_tree_json(systems, findings) if options.json else launch_tree_text(systems, findings))
+    sys.stdout.write(
+        launch_tree_json(systems, findings) if options.format == "json" else launch_tree_text(systems, findings)
+    )
     return INCOMPLETE if any(f.rule.severity.value == "error" for f in findings) else COMPLETE

@@ -7,18 +7,27 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Final
+from pathlib import Path
+from typing import TYPE_CHECKING, Final, TypedDict
 
 from rosward.outputs.safe import printable
+from rosward.source.exclude import PatternError, pattern_of
 
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
+    from rosward.network.assigned import Assignment
     from rosward.pipeline import Progress, Result
 
 DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
+MODES: Final = ("node", "process", "launch")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
 Commands = argparse._SubParsersAction
+
+
+class _WantedEnclaves(TypedDict, total=False):
+    enclaves: str | None
+    assigned: Assignment
 
 
 class WrongUseError(Exception):
@@ -56,6 +65,31 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         help="the folders of the environment variable AMENT_PREFIX_PATH are underlays, too",
     )
     parser.add_argument("--tests", action="store_true", help="read test files too")
+    parser.add_argument(
+        "--exclude",
+        action="append",
+        type=_pattern,
+        default=[],
+        metavar="PATTERN",
+        help="do not read files and folders that this means, as in .gitignore; may be repeated",
+    )
+    parser.add_argument(
+        "--no-config", action="store_true", help="do not read rosward.toml or pyproject.toml of what is analysed"
+    )
+
+
+def _pattern(text: str) -> str:
+    try:
+        return pattern_of(text)
+    except PatternError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
+def add_format(parser: argparse.ArgumentParser, *formats: str, what: str = "") -> None:
+    """In which form the answer is printed; the first is the default. `--json` is short for `--format json`."""
+    default = formats[0]
+    parser.add_argument("--format", choices=formats, default=default, help=what or f"(default: {default})")
+    parser.add_argument("--json", dest="format", action="store_const", const="json", help="the same as --format json")
 
 
 def add_deployment(parser: argparse.ArgumentParser) -> None:
@@ -82,10 +116,18 @@ def add_enclaves(parser: argparse.ArgumentParser) -> None:
     """How enclaves are chosen."""
     parser.add_argument(
         "--enclaves",
-        choices=("node", "process", "launch"),
+        type=_enclaves,
+        metavar="{node,process,launch,FILE.toml}",
         default=None,
-        help="one enclave for each node, or for each process, or as the launch files say (default: process with launch files, else node)",
+        help="one enclave for each node, or for each process, or as the launch files say, or as FILE.toml assigns them "
+        "(default: process with launch files, else node)",
     )
+
+
+def _enclaves(text: str) -> str:
+    if text not in MODES and not text.endswith(".toml"):
+        raise argparse.ArgumentTypeError(f"invalid choice: {text!r} (choose from {', '.join(MODES)}, or a FILE.toml)")
+    return text
 
 
 def add_unknown(parser: argparse.ArgumentParser) -> None:
@@ -110,13 +152,25 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
                 unknown=getattr(options, "unknown", "deny"),
                 models=options.models,
                 tests=options.tests,
+                exclude=options.exclude,
                 request=request,
                 underlays=underlays_of(options),
-                enclaves=getattr(options, "enclaves", None),
+                **_wanted_enclaves(getattr(options, "enclaves", None)),
                 progress=progress,
             )
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
+
+
+def _wanted_enclaves(wanted: str | None) -> _WantedEnclaves:
+    from rosward.network.assigned import AssignmentError, read_assignment
+
+    if wanted is None or wanted in MODES:
+        return {"enclaves": wanted}
+    try:
+        return {"enclaves": "process", "assigned": read_assignment(Path(wanted))}
+    except AssignmentError as error:
+        raise WrongUseError(f"--enclaves {wanted}: {error}") from error
 
 
 def underlays_of(options: argparse.Namespace) -> list[str]:
@@ -149,11 +203,20 @@ def refusing(
 ) -> Callable[[argparse.Namespace], int]:
     """A command that says why it cannot be carried out, and exits with 2. `prepare` completes its options."""
 
+    def checked(options: argparse.Namespace) -> int:
+        if prepare is not None:
+            prepare(options)
+        check_paths(options)
+        return run(options)
+
+    return told(checked)
+
+
+def told(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespace], int]:
+    """The same, and wrong use is told and is status 2."""
+
     def refused(options: argparse.Namespace) -> int:
         try:
-            if prepare is not None:
-                prepare(options)
-            check_paths(options)
             return run(options)
         except WrongUseError as error:
             print(f"rosward: {printable(str(error))}", file=sys.stderr)  # noqa: T201

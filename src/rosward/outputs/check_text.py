@@ -5,58 +5,67 @@
   error   RW401 src/talker.py:7   publisher /chatter is not allowed (node /talker)
   warning RW402 policy.xml:12     topics publish /debug in profile /talker is allowed, and never used
 
-1 right is lacking, 1 is never used.
+1 right lacking, 1 rule too much.
+
+What is in the baseline is counted, and not listed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
-from rosward.findings import Finding, Severity
+from rosward.outputs.checked import Checked
 from rosward.outputs.safe import printable
-from rosward.policies.compare import Discrepancy
-from rosward.policies.records import Policy
+from rosward.review.judge import Judged
 
 __all__ = ["check_text"]
 
 
-def check_text(policy: Policy, discrepancies: Sequence[Discrepancy], doubts: Iterable[Finding] = ()) -> str:
-    """The text. `doubts` are findings of the analysis that leave open what the code needs."""
-    open_questions = [d for d in doubts if d.rule.severity is Severity.ERROR]
-    lines: list[str] = []
-    if policy.findings:
-        lines += ["not read", *(_line(f) for f in policy.findings), ""]
-    groups: dict[str, list[Finding]] = {}
-    for one in discrepancies:
-        groups.setdefault(one.enclave, []).append(one.finding)
-    for enclave, findings in groups.items():
-        lines += [enclave, *(_line(f) for f in findings), ""]
-    if open_questions:
-        lines += ["not known of the code", *(_line(f) for f in open_questions), ""]
-    lines += [f"note: {note}" for note in policy.notes]
-    lines.append(_verdict(policy, discrepancies, open_questions))
+def check_text(found: Checked) -> str:
+    """The text."""
+    lines = _section("not read", found.unread)
+    groups: dict[str, list[Judged]] = {}
+    for one in found.differences:
+        groups.setdefault(one.enclave, []).append(one.judged)
+    for enclave, judged in groups.items():
+        lines += _section(enclave, judged)
+    lines += _section("not known of the code", found.questions)
+    lines += [f"note: {note}" for note in found.policy.notes]
+    lines.append(_verdict(found))
     return "\n".join(printable(line) for line in lines) + "\n"
 
 
-def _line(finding: Finding) -> str:
-    return f"  {finding.rule.severity.value:7} {finding.code} {finding.place}  {finding.message}"
+def _section(title: str, judged: Iterable[Judged]) -> list[str]:
+    new = [j.finding for j in judged if not j.known]
+    lines = [f"  {f.rule.severity.value:7} {f.code} {f.place}  {f.message}" for f in new]
+    return [title, *lines, ""] if lines else []
 
 
-def _verdict(policy: Policy, discrepancies: Sequence[Discrepancy], open_questions: list[Finding]) -> str:
-    count = {code: sum(d.finding.code == code for d in discrepancies) for code in ("RW401", "RW402", "RW404", "RW405")}
+def _verdict(found: Checked) -> str:
+    new = [d.judged.finding.code for d in found.differences if not d.judged.known]
     parts = [
-        _several(count["RW401"], "right lacking", "rights lacking"),
-        _several(count["RW402"], "rule too much", "rules too much"),
-        _several(count["RW404"], "enclave of no process", "enclaves of no process"),
-        _several(count["RW405"], "process without enclave", "processes without enclave"),
-        _several(len(policy.findings), "part of the policy not read", "parts of the policy not read"),
-        _several(len(open_questions), "question about the code open", "questions about the code open"),
+        _several(new.count("RW401"), "right lacking", "rights lacking"),
+        _several(new.count("RW402"), "rule too much", "rules too much"),
+        _several(new.count("RW404"), "enclave of no process", "enclaves of no process"),
+        _several(new.count("RW405"), "process without enclave", "processes without enclave"),
+        _several(_new(found.unread), "part of the policy not read", "parts of the policy not read"),
+        _several(_new(found.questions), "question about the code open", "questions about the code open"),
+    ]
+    aside = [
+        f"{number} {word}" for number, word in ((found.ignored, "ignored"), (found.known, "in the baseline")) if number
     ]
     said = ", ".join(part for part in parts if part)
     if said:
-        return f"{said}."
-    number = len(policy.enclaves)
-    return f"Clean: {number} {'enclave lets its process' if number == 1 else 'enclaves let their processes'} do what the code does, and no more."
+        return f"{', '.join([said, *aside])}."
+    if found.known:
+        return f"Nothing new: {', '.join(aside)}."
+    number = len(found.policy.enclaves)
+    clean = f"Clean: {number} {'enclave lets its process' if number == 1 else 'enclaves let their processes'} do what the code does, and no more"
+    return f"{clean}{''.join(f', {part}' for part in aside)}."
+
+
+def _new(judged: Iterable[Judged]) -> int:
+    return sum(not j.known for j in judged)
 
 
 def _several(number: int, one: str, many: str) -> str:

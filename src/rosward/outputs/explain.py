@@ -22,9 +22,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Final
 
 from rosward.outputs.excerpts import Excerpt
-from rosward.outputs.explained import Answer, DoubtTold, EnclaveTold, EndTold, MeetingTold, NodeTold
+from rosward.outputs.explained import Answer, DoubtTold, EnclaveTold, EndTold, MeetingTold, NodeTold, RuleTold
 from rosward.outputs.provenance import PolicyLine, Source, Start
 from rosward.outputs.safe import encodable, printable
+from rosward.ros.entities import EntityKind
 from rosward.source.location import Place
 
 __all__ = ["explain_json", "explain_text"]
@@ -36,6 +37,14 @@ _GROUPS: Final = 8
 """Kinds of ends that are told in full; of more, each end gets one line."""
 
 _SHOWN: Final = 12
+_NAMED: Final = 6
+_ORDER: Final = tuple(kind.value for kind in EntityKind)
+_RESOLUTIONS: Final = {
+    "exact": "exact: the code alone decides it",
+    "default": "default: holds where nobody sets it otherwise",
+    "bound": "bound: it is set from outside",
+}
+_IGNORING: Final = {"error": ", and its code in `accepted` of the configuration"}
 """Lines of a list that are shown."""
 
 
@@ -68,6 +77,8 @@ def _plain(value: Any) -> Any:
 
 
 def _sections(answer: Answer) -> Iterator[str]:
+    if answer.rule is not None:
+        yield from _rule_of_findings(answer.rule, len(answer.doubts))
     brief = len(answer.meetings) + len(answer.nodes) + len(answer.enclaves) > _WHOLE
     if brief:
         yield f"{answer.query} is the end of several names; give more of one for all that there is to tell"
@@ -87,14 +98,40 @@ def _sections(answer: Answer) -> Iterator[str]:
         yield "through a call in this line"
         yield from _cut(f"  {e.kind} {e.name} of {e.node}  {_at(e)}" for e in answer.through)
         yield ""
-    yield from _doubts(answer.doubts)
+    yield from _doubts(answer.doubts, helped=answer.rule is not None)
+
+
+def _rule_of_findings(rule: RuleTold, found: int) -> Iterator[str]:
+    yield f"{rule.code} {rule.title}"
+    yield _row(rule.severity, rule.meaning)
+    yield _row("do", rule.help)
+    yield _row("ignore", f"# rosward: ignore[{rule.code}] in its line{_IGNORING.get(rule.severity, '')}")
+    if not rule.searched:
+        yield _row("find", f"rosward explain {rule.code} PATH shows where it holds")
+    else:
+        yield _row("found", f"{found}" if found else "nowhere in what was read")
+    yield ""
 
 
 def _meeting(meeting: MeetingTold) -> Iterator[str]:
     yield f"{meeting.word} {meeting.name}  {', '.join(meeting.types) or 'of unknown type'}"
-    yield f"  {_numbers(meeting)}"
+    yield from _overview(meeting)
     yield ""
     yield from _ends(meeting.ends, named=False)
+
+
+def _overview(meeting: MeetingTold) -> Iterator[str]:
+    """Who has an end of it, those that give before those that take."""
+    nodes: dict[str, dict[str, None]] = {}
+    for end in sorted(meeting.ends, key=lambda e: _ORDER.index(e.kind)):
+        nodes.setdefault(end.kind, {})[end.node] = None
+    counts = Counter(end.kind for end in meeting.ends)
+    heads = {kind: f"{counts[kind]} {kind}{'' if counts[kind] == 1 else 's'}" for kind in nodes}
+    wide = max(map(len, heads.values()), default=0)
+    for kind, names in nodes.items():
+        ordered = sorted(names)
+        more = f", and {len(ordered) - _NAMED} more" if len(ordered) > _NAMED else ""
+        yield f"  {heads[kind]:<{wide}}  {', '.join(ordered[:_NAMED])}{more}"
 
 
 def _numbers(meeting: MeetingTold) -> str:
@@ -159,7 +196,7 @@ def _name(end: EndTold) -> Iterator[str]:
         yield from (_row("missing", reason) for reason in end.missing[:_SHOWN])
         yield from (_row("supply", remedy) for remedy in end.remedies)
     else:
-        yield _row("name", end.resolution)
+        yield _row("name", _RESOLUTIONS.get(end.resolution, end.resolution))
     yield from (_row("" if at else "made of", _source(source)) for at, source in enumerate(end.made_of))
     yield from (_row("remap", f"{rule}  (a rule of the launch that leads to this name)") for rule in end.remaps)
 
@@ -250,12 +287,13 @@ def _enclave(enclave: EnclaveTold) -> Iterator[str]:
     yield ""
 
 
-def _doubts(doubts: Sequence[DoubtTold]) -> Iterator[str]:
+def _doubts(doubts: Sequence[DoubtTold], *, helped: bool = False) -> Iterator[str]:
     for doubt in doubts[:_SHOWN]:
         yield f"{doubt.severity} {doubt.code} {doubt.title}"
         yield _row("what", doubt.message)
         yield from _excerpt("where", doubt.excerpt)
-        yield _row("do", doubt.help)
+        if not helped:
+            yield _row("do", doubt.help)
         yield ""
     if len(doubts) > _SHOWN:
         yield f"… and {len(doubts) - _SHOWN} more (--json has all)"

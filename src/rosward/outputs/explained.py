@@ -9,7 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final, NamedTuple, final
 
-from rosward.findings import RULES, Finding
+from rosward.findings import RULES, Finding, Severity
 from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
@@ -20,10 +20,27 @@ from rosward.outputs.subjects import Meeting, Subjects, close_matches, is_at, su
 from rosward.ros.entities import Entity, Node, Qos, Resolution
 from rosward.source.location import Place
 
-__all__ = ["Answer", "DoubtTold", "EnclaveTold", "EndTold", "MeetingTold", "NodeTold", "explained"]
+__all__ = [
+    "Answer",
+    "DoubtTold",
+    "EnclaveTold",
+    "EndTold",
+    "MeetingTold",
+    "NodeTold",
+    "RuleTold",
+    "explained",
+    "rule_alone",
+]
 
 _MOST: Final = 200
 """Subjects of one kind that are told of."""
+
+
+_MEANINGS: Final = {
+    Severity.ERROR: "something is missing from the result, or may be: the status is 1",
+    Severity.WARNING: "the result holds all, but perhaps more than the system does, or the system will not do what it seems to",
+    Severity.NOTE: "good to know; extract -v shows it",
+}
 
 
 class EndTold(NamedTuple):
@@ -80,6 +97,17 @@ class DoubtTold(NamedTuple):
     excerpt: Excerpt
 
 
+class RuleTold(NamedTuple):
+    """A kind of finding; `searched`: whether sources were looked through for it."""
+
+    code: str
+    title: str
+    severity: str
+    meaning: str
+    help: str
+    searched: bool
+
+
 class NodeTold(NamedTuple):
     """A node with all that it has."""
 
@@ -114,11 +142,13 @@ class Answer(NamedTuple):
     through: tuple[EndTold, ...] = ()
     doubts: tuple[DoubtTold, ...] = ()
     close: tuple[str, ...] = ()
+    rule: RuleTold | None = None
 
     @property
     def empty(self) -> bool:
         """Whether the name means nothing here."""
-        return not (self.meetings or self.nodes or self.enclaves or self.ends or self.through or self.doubts)
+        found = (self.meetings, self.nodes, self.enclaves, self.ends, self.through, self.doubts)
+        return self.rule is None and not any(found)
 
 
 def explained(
@@ -128,6 +158,17 @@ def explained(
     meant = subjects(network, query)
     answer = _Teller(network, Excerpts(root), Rights(network, unknown), Starts(systems)).answer(query, meant)
     return answer._replace(close=close_matches(network, query)) if answer.empty else answer
+
+
+def rule_alone(query: str) -> Answer | None:
+    """What a code means, without any sources; None where it is none."""
+    code = query.upper()
+    return Answer(query, rule=_rule(code, searched=False)) if code in RULES else None
+
+
+def _rule(code: str, *, searched: bool) -> RuleTold:
+    rule = RULES[code]
+    return RuleTold(code, rule.title, rule.severity.value, _MEANINGS[rule.severity], rule.help, searched)
 
 
 @final
@@ -142,7 +183,8 @@ class _Teller:
 
     def answer(self, query: str, meant: Subjects) -> Answer:
         if meant.code is not None:
-            return Answer(query, doubts=self._doubts([f for f in self._network.findings if f.code == meant.code]))
+            doubts = self._doubts([f for f in self._network.findings if f.code == meant.code])
+            return Answer(query, doubts=doubts, rule=_rule(meant.code, searched=True))
         if meant.place is not None:
             return self._place(query, meant.place)
         return Answer(

@@ -10,19 +10,23 @@ from typing import Final, NamedTuple
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.dot import graph_dot
+from rosward.outputs.grants import NOT_WIDENED
 from rosward.outputs.junit import junit_xml
 from rosward.outputs.mermaid import fenced, graph_mermaid
 from rosward.outputs.network_json import network_json
 from rosward.outputs.permissions import permissions
 from rosward.outputs.policy import policies, policy_xml
-from rosward.outputs.report import report_html
+from rosward.outputs.report.document import Background
+from rosward.outputs.report.page import report_html
 from rosward.outputs.sarif import sarif_json
 from rosward.outputs.starts import starts_text
 from rosward.outputs.svg import graph_svg
 from rosward.outputs.whole_files import write_text
+from rosward.reduction.widened import Widenings
 from rosward.review.judge import Judged
 
 _LONGEST_PATH: Final = 250
+_NO_BACKGROUND: Final = Background()
 
 
 class Scan(NamedTuple):
@@ -42,15 +46,19 @@ def write_outputs(
     system: bool = False,
     types: bool = False,
     scan: Scan | None = None,
+    widened: Widenings = NOT_WIDENED,
+    background: Background = _NO_BACKGROUND,
 ) -> list[str]:
     """Write the chosen formats below `folder`; returns the paths written, without those of single enclaves.
 
-    The formats sarif and junit need a `scan`. Raises OSError where that is not possible.
+    The formats sarif and junit need a `scan`; the report shows sources and launch files where it has a `background`. Raises OSError where that is
+    not possible.
     """
     written: list[str] = []
     chosen = tuple(formats)
     findings = _findings(scan, chosen) if scan is not None else ()
-    for name, text in chain(_texts(network, chosen, unknown, system, types), findings):
+    report = _report(network, chosen, unknown, background._replace(widened=widened))
+    for name, text in chain(_texts(network, chosen, unknown, system, types, widened), report, findings):
         path = write_text(folder, name, text)
         if "/" not in name:
             written.append(path)
@@ -58,17 +66,17 @@ def write_outputs(
 
 
 def _texts(
-    network: Network, formats: tuple[str, ...], unknown: UnknownNames, system: bool, types: bool
+    network: Network, formats: tuple[str, ...], unknown: UnknownNames, system: bool, types: bool, widened: Widenings
 ) -> Iterator[tuple[str, str]]:
     if "json" in formats:
         yield "network.json", network_json(network)
     if "policy" in formats and network.nodes:
-        yield "policy.xml", policy_xml(network, unknown=unknown)
-        for path, text in _placeable(policies(network, unknown=unknown)):
+        yield "policy.xml", policy_xml(network, unknown=unknown, widened=widened)
+        for path, text in _placeable(policies(network, unknown=unknown, widened=widened)):
             yield f"policies{_below(path)}/policy.xml", text
         yield "enclaves.txt", starts_text(network)
     if "permissions" in formats and network.nodes:
-        for path, text in _placeable(permissions(network, unknown=unknown)):
+        for path, text in _placeable(permissions(network, unknown=unknown, widened=widened)):
             yield f"permissions{_below(path)}/permissions.xml", text
     if "dot" in formats:
         yield "graph.dot", graph_dot(network, system=system, types=types)
@@ -78,8 +86,13 @@ def _texts(
         yield "graph.md", fenced(flowchart)
     if "svg" in formats:
         yield "graph.svg", graph_svg(network, system=system, types=types)
+
+
+def _report(
+    network: Network, formats: tuple[str, ...], unknown: UnknownNames, background: Background
+) -> Iterator[tuple[str, str]]:
     if "html" in formats:
-        yield "report.html", report_html(network, system=system, unknown=unknown)
+        yield "report.html", report_html(network, background, unknown)
 
 
 def _findings(scan: Scan, formats: tuple[str, ...]) -> Iterator[tuple[str, str]]:

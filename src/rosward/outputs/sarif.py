@@ -67,18 +67,25 @@ def _rule(rule: Rule, documentation: str | None) -> dict[str, object]:
 def _result(judged: Judged, indices: dict[str, int], baseline: bool) -> dict[str, object]:
     finding = judged.finding
     state = {"baselineState": "unchanged" if judged.known else "new"} if baseline else {}
-    region = {"startLine": max(finding.place.line, 1)}
-    if finding.place.line:
-        region["startColumn"] = max(finding.place.column, 1)
+    related = [
+        {"id": number, "message": {"text": r.message}, **_location(r.file, r.line, r.column)}
+        for number, r in enumerate(judged.related, 1)
+    ]
     return {
         "ruleId": finding.code,
         "ruleIndex": indices[finding.code],
         "level": finding.rule.severity.value,
         "message": {"text": finding.message},
-        "locations": [{"physicalLocation": {"artifactLocation": _artifact(judged.file), "region": region}}],
+        "locations": [_location(judged.file, finding.place.line, finding.place.column)],
+        **({"relatedLocations": related} if related else {}),
         "partialFingerprints": {_FINGERPRINT: judged.fingerprint},
         **state,
     }
+
+
+def _location(file: str, line: int, column: int) -> dict[str, object]:
+    region = {"startLine": max(line, 1), **({"startColumn": max(column, 1)} if line else {})}
+    return {"physicalLocation": {"artifactLocation": _artifact(file), "region": region}}
 
 
 def _artifact(file: str) -> dict[str, str]:

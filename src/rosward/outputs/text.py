@@ -47,16 +47,25 @@ def summary(
     written: Sequence[str] = (),
     reviewed: Reviewed = _NOTHING_ASIDE,
     configuration: str | None = None,
+    excluded: int = 0,
 ) -> None:
     """Print the summary.
 
     `verbose` lists every finding, notes too; `written` are the paths of what was written. Of `reviewed`, what is ignored or known is counted;
-    `configuration` is the file that set options.
+    `configuration` is the file that set options, `excluded` the number of files and folders that patterns left unread.
     """
     counts = counts_of(network)
     _print(console, _head(network, counts))
     if configuration is not None:
         _print(console, ("  options of " + printable(configuration), "dim"))
+    if excluded:
+        _print(
+            console,
+            (
+                f"  not read: {_several(excluded, 'file or folder', 'files and folders')} excluded by a pattern (-v: which)",
+                "yellow",
+            ),
+        )
     console.print()
     _print(console, ("  ", ""), *_things(counts))
     _print(console, ("  ", ""), *_names(counts))

@@ -16,11 +16,21 @@ from typing import NamedTuple
 from rosward.findings import RULES, Finding, Severity
 from rosward.review.comments import IgnoreComment, ignore_comments
 from rosward.review.fingerprints import fingerprints
+from rosward.review.ignore_in import IgnoredPaths, IgnoreIn
 from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
 
-__all__ = ["Judged", "Reviewed", "Sources", "Wishes", "judged", "review"]
+__all__ = ["Judged", "RelatedPlace", "Reviewed", "Sources", "Wishes", "judged", "review"]
+
+
+class RelatedPlace(NamedTuple):
+    """Another place that has to do with a finding; `file` as in `Judged`."""
+
+    message: str
+    file: str
+    line: int
+    column: int = 1
 
 
 class Judged(NamedTuple):
@@ -30,6 +40,7 @@ class Judged(NamedTuple):
     fingerprint: str
     file: str
     known: bool = False
+    related: tuple[RelatedPlace, ...] = ()
 
 
 class Reviewed(NamedTuple):
@@ -61,11 +72,12 @@ class Reviewed(NamedTuple):
 
 
 class Wishes(NamedTuple):
-    """What a person asks for: codes that are ignored everywhere, errors that may be, the baseline."""
+    """What a person asks for: codes that are ignored everywhere, or in some files; errors that may be; the baseline."""
 
     ignore: Collection[str] = ()
     accepted: Collection[str] = ()
     baseline: Collection[str] = ()
+    ignore_in: Sequence[IgnoreIn] = ()
 
     def may_ignore(self, finding: Finding) -> bool:
         """Whether a comment or a code can make this finding go."""
@@ -76,7 +88,7 @@ class Sources:
     """The text of the files that were read, again: lines for fingerprints, comments. Each file is read once."""
 
     def __init__(self, root: Path, files: Iterable[SourceFile]) -> None:
-        self._root = root
+        self.root = root
         self._paths = {file.relative: file.path for file in files}
         self._lines: dict[str, list[str]] = {}
         self.prefix = _below_repository(root)
@@ -90,7 +102,7 @@ class Sources:
     def text(self, file: str) -> str:
         """The text of a file; empty where it cannot be read."""
         path = self._paths.get(file)
-        found = read_source(path if path is not None else self._root / file, self._root) if "\0" not in file else None
+        found = read_source(path if path is not None else self.root / file, self.root) if "\0" not in file else None
         return "" if found is None or isinstance(found, Finding) else found.text
 
     def line_at(self, file: str, line: int) -> str:
@@ -113,12 +125,13 @@ def _below_repository(root: Path) -> str:
 
 def review(findings: Sequence[Finding], sources: Sources, wishes: Wishes, *, unused: bool) -> Reviewed:
     """Sort the findings. `unused` says whether a comment without a finding is told: not where only parts of the sources are started."""
+    by_path = IgnoredPaths(wishes.ignore_in, sources.root)
     comments = _Comments(sources, sources.files if unused else dict.fromkeys(f.place.file for f in findings))
     kept: list[Finding] = []
     ignored = accepted = 0
     for finding in findings:
-        meant = comments.mean(finding)
-        if (meant or finding.code in wishes.ignore) and wishes.may_ignore(finding):
+        meant = comments.mean(finding) or finding.code in wishes.ignore or by_path.mean(finding)
+        if meant and wishes.may_ignore(finding):
             ignored += 1
             accepted += finding.rule.severity is Severity.ERROR
         else:

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
+from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
 from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from rosward.source.entry_points import Declared
 
 _LEVELS_ABOVE: Final = 12
+_SHOWN: Final = 5
 
 
 def discover(
@@ -39,13 +41,18 @@ def discover(
     *,
     launch_files: Sequence[Path] = (),
     include_tests: bool = False,
+    exclude: Iterable[Exclusion] = (),
     read_setup: Callable[[str, str], Declared] = read_setup_py,
 ) -> Workspace:
-    """What the files and folders `paths` hold, and `launch_files`; `read_setup` reads a `setup.py` (path, name in findings)."""
+    """What the files and folders `paths` hold, and `launch_files`, less what `exclude` means.
+
+    `read_setup` reads a `setup.py` (path, name in findings).
+    """
     starts = list(dict.fromkeys(os.path.abspath(path) for path in paths)) or [os.path.abspath(".")]  # noqa: PTH100
     named = {os.path.abspath(path) for path in launch_files}  # noqa: PTH100
     root = _common_folder([*starts, *sorted(named)])
-    tree = Tree()
+    excluded = Exclusions(exclude, [*starts, *sorted(named)])
+    tree = Tree(excluded)
     findings: list[Finding] = []
     chosen = _look(starts, tree, root, findings, include_tests=include_tests)
     files = sorted({*tree.python.values()} - named)
@@ -56,7 +63,7 @@ def discover(
 
     described = _describe_all(tree, starts, root, read_setup)
     owners = _Owners(package for package, _ in described)
-    layout = Layout()
+    layout = Layout(excluded)
 
     def record(path: str, *, module: bool) -> SourceFile:
         package = owners.of(path)
@@ -66,7 +73,7 @@ def discover(
 
     sources = [record(path, module=True) for path in files if path not in launch and path not in scripts]
     packages = tuple(sorted((package for package, _ in described), key=lambda p: (p.relative, p.name)))
-    before = Workspace(root, tuple(sources), packages=packages)
+    before = Workspace(root, tuple(sources), packages=packages, excluded=excluded)
     started, doubts = _executables(described, ImportResolver(before, layout), set(files) if chosen else None, starts)
     known = {os.fspath(file.path) for file in sources}
     for executable in started:
@@ -85,9 +92,28 @@ def discover(
             for path, reason in sorted(set(tree.skipped), key=lambda s: s[0])
             if path not in known
         ),
-        findings=tuple(sorted(dict.fromkeys([*findings, *doubts]), key=lambda f: (f.place, f.code, f.message))),
+        findings=tuple(
+            sorted(dict.fromkeys([*findings, *doubts, *_told(tree, root)]), key=lambda f: (f.place, f.code, f.message))
+        ),
         targets=_targets(described),
+        excluded=excluded,
     )
+
+
+def _told(tree: Tree, root: Path) -> list[Finding]:
+    """RW011 for each pattern that excludes something."""
+    by_pattern: dict[str, list[str]] = {}
+    for path, reason in tree.skipped:
+        exclusion = tree.excluded.of(path) if reason is SkipReason.EXCLUDED else None
+        if exclusion is not None:
+            by_pattern.setdefault(exclusion.pattern, []).append(place_name(path, root))
+    findings: list[Finding] = []
+    for pattern, paths in sorted(by_pattern.items()):
+        ordered = sorted(set(paths))
+        more = f" and {len(ordered) - _SHOWN} more" if len(ordered) > _SHOWN else ""
+        message = f"{pattern} excludes {', '.join(ordered[:_SHOWN])}{more}: what is in it is not in the result."
+        findings.append(Finding("RW011", message, Place("", 0)))
+    return findings
 
 
 def _targets(described: list[tuple[Package, Described]]) -> tuple[Target, ...]:

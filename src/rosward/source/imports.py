@@ -59,7 +59,8 @@ class ImportResolver:
 
     def __init__(self, workspace: Workspace, layout: Layout | None = None) -> None:
         self._root = workspace.root
-        self._layout = layout or Layout()
+        self._layout = layout or Layout(workspace.excluded)
+        self._excluded = workspace.excluded
         self._files = {os.fspath(file.path): file for file in workspace.files}
         self._packages = workspace.packages
         self._scripts = _installed_scripts(workspace)
@@ -100,6 +101,10 @@ class ImportResolver:
             if found is not None and found.file is not None:
                 return found
         return self._guess(parts, package, package.path)
+
+    def is_excluded(self, path: str) -> bool:
+        """Whether the user does not want the file to be read."""
+        return self._excluded.of(path) is not None
 
     def file_at(self, path: str, package: Package | None) -> SourceFile:
         """The record of a file, made where an import is the first to need it."""

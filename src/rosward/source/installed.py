@@ -173,6 +173,7 @@ class _Sources:
         self._root = os.fspath(workspace.root)
         self._real_root = os.path.realpath(self._root)
         self._absolute = absolute
+        self._excluded = workspace.excluded
         self._packages: dict[str, list[Package]] = {}
         for package in workspace.packages:
             self._packages.setdefault(package.name, []).append(package)
@@ -235,6 +236,8 @@ class _Sources:
         """The file at a path, unless it (or what it links to) is outside of the workspace."""
         if path not in self._files:
             if not self._inside(path, package) or not os.path.isfile(path):  # noqa: PTH113
+                return None
+            if self._excluded.of(path) is not None:
                 return None
             name = "/" + place_name(path, "/") if self._absolute else place_name(path, self._root)
             file = SourceFile(Path(path), name, package or self._owner(path))

@@ -13,6 +13,8 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
+from rosward.source.exclude import Exclusions
+
 if TYPE_CHECKING:
     from rosward.source.workspace import Package
 
@@ -35,16 +37,17 @@ class Listing(NamedTuple):
 class Layout:
     """Folders as the file system has them, each listed once."""
 
-    __slots__ = ("_listings",)
+    __slots__ = ("_excluded", "_listings")
 
-    def __init__(self) -> None:
+    def __init__(self, excluded: Exclusions | None = None) -> None:
         self._listings: dict[str, Listing] = {}
+        self._excluded = excluded or Exclusions()
 
     def listing(self, folder: str) -> Listing:
         """What lies in `folder`; nothing, if it cannot be listed."""
         found = self._listings.get(folder)
         if found is None:
-            found = self._listings[folder] = _list(folder)
+            found = self._listings[folder] = _list(folder, self._excluded)
         return found
 
     def holds_python(self, folder: str) -> bool:
@@ -87,12 +90,14 @@ class Layout:
         return ".".join(parts)
 
 
-def _list(folder: str) -> Listing:
+def _list(folder: str, excluded: Exclusions) -> Listing:
     modules: set[str] = set()
     folders: set[str] = set()
     try:
         with os.scandir(folder) as entries:
             for entry in entries:
+                if excluded and excluded.of(entry.path) is not None:
+                    continue
                 if entry.name.endswith(".py"):
                     if entry.is_file():
                         modules.add(entry.name[:-3])

@@ -15,6 +15,7 @@ import os
 import re
 from typing import Final, NamedTuple, final
 
+from rosward.source.exclude import Exclusions
 from rosward.source.workspace import SkipReason
 
 _MARKERS: Final = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
@@ -45,9 +46,10 @@ _FOLDER_LIMIT: Final = 200_000
 class Tree:
     """What a walk found: absolute paths; `python` by their real path, so that each file is there once."""
 
-    __slots__ = ("descriptions", "interfaces", "launch", "linked", "not_files", "python", "skipped")
+    __slots__ = ("descriptions", "excluded", "interfaces", "launch", "linked", "not_files", "python", "skipped")
 
-    def __init__(self) -> None:
+    def __init__(self, excluded: Exclusions | None = None) -> None:
+        self.excluded = excluded or Exclusions()
         self.python: dict[str, str] = {}
         self.linked: list[str] = []
         """Python files that are symbolic links; they count where nothing else leads to the file."""
@@ -131,6 +133,9 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
     links: list[_Folder] = []
     for entry in entries:
         name = entry.name
+        if tree.excluded and tree.excluded.of(entry.path) is not None:
+            tree.skipped.append((entry.path, SkipReason.EXCLUDED))
+            continue
         try:
             is_folder, is_link = entry.is_dir(), entry.is_symlink()
         except OSError:

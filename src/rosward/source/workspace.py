@@ -11,13 +11,18 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.source.exclude import Exclusions
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from rosward.findings import Finding
     from rosward.source.location import Place
+
+
+_NOTHING: Final = Exclusions()
 
 
 class Shared(NamedTuple):
@@ -134,6 +139,7 @@ class SkipReason(enum.Enum):
     IGNORED = "marked to be ignored (COLCON_IGNORE and the like)"
     TEST = "tests"
     BUILD_SCRIPT = "build script"
+    EXCLUDED = "excluded by a pattern"
 
 
 @final
@@ -159,3 +165,5 @@ class Workspace:
     skipped: tuple[Skipped, ...] = ()
     findings: tuple[Finding, ...] = ()
     targets: tuple[Target, ...] = ()
+    excluded: Exclusions = _NOTHING
+    """What is not read, wherever an import or a launch file may lead."""

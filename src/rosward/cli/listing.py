@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward list topics`: what there is of one kind, one line each."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING, Final
+
+from rosward.cli.shared import (
+    COMPLETE,
+    INCOMPLETE,
+    add_deployment,
+    add_enclaves,
+    add_format,
+    add_sources,
+    extracted,
+    refusing,
+    request_of,
+)
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+
+_KINDS: Final = ("nodes", "topics", "services", "actions", "packages", "parameters")
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "list",
+        help="print nodes, topics, services, actions, packages or parameters as a table",
+        description="Prints what there is of one kind, one line each; - stands for what there is not.",
+        epilog="Exit status: 0 the list is complete; 1 something may be missing (extract says what); 2 wrong use or nothing to read.",
+    )
+    parser.set_defaults(run=refusing(_run))
+    parser.add_argument("kind", choices=_KINDS, metavar="KIND", help=", ".join(_KINDS))
+    add_sources(parser)
+    add_deployment(parser)
+    add_enclaves(parser)
+    parser.add_argument("--system", action="store_true", help="also what the client library creates by itself")
+    add_format(parser, "text", "json")
+
+
+def _run(options: argparse.Namespace) -> int:
+    from rosward.outputs.listing import listing_json, listing_text, rows_of
+
+    result = extracted(options, options.paths, request_of(options))
+    rows = rows_of(result.network, options.kind, system=options.system)
+    write = listing_json if options.format == "json" else listing_text
+    sys.stdout.write(write(rows, options.kind))
+    if result.complete:
+        return COMPLETE
+    errors = sum(f.rule.severity.value == "error" for f in result.findings)
+    told = f"rosward: something may be missing: {errors} findings are errors (rosward extract says which)"
+    print(told, file=sys.stderr)  # noqa: T201
+    return INCOMPLETE

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What several commands share where they show findings: which of them, which are new, and where they are written.
+
+add_review(parser)                       --baseline, --write-baseline
+reviewed(findings, sources, options)     comments, `ignore`, `ignore-in` and the baseline, applied
+deliver(text, options.output)            to the terminal, or whole into a file
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from rosward.cli.shared import WrongUseError
+
+if TYPE_CHECKING:
+    from rosward.findings import Finding
+    from rosward.pipeline import Result
+    from rosward.review.judge import Judged, Reviewed, Sources
+
+__all__ = ["add_output_file", "add_review", "deliver", "documentation", "reviewed", "reviewed_result", "write_baseline"]
+
+
+def add_review(parser: argparse.ArgumentParser) -> None:
+    """Which findings are known."""
+    parser.add_argument(
+        "--baseline", metavar="FILE", help="findings in it are not new: they do not count for the exit status"
+    )
+    parser.add_argument("--write-baseline", metavar="FILE", help="write the findings of this run there")
+
+
+def add_output_file(parser: argparse.ArgumentParser) -> None:
+    """Where a command that prints one document writes it instead."""
+    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+
+
+def reviewed(findings: Sequence[Finding], sources: Sources, options: argparse.Namespace, *, unused: bool) -> Reviewed:
+    """The findings without those that are to be ignored. `unused`: whether comments without a finding are told. Raises WrongUseError."""
+    from rosward.review.baseline import BaselineError, read_baseline
+    from rosward.review.judge import Wishes, review
+
+    try:
+        baseline = read_baseline(options.baseline) if options.baseline is not None else frozenset[str]()
+    except BaselineError as error:
+        raise WrongUseError(f"--baseline: {error}") from error
+    wishes = Wishes(frozenset(options.ignore), frozenset(options.accepted), baseline, options.ignore_in)
+    return review(findings, sources, wishes, unused=unused)
+
+
+def reviewed_result(
+    result: Result, sources: Sources, options: argparse.Namespace, *, unused: bool
+) -> tuple[Reviewed, tuple[Finding, ...]]:
+    """The findings of an analysis as `reviewed`, and apart from them its loose ends, which the report tells unasked.
+
+    Loose ends are judged also where `--loose-ends` does not ask for them, so that a comment that ignores one is not told to be without use.
+    """
+    from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
+
+    ends = loose_ends(result.network)
+    found = reviewed((*result.findings, *ends), sources, options, unused=unused)
+    loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
+    if getattr(options, "loose_ends", False):
+        return found, loose
+    shown = tuple(j for j in found.shown if j.finding.code not in LOOSE_ENDS)
+    return found._replace(shown=shown, ignored=found.ignored - (len(ends) - len(loose))), loose
+
+
+def write_baseline(shown: Iterable[Judged], file: str) -> str:
+    """Write the findings of a run as a baseline; returns the path. Raises WrongUseError."""
+    from rosward.review.baseline import baseline_text
+
+    return _write(baseline_text(shown), file)
+
+
+def deliver(text: str, file: str | None) -> None:
+    """Print the text, or write it to a file. Raises WrongUseError."""
+    if file is None:
+        sys.stdout.write(text)
+    else:
+        _write(text, file)
+
+
+def _write(text: str, file: str) -> str:
+    from rosward.outputs.whole_files import write_text
+
+    folder, name = os.path.split(file)
+    try:
+        return write_text(folder or ".", name, text)
+    except OSError as error:
+        raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
+
+
+def documentation() -> str | None:
+    """Where the installed package says that the explanation of findings is."""
+    from importlib.metadata import PackageNotFoundError, metadata
+
+    try:
+        urls = metadata("rosward").get_all("Project-URL") or []
+    except PackageNotFoundError:
+        return None
+    return next((url.partition(", ")[2] for url in urls if url.startswith("Findings, ")), None)
