@@ -2,6 +2,10 @@
 """Options of the test suite."""
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("rosward", deadline=None)  # how long a law takes is the machine's affair
+settings.load_profile("rosward")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -40,7 +40,7 @@ from rosward.ros.distro import (  # noqa: E402
 from rosward.ros.entities import EntityKind  # noqa: E402
 from rosward.ros.names import RemapKind  # noqa: E402
 
-REAL = settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
+REAL = settings(max_examples=200, suppress_health_check=list(HealthCheck))
 
 
 @contextmanager

@@ -135,7 +135,7 @@ ANY = st.text(alphabet=st.characters(), max_size=10) | st.sampled_from(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(ANY, ANY, ANY)
 def test_any_text_gives_a_well_formed_picture(name: str, topic: str, type_: str) -> None:
     network = connect("jazzy", [node("/a", pub("/" + topic, type_, reasons=(topic,)), name=name, namespace="/" + name)])

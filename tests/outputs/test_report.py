@@ -120,7 +120,7 @@ def test_text_from_the_sources_stays_text() -> None:
         assert text in [f["message"] for f in json.loads(page.document)["findings"]]
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.text(alphabet=st.characters(), max_size=10))
 def test_any_text_gives_the_same_page_around_it(text: str) -> None:
     written = report_html(hostile(text))

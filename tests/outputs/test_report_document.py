@@ -341,7 +341,7 @@ def hostile(text: str) -> Any:
     return connect("jazzy", [bad], [Finding("RW101", text, Place(text, 3))])
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.text(alphabet=st.characters(), max_size=10))
 def test_any_text_gives_a_document_of_the_same_form(text: str) -> None:
     """And nothing in it can end the script that holds it. Policies are as their files; the schema refuses control characters elsewhere."""

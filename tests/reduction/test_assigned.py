@@ -20,7 +20,7 @@ from .systems import nodes
 
 
 @given(nodes(), st.integers(1, 9), st.booleans())
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_a_suggestion_that_is_written_and_read_is_what_was_suggested(
     tmp_path_factory: pytest.TempPathFactory, made: tuple[Node, ...], most: int, ignore_given: bool
 ) -> None:

@@ -47,7 +47,7 @@ def told(widened: tuple[Widened, ...]) -> set[Privilege]:
 
 
 @given(nodes(enclave="/all"), st.integers(3_000, 9_000))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=40)
 def test_the_laws_of_compaction(made: tuple[Node, ...], largest: int) -> None:
     network = connect("jazzy", made)
     compaction = compact(network.nodes, largest=largest)
@@ -84,7 +84,7 @@ def test_the_laws_of_compaction(made: tuple[Node, ...], largest: int) -> None:
 
 
 @given(nodes(enclave="/all"))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_the_size_is_that_of_the_document(made: tuple[Node, ...]) -> None:
     network = connect("jazzy", made)
     documents = permissions(network)

@@ -3,6 +3,7 @@
 // Which nodes, endpoints and entities are left under the filters?
 rosward.filter = (() => {
   const { model } = rosward;
+  const HUB = 12; // what is used more often than this brings nobody near
 
   /** {nodes, endpoints, entities}: sets of ids, for a record of `rosward.state`. */
   function shown(view) {
@@ -56,6 +57,7 @@ rosward.filter = (() => {
       for (const node of border) {
         for (const { endpoint } of ofNode.get(node) || []) {
           seenEndpoints.add(endpoint);
+          if (ofEndpoint.get(endpoint).length > HUB) continue; // everyone is near everyone through `/tf`
           for (const other of ofEndpoint.get(endpoint)) {
             if (seenNodes.has(other.node)) continue;
             seenNodes.add(other.node);

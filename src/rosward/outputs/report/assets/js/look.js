@@ -58,7 +58,7 @@ rosward.look = (() => {
       { selector: "node.frame", style: {
         shape: "round-rectangle", "background-color": colour("frame"), "background-opacity": 0.55, "border-width": 1, "border-color": colour("frame-line"),
         label: "data(label)", "font-family": FAMILY, "font-size": 12, "font-weight": 600, color: colour("dim"), "text-valign": "top", "text-halign": "center",
-        "text-margin-y": 22, padding: 16, "min-zoomed-font-size": 5, "overlay-opacity": 0, "z-compound-depth": "bottom" } },
+        "text-margin-y": -4, padding: 16, "min-zoomed-font-size": 5, "overlay-opacity": 0, "z-compound-depth": "bottom" } },
       { selector: "edge", style: {
         width: 1.4, "curve-style": "bezier", "target-arrow-shape": "triangle", "arrow-scale": 0.8, "overlay-padding": 5, "overlay-opacity": 0 } },
       { selector: "edge.routed", style: { "curve-style": "round-segments", "segment-radii": 7, "edge-distances": "endpoints" } },
