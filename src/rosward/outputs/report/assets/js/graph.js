@@ -3,7 +3,7 @@
 // The drawing: shapes and edges on a canvas, with zoom, pan, hover and choice.
 rosward.graph = (() => {
   const { model, state, route, elements, layout, quick, look, filter } = rosward;
-  const PATIENCE = 600; // milliseconds that the first look may wait for the real layout
+  const PATIENCE = 300; // milliseconds that the first look may wait for the real layout
   const HEAVY = 1200; // shapes and edges: from here on moving comes before detail
   const box = document.getElementById("canvas");
   const listeners = [];
