@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Options of the test suite."""
 
+import os
+
 import pytest
 from hypothesis import settings
 
-settings.register_profile("rosward", deadline=None)  # how long a law takes is the machine's affair
+# how long a law takes is the machine's affair; ROSWARD_EXAMPLES=2000 tries one longer
+settings.register_profile("rosward", deadline=None, max_examples=int(os.environ.get("ROSWARD_EXAMPLES", "50")))
 settings.load_profile("rosward")
 
 
