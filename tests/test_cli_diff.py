@@ -134,14 +134,9 @@ def test_rights_are_compared_by_what_they_allow(
         ("[" * 100_000, "no JSON"),
         ("[]", "the document is no object"),
         ('{"schema_version": 2}', "schema_version is not 1"),
-        ('{"schema_version": 1}', "the document.nodes is no list"),
-        ('{"schema_version": 1, "nodes": [3]}', "nodes[0] is no object"),
-        ('{"schema_version": 1, "nodes": [{"fqn": 3}]}', "nodes[0].fqn is no text"),
-        ('{"schema_version": 1, "nodes": [{"fqn": "/a", "enclave": "/a"}]}', "nodes[0].publishers is no list"),
-        (
-            '{"schema_version": 1, "nodes": [{"fqn": "/a", "enclave": "/a", "publishers": [{"name": "x"}]}]}',
-            "nodes[0].publishers[0].name is no full name",
-        ),
+        ('{"schema_version": 1}', "the document.distro is no text"),
+        ('{"schema_version": 1, "distro": "jazzy"}', "the document.nodes is no list"),
+        ('{"schema_version": 1, "distro": "jazzy", "nodes": [3]}', "nodes[0] is no object"),
         ("<policy", "not well-formed"),
         ("<x/>", "neither an SROS2 policy"),
     ],
@@ -150,6 +145,35 @@ def test_what_cannot_be_read_is_status_2(text: str, message: str, capsys: pytest
     Path("bad").write_text(text, encoding="utf-8")
     assert main(["diff", "bad", "bad"]) == 2
     assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"enclave": 3}, "nodes[0].enclave is no text"),
+        ({"publishers": None}, "nodes[0].publishers is no list"),
+        ({"publishers": [{"name": "x"}]}, "nodes[0].publishers[0].resolution is no text"),
+        ({"defined_at": {"file": "a.py", "line": -1}}, "nodes[0].defined_at.line is no number"),
+    ],
+)
+def test_a_node_of_another_form_is_refused(
+    change: dict[str, object], message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = Path(network("old", '"chatter"'))
+    document = json.loads(file.read_text(encoding="utf-8"))
+    document["nodes"][0].update(change)
+    Path("bad").write_text(json.dumps(document), encoding="utf-8")
+    assert main(["diff", str(file), "bad"]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_name_that_no_topic_has_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    file = Path(network("old", '"chatter"'))
+    document = json.loads(file.read_text(encoding="utf-8"))
+    document["nodes"][0]["publishers"][0]["name"] = "/[a-z]"
+    Path("bad").write_text(json.dumps(document), encoding="utf-8")
+    assert main(["diff", str(file), "bad"]) == 2
+    assert "'/[a-z]' is no full name" in capsys.readouterr().err
 
 
 def test_a_network_and_a_policy_are_not_compared(capsys: pytest.CaptureFixture[str]) -> None:
@@ -162,9 +186,8 @@ def test_a_network_and_a_policy_are_not_compared(capsys: pytest.CaptureFixture[s
 def test_a_network_of_too_many_patterns_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     old = Path(network("old", '"chatter"'))
     document = json.loads(old.read_text(encoding="utf-8"))
-    document["nodes"][0]["publishers"] = [
-        {"name": f"/*{n}", "type": None, "resolution": "pattern"} for n in range(2_000)
-    ]
+    one = document["nodes"][0]["publishers"][0]
+    document["nodes"][0]["publishers"] = [{**one, "name": f"/*{n}", "resolution": "pattern"} for n in range(2_000)]
     Path("new.json").write_text(json.dumps(document), encoding="utf-8")
     assert main(["diff", str(old), "new.json"]) == 2
     assert "more than 1,000 names with a wildcard" in capsys.readouterr().err

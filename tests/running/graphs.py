@@ -7,11 +7,11 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rosward.findings import Finding
-from rosward.ros.entities import Entity, EntityKind, Node
+from rosward.ros.entities import ENTITY_LISTS, Entity, EntityKind, Node
 from rosward.running.accepted import Accepted
 from rosward.running.compare import audit
 from rosward.running.document import snapshot_of
-from rosward.running.graph import LISTS, LiveGraph
+from rosward.running.graph import LiveGraph
 
 PARTS = {
     EntityKind.ACTION_SERVER: ("publishers", "service_servers"),
@@ -36,8 +36,8 @@ def snapshot(
 
 
 def _node(node: Node, count: int) -> dict[str, Any]:
-    lists: dict[str, list[dict[str, Any]]] = {key: [] for key in LISTS}
-    for key, kind in LISTS.items():
+    lists: dict[str, list[dict[str, Any]]] = {key: [] for key in ENTITY_LISTS}
+    for key, kind in ENTITY_LISTS.items():
         for entity in node.of_kind(kind):
             lists[key].append(seen(entity.name, entity.type or "std_msgs/msg/String", entity))
             if kind in PARTS:

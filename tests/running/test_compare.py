@@ -15,9 +15,9 @@ from rosward.findings import Finding
 from rosward.ros.entities import EntityKind, Node, Qos, Resolution
 from rosward.running.accepted import Accepted
 from rosward.running.compare import audit
-from rosward.running.graph import UnreadableError
 from rosward.running.result import Audit, Unseen
 from rosward.running.tools import tool_of
+from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 
 from .graphs import running, seen, told

@@ -16,11 +16,11 @@ import pytest
 from outputs.networks import fleet, node, pub, sub, talker_and_listener
 
 from rosward.network.graph import Network
+from rosward.network.network_file import read_network
 from rosward.outputs.network_json import network_json
 from rosward.ros.entities import Node, Qos
 from rosward.running.document import read_snapshot, snapshot_of
-from rosward.running.graph import UnreadableError
-from rosward.running.network_document import read_network
+from rosward.source.json_fields import UnreadableError
 
 from .graphs import running, seen, snapshot, told
 

@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 from outputs.networks import entity, node, pub, sub
 
 from rosward.ros.entities import EntityKind
-from rosward.running.graph import LiveEntity, UnreadableError
+from rosward.running.graph import LiveEntity
 from rosward.running.node_info import read_node_info
+from rosward.source.json_fields import UnreadableError
 
 from .graphs import told
 

@@ -83,7 +83,7 @@ class _Said(NamedTuple):
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.running.compare import audit
-    from rosward.running.graph import UnreadableError
+    from rosward.source.json_fields import UnreadableError
 
     try:
         accepted = _accepted(options)
@@ -134,8 +134,8 @@ def _text(file: str) -> str:
 
 
 def _earlier(options: argparse.Namespace) -> _Said:
+    from rosward.network.network_file import read_network
     from rosward.review.judge import Sources
-    from rosward.running.network_document import read_network
 
     request = request_of(options)
     if options.paths or request.deploys or request.params:

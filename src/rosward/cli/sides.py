@@ -48,7 +48,7 @@ class _Side(NamedTuple):
 def differences(options: argparse.Namespace) -> Differences:
     """What came and went, from the first side to the second. Raises WrongUseError."""
     from rosward.differences.compare import compare
-    from rosward.differences.snapshot import UnreadableError
+    from rosward.source.json_fields import UnreadableError
 
     try:
         if options.git is not None:
@@ -157,12 +157,11 @@ def _nothing() -> Snapshot:
 
 
 def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str]) -> Snapshot:
-    from rosward.differences.network_file import network_of
-    from rosward.outputs.network_json import network_json
+    from rosward.differences.of_nodes import snapshot_of
 
     own = _moved(options, side)
     result = extracted(own, paths, request_of(own))
-    return network_of(network_json(result.network), side.name)
+    return snapshot_of(result.network.nodes, side.name)
 
 
 def _moved(options: argparse.Namespace, side: _Side) -> argparse.Namespace:

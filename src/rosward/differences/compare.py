@@ -14,13 +14,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, Generic, NamedTuple, TypeVar
 
-from rosward.differences.network_file import read_network
-from rosward.differences.snapshot import EntityLine, Snapshot, UnreadableError
+from rosward.differences.of_nodes import snapshot_of
+from rosward.differences.snapshot import EntityLine, Snapshot
 from rosward.findings import Finding
+from rosward.network.network_file import read_network
 from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
 from rosward.policies.records import EnclavePolicy, Policy
 from rosward.policies.rights import Right
+from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
@@ -70,7 +72,7 @@ def read_snapshot(path: str) -> Snapshot:
     if isinstance(data, Finding):
         raise UnreadableError(f"{path}: {data.message}")
     if not data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
-        return read_network(path)
+        return snapshot_of(read_network(path).nodes, path)
     policy = read_policy([path])
     if policy.findings:
         raise UnreadableError("; ".join(f"{f.place}: {f.message}" for f in policy.findings[:3]))

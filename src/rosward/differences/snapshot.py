@@ -12,11 +12,7 @@ from typing import NamedTuple
 
 from rosward.policies.records import Policy
 
-__all__ = ["EntityLine", "Snapshot", "UnreadableError"]
-
-
-class UnreadableError(Exception):
-    """A file is not of the form that is compared; the message says why."""
+__all__ = ["EntityLine", "Snapshot"]
 
 
 class EntityLine(NamedTuple):

@@ -16,21 +16,12 @@ from typing import Final
 from rosward._version import __version__
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.outputs.safe import encodable
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter
+from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Parameter
 from rosward.source.location import Place
 
 __all__ = ["SCHEMA_VERSION", "network_json"]
 
 SCHEMA_VERSION: Final = 1
-
-_LISTS: Final = (
-    (EntityKind.PUBLISHER, "publishers"),
-    (EntityKind.SUBSCRIPTION, "subscriptions"),
-    (EntityKind.SERVICE_SERVER, "service_servers"),
-    (EntityKind.SERVICE_CLIENT, "service_clients"),
-    (EntityKind.ACTION_SERVER, "action_servers"),
-    (EntityKind.ACTION_CLIENT, "action_clients"),
-)
 
 
 def network_json(network: Network) -> str:
@@ -60,7 +51,7 @@ def _node(node: Node) -> dict[str, object]:
         "process": node.process,
         "launched_by": _place(node.launched_by) if node.launched_by else None,
         "defined_at": _place(node.defined_at),
-        **{key: _entities(node.of_kind(kind)) for kind, key in _LISTS},
+        **{key: _entities(node.of_kind(kind)) for key, kind in ENTITY_LISTS.items()},
         "parameters": [_parameter(parameter) for parameter in node.parameters],
     }
 

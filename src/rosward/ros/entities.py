@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 from rosward.source.location import Place
 
-__all__ = ["Entity", "EntityKind", "Node", "Parameter", "Qos", "Resolution", "replace"]
+__all__ = ["ENTITY_LISTS", "Entity", "EntityKind", "Node", "Parameter", "Qos", "Resolution", "replace"]
 
 
 class EntityKind(enum.Enum):
@@ -23,6 +24,17 @@ class EntityKind(enum.Enum):
     SERVICE_CLIENT = "service client"
     ACTION_SERVER = "action server"
     ACTION_CLIENT = "action client"
+
+
+ENTITY_LISTS: Final = {
+    "publishers": EntityKind.PUBLISHER,
+    "subscriptions": EntityKind.SUBSCRIPTION,
+    "service_servers": EntityKind.SERVICE_SERVER,
+    "service_clients": EntityKind.SERVICE_CLIENT,
+    "action_servers": EntityKind.ACTION_SERVER,
+    "action_clients": EntityKind.ACTION_CLIENT,
+}
+"""The lists of a node in documents (`network.json`, snapshots), and what is in them."""
 
 
 class Resolution(enum.Enum):

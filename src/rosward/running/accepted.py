@@ -15,7 +15,7 @@ from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.policies.match import LONGEST_NAME, Pattern
-from rosward.running.graph import UnreadableError
+from rosward.source.json_fields import UnreadableError
 from rosward.source.text import decode, read_bytes
 
 __all__ = ["Accepted", "read_accepted"]

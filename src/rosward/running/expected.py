@@ -15,7 +15,8 @@ from typing import Final, NamedTuple, final
 from rosward.findings import Finding
 from rosward.policies.match import Pattern
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
-from rosward.running.graph import LiveEntity, UnreadableError, part_of_action
+from rosward.running.graph import LiveEntity, part_of_action
+from rosward.source.json_fields import UnreadableError
 
 __all__ = ["Candidates", "ExpectedEntities", "ExpectedNode", "ExpectedNodes", "How", "Work"]
 

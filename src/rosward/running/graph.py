@@ -18,11 +18,9 @@ from rosward.ros.entities import EntityKind, Qos
 
 __all__ = [
     "ALL_KINDS",
-    "LISTS",
     "LiveEntity",
     "LiveGraph",
     "LiveNode",
-    "UnreadableError",
     "is_hidden",
     "part_of_action",
     "with_actions",
@@ -30,25 +28,11 @@ __all__ = [
 
 ALL_KINDS: Final = frozenset(EntityKind)
 
-LISTS: Final = {
-    "publishers": EntityKind.PUBLISHER,
-    "subscriptions": EntityKind.SUBSCRIPTION,
-    "service_servers": EntityKind.SERVICE_SERVER,
-    "service_clients": EntityKind.SERVICE_CLIENT,
-    "action_servers": EntityKind.ACTION_SERVER,
-    "action_clients": EntityKind.ACTION_CLIENT,
-}
-"""The lists of a node in documents, and what is in them."""
-
 _PART: Final = re.compile(r"(/.+)/_action/(feedback|status|send_goal|cancel_goal|get_result)")
 _TOPICS: Final = frozenset({"feedback", "status"})
 _OF_SERVER: Final = frozenset({EntityKind.PUBLISHER, EntityKind.SERVICE_SERVER})
 _ENDPOINTS: Final = frozenset({EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION})
 _SERVICES: Final = frozenset({EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT})
-
-
-class UnreadableError(Exception):
-    """What was seen cannot be read; the message says why."""
 
 
 class LiveEntity(NamedTuple):

@@ -19,7 +19,8 @@ from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.ros.entities import EntityKind
-from rosward.running.graph import LiveEntity, LiveGraph, LiveNode, UnreadableError, is_hidden, with_actions
+from rosward.running.graph import LiveEntity, LiveGraph, LiveNode, is_hidden, with_actions
+from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 
 __all__ = ["LONGEST_TEXT", "read_node_info"]

@@ -25,7 +25,6 @@ from rich.console import Console
 
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.differences.compare import compare, read_snapshot
-from rosward.differences.snapshot import UnreadableError
 from rosward.findings import Severity
 from rosward.network.graph import Network
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
@@ -44,6 +43,7 @@ from rosward.server.places import LeftOut, read_left_out, write_left_out
 from rosward.server.settings import Settings
 from rosward.server.telling import Teller
 from rosward.server.unpacking import unpack
+from rosward.source.json_fields import UnreadableError
 
 __all__ = ["FORMATS", "analyse"]
 

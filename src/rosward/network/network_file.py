@@ -4,7 +4,7 @@
     {"schema_version": 1, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
       ->  the nodes as `rosward.extract` gave them, and the findings
 
-As strict as the reader of snapshots. Why a name is not known is not in the file, only where; and a node is one
+Why a name is not known is not in the file, only where; and a node is one
 of some runs only where all that it has itself is.
 """
 
@@ -14,12 +14,11 @@ from collections.abc import Iterator
 from typing import Final, NamedTuple
 
 from rosward.findings import RULES, Finding
-from rosward.ros.entities import Entity, Node, Resolution
-from rosward.running.document import Fields, json_document
-from rosward.running.graph import LISTS, UnreadableError
+from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Qos, Resolution
+from rosward.source.json_fields import Fields, UnreadableError, json_document
 from rosward.source.location import Place
 
-__all__ = ["NetworkRead", "read_network"]
+__all__ = ["NetworkRead", "qos_of", "read_network"]
 
 _MOST: Final = 200_000
 _RESOLUTIONS: Final = {r.value: r for r in Resolution}
@@ -69,7 +68,7 @@ def _node(fields: Fields) -> Node:
 
 
 def _entities(fields: Fields) -> Iterator[Entity]:
-    for key, kind in LISTS.items():
+    for key, kind in ENTITY_LISTS.items():
         for entity in fields.objects(key, _MOST):
             yield Entity(
                 kind=kind,
@@ -78,7 +77,7 @@ def _entities(fields: Fields) -> Iterator[Entity]:
                 system=entity.flag("system", False),
                 resolution=_resolution(entity),
                 conditional=entity.flag("conditional", False),
-                qos=entity.inner("qos").qos() if "qos" in entity else None,
+                qos=qos_of(entity.inner("qos")) if "qos" in entity else None,
                 depends_on=tuple(entity.texts("depends_on", _MOST)),
                 created_at=tuple(_place(place) for place in entity.objects("created_at", _MOST)),
             )
@@ -100,3 +99,13 @@ def _resolution(fields: Fields) -> Resolution:
     if found is None:
         raise UnreadableError(f"{fields.where}.resolution is none that there is")
     return found
+
+
+def qos_of(fields: Fields) -> Qos:
+    """What an object says of a QoS profile."""
+    return Qos(
+        fields.text_or_none("reliability"),
+        fields.text_or_none("durability"),
+        fields.text_or_none("history"),
+        fields.integer_or_none("depth"),
+    )

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How is a JSON document of another program, or of an earlier run, read strictly?
+
+    Fields({"nodes": [{"name": 3}]}, "the document").objects("nodes", 10)[0].text("name")
+      ->  UnreadableError: nodes[0].name is no text of at most 1000 characters
+
+What is not of the form that is asked for is refused with the place of it, and size is bounded.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Final
+
+from rosward.findings import Finding
+from rosward.source.text import read_bytes
+
+__all__ = ["Fields", "UnreadableError", "json_document"]
+
+_LARGEST: Final = 64_000_000
+_LONGEST: Final = 1_000
+_SCHEMA_VERSION: Final = 1
+
+
+class UnreadableError(Exception):
+    """What was given cannot be read; the message says why."""
+
+
+def json_document(path: str) -> object:
+    """The JSON in a file. Raises UnreadableError."""
+    data = read_bytes(path, path, _LARGEST)
+    if isinstance(data, Finding):
+        raise UnreadableError(f"{path}: {data.message}")
+    try:
+        return json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise UnreadableError(f"{path}: no JSON: {error}") from error
+
+
+class Fields:
+    """An object of JSON whose fields are asked for by their kind; one of another kind is told with its place."""
+
+    def __init__(self, value: object, where: str) -> None:
+        if not isinstance(value, dict):
+            raise UnreadableError(f"{where} is no object")
+        self._value = value
+        self.where = where
+
+    def __contains__(self, key: str) -> bool:
+        return self._value.get(key) is not None
+
+    def text(self, key: str) -> str:
+        """A text."""
+        found = self._value.get(key)
+        if not isinstance(found, str) or len(found) > _LONGEST:
+            raise UnreadableError(f"{self.where}.{key} is no text of at most {_LONGEST} characters")
+        return found
+
+    def long_text(self, key: str) -> str:
+        """A text of any length."""
+        found = self._value.get(key)
+        if not isinstance(found, str):
+            raise UnreadableError(f"{self.where}.{key} is no text")
+        return found
+
+    def inner(self, key: str) -> Fields:
+        """An object in it."""
+        return Fields(self._value.get(key), f"{self.where}.{key}")
+
+    def text_or_none(self, key: str) -> str | None:
+        """A text, or nothing."""
+        return self.text(key) if key in self else None
+
+    def number(self, key: str) -> int:
+        """A natural number."""
+        found = self._value.get(key)
+        if not isinstance(found, int) or isinstance(found, bool) or not 0 <= found < 1 << 31:
+            raise UnreadableError(f"{self.where}.{key} is no number of things")
+        return found
+
+    def flag(self, key: str, default: bool) -> bool:
+        """True or false."""
+        found = self._value.get(key, default)
+        if not isinstance(found, bool):
+            raise UnreadableError(f"{self.where}.{key} is neither true nor false")
+        return found
+
+    def integer_or_none(self, key: str) -> int | None:
+        """A whole number, or nothing."""
+        found = self._value.get(key)
+        if found is not None and (not isinstance(found, int) or isinstance(found, bool)):
+            raise UnreadableError(f"{self.where}.{key} is no integer")
+        return found
+
+    def version(self) -> None:
+        """Refuse a document of another version."""
+        found = self._value.get("schema_version")
+        if found != _SCHEMA_VERSION or isinstance(found, bool):
+            raise UnreadableError(f"schema_version is not {_SCHEMA_VERSION}")
+
+    def objects(self, key: str, most: int) -> list[Fields]:
+        """A list of objects."""
+        return [Fields(value, f"{self.where}.{key}[{n}]") for n, value in enumerate(self._list(key, most))]
+
+    def texts(self, key: str, most: int) -> list[str]:
+        """A list of texts."""
+        found = self._list(key, most)
+        texts = [value for value in found if isinstance(value, str) and len(value) <= _LONGEST]
+        if len(texts) < len(found):
+            raise UnreadableError(f"{self.where}.{key} is no list of texts of at most {_LONGEST} characters")
+        return texts
+
+    def _list(self, key: str, most: int) -> list[object]:
+        found = self._value.get(key)
+        if not isinstance(found, list):
+            raise UnreadableError(f"{self.where}.{key} is no list")
+        if len(found) > most:
+            raise UnreadableError(f"{self.where}.{key} has more than {most:,} items")
+        return found
