@@ -16,7 +16,7 @@ from typing import Final, NamedTuple, Protocol, final
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Hole, Text, Unknown, Value
-from rosward.source.location import Place
+from rosward.source.location import Place, names_of_path
 
 _PACKAGE: Final = re.compile(r"\w[\w.-]*", re.ASCII)
 
@@ -83,7 +83,7 @@ def location_of(value: Value) -> Location | None:
     if len(folders) != 1:
         return None
     cause, package = folders.pop()
-    parts = _normal(tail)
+    parts = names_of_path(tail)
     if parts is None:
         return None
     if cause is Cause.SOURCES and not package:
@@ -100,16 +100,3 @@ def path_of(location: Location) -> Value:
     cause = Cause.SHARE if location.package else Cause.SOURCES
     hole = Hole((Reason(cause, location.package, Place("", 0)),))
     return make((hole, f"/{location.relative}" if location.relative else ""))
-
-
-def _normal(path: str) -> list[str] | None:
-    """The names of a path without `.` and `..`; None where it leads above its beginning."""
-    parts: list[str] = []
-    for part in path.split("/"):
-        if part == "..":
-            if not parts:
-                return None
-            parts.pop()
-        elif part not in ("", "."):
-            parts.append(part)
-    return parts

@@ -36,14 +36,6 @@ _LOOKS: Final = {
     "action": _Look("folder", "#f6e2ee", "#a8457e"),
 }
 _DOUBT: Final = "#c44200"
-_MEETING_OF: Final = {
-    EntityKind.PUBLISHER: "topic",
-    EntityKind.SUBSCRIPTION: "topic",
-    EntityKind.SERVICE_SERVER: "service",
-    EntityKind.SERVICE_CLIENT: "service",
-    EntityKind.ACTION_SERVER: "action",
-    EntityKind.ACTION_CLIENT: "action",
-}
 _HUB: Final = 12
 """Used by more nodes than this, a topic, service or action is drawn once for each of them."""
 
@@ -127,7 +119,7 @@ def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vert
     types: dict[str, set[str]] = {}
     for node, entity, key, hub in ends:
         types.setdefault(key, set()).update({entity.type} if entity.type else ())
-        look, tooltip = _MEETING_OF[entity.kind], _tooltip(entity.name, entity.reasons)
+        look, tooltip = entity.kind.meeting, _tooltip(entity.name, entity.reasons)
         home = node.fqn if hub else entity.name
         drawn.setdefault(key, _Vertex(key, look, entity.name, home, (), "*" in entity.name, hub, tooltip, None))
     return [drawn[key]._replace(types=tuple(sorted(types.get(key, ())))) for key in sorted(drawn)]
@@ -139,7 +131,7 @@ def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
     for node, entity, key, _ in ends:
         pair = (key, _node_key(node)) if entity.kind in _TOWARDS_NODE else (_node_key(node), key)
         _, sometimes = edges.get(pair, ("", True))
-        edges[pair] = (_MEETING_OF[entity.kind], entity.conditional and sometimes)
+        edges[pair] = (entity.kind.meeting, entity.conditional and sometimes)
     return edges
 
 
@@ -149,7 +141,7 @@ def _node_key(node: Node) -> str:
 
 def _meeting_key(node: Node, entity: Entity) -> str:
     """Two names of which nothing is known are not one name, so each node has its own."""
-    word = _MEETING_OF[entity.kind]
+    word = entity.kind.meeting
     return f"{word} {entity.name} of {node.fqn}" if entity.resolution is Resolution.UNKNOWN else f"{word} {entity.name}"
 
 

@@ -32,14 +32,6 @@ _LOOKS: Final = {
     "action": ('[/"', '"/]', "fill:#f6e2ee,stroke:#a8457e,color:#111"),
 }
 _DOUBT: Final = "stroke:#c44200,stroke-width:2px,stroke-dasharray:5 3"
-_WORDS: Final = {
-    EntityKind.PUBLISHER: "topic",
-    EntityKind.SUBSCRIPTION: "topic",
-    EntityKind.SERVICE_SERVER: "service",
-    EntityKind.SERVICE_CLIENT: "service",
-    EntityKind.ACTION_SERVER: "action",
-    EntityKind.ACTION_CLIENT: "action",
-}
 _TOWARDS_NODE: Final = (EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER, EntityKind.ACTION_SERVER)
 _PLAIN: Final = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/ .")
 
@@ -115,7 +107,7 @@ def _edges(nodes: Iterable[Node], *, system: bool) -> dict[tuple[_Key, _Key], bo
 
 def _meeting(node: Node, entity: Entity) -> _Key:
     apart = node.fqn if entity.resolution is Resolution.UNKNOWN else ""
-    return _Key(_WORDS[entity.kind], entity.name, apart)
+    return _Key(entity.kind.meeting, entity.name, apart)
 
 
 def _innermost(name: str, spaces: set[str]) -> str:

@@ -20,19 +20,11 @@ from rosward.findings import RULES
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.holes import may_be
-from rosward.ros.entities import Entity, EntityKind, Node
+from rosward.ros.entities import Entity, Node
 
-__all__ = ["Meeting", "Subjects", "close_matches", "is_at", "subjects", "word_of"]
+__all__ = ["Meeting", "Subjects", "close_matches", "is_at", "subjects"]
 
 _PLACE: Final = re.compile(r"(.+?):(\d{1,9})(?::\d+)?")
-_WORDS: Final = {
-    EntityKind.PUBLISHER: "topic",
-    EntityKind.SUBSCRIPTION: "topic",
-    EntityKind.SERVICE_SERVER: "service",
-    EntityKind.SERVICE_CLIENT: "service",
-    EntityKind.ACTION_SERVER: "action",
-    EntityKind.ACTION_CLIENT: "action",
-}
 
 
 class Meeting(NamedTuple):
@@ -51,11 +43,6 @@ class Subjects(NamedTuple):
     enclaves: tuple[str, ...] = ()
     code: str | None = None
     place: tuple[str, int] | None = None
-
-
-def word_of(entity: Entity) -> str:
-    """topic, service or action."""
-    return _WORDS[entity.kind]
 
 
 def subjects(network: Network, query: str) -> Subjects:
@@ -98,8 +85,8 @@ def _all_names(network: Network) -> list[str]:
 
 def _named(network: Network, fits: Callable[[str], bool]) -> Subjects:
     ends = [(n, e) for n in network.nodes for e in n.entities if fits(e.name)]
-    own = {(word_of(e), e.name) for _, e in ends if not e.system}
-    meetings = _meetings((n, e) for n, e in ends if not own or (word_of(e), e.name) in own)
+    own = {(e.kind.meeting, e.name) for _, e in ends if not e.system}
+    meetings = _meetings((n, e) for n, e in ends if not own or (e.kind.meeting, e.name) in own)
     nodes = tuple(n for n in network.nodes if fits(n.fqn))
     paths = enclave_paths(network.nodes)
     places = () if nodes else tuple(dict.fromkeys(p for f, p in sorted(paths.items()) if fits(f) or fits(p)))
@@ -109,7 +96,7 @@ def _named(network: Network, fits: Callable[[str], bool]) -> Subjects:
 def _meetings(ends: Iterable[tuple[Node, Entity]]) -> tuple[Meeting, ...]:
     groups: dict[tuple[str, str], list[tuple[Node, Entity]]] = {}
     for node, entity in ends:
-        groups.setdefault((entity.name, word_of(entity)), []).append((node, entity))
+        groups.setdefault((entity.name, entity.kind.meeting), []).append((node, entity))
     return tuple(Meeting(word, name, tuple(groups[name, word])) for name, word in sorted(groups))
 
 

@@ -25,6 +25,12 @@ class EntityKind(enum.Enum):
     ACTION_SERVER = "action server"
     ACTION_CLIENT = "action client"
 
+    @property
+    def meeting(self) -> str:
+        """Where it meets others: topic, service or action."""
+        word = self.value.partition(" ")[0]
+        return word if word in ("service", "action") else "topic"
+
 
 ENTITY_LISTS: Final = {
     "publishers": EntityKind.PUBLISHER,

@@ -20,6 +20,7 @@ from typing import Final, Protocol, final
 
 from rosward.findings import Finding
 from rosward.source.discover import discover
+from rosward.source.location import names_of_path
 from rosward.source.text import place_name, read_bytes
 from rosward.source.workspace import Package, SourceFile, Workspace
 
@@ -144,19 +145,12 @@ class Installed:
 
 def _normal(relative: str) -> str | None:
     """The path without `.` and `..`; None where it leads outside."""
-    parts: list[str] = []
-    for part in relative.split("/"):
-        if part == "..":
-            if not parts:
-                return None
-            parts.pop()
-        elif part not in ("", "."):
-            parts.append(part)
+    names = names_of_path(relative)
     try:
         too_long = len(os.fsencode(relative)) > _PATH_LIMIT
     except UnicodeEncodeError:
         return None
-    return None if "\0" in relative or too_long else "/".join(parts)
+    return None if names is None or "\0" in relative or too_long else "/".join(names)
 
 
 def _layer(path: Path) -> _Layer:

@@ -22,3 +22,16 @@ class Place(NamedTuple):
 
     def __str__(self) -> str:
         return f"{self.file}:{self.line}" if self.line else self.file
+
+
+def names_of_path(path: str) -> list[str] | None:
+    """The names in a relative path, `.` and `..` resolved; None where it leads above its beginning."""
+    names: list[str] = []
+    for name in path.split("/"):
+        if name == "..":
+            if not names:
+                return None
+            names.pop()
+        elif name not in ("", "."):
+            names.append(name)
+    return names

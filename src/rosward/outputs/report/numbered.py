@@ -11,7 +11,6 @@ from __future__ import annotations
 from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
-from rosward.outputs.subjects import word_of
 from rosward.ros.entities import Entity, Node
 
 __all__ = ["End", "Endpoint", "Member", "Numbered", "numbered"]
@@ -57,7 +56,7 @@ class Numbered(NamedTuple):
 def numbered(network: Network) -> Numbered:
     """Give everything its id."""
     rank = {word: number for number, word in enumerate(_WORDS)}
-    names = {(rank[word_of(e)], e.name) for node in network.nodes for e in node.entities}
+    names = {(rank[e.kind.meeting], e.name) for node in network.nodes for e in node.entities}
     ids = {(_WORDS[word], name): f"t{number}" for number, (word, name) in enumerate(sorted(names))}
     ends_of: dict[tuple[str, str], list[End]] = {key: [] for key in ids}
     members: list[Member] = []
@@ -66,7 +65,7 @@ def numbered(network: Network) -> Numbered:
     for number, node in enumerate(network.nodes):
         own: list[End] = []
         for entity in node.entities:
-            key = (word_of(entity), entity.name)
+            key = (entity.kind.meeting, entity.name)
             end = End(f"e{counted}", f"n{number}", ids[key], node, entity)
             entity_ids[id(entity)] = end.id
             ends_of[key].append(end)
