@@ -247,7 +247,47 @@ def test_a_file_in_the_way_of_the_output_is_status_2(capsys: pytest.CaptureFixtu
 )
 def test_wrong_use_is_status_2(arguments: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     wrong(*arguments)
-    assert "usage: rosward" in capsys.readouterr().err
+    assert "--help` tells how it is used" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("extract", "--quiet", "--format", "none", "talker.py"),
+        ("extract", "talker.py", "--quiet", "--format", "none"),
+        ("explain", "/chatter", "talker.py", "--distro", "humble"),
+        ("explain", "/chatter", "--distro", "humble", "talker.py"),
+        ("explain", "/chatter", "--distro", "humble", "--", "talker.py"),
+        ("list", "topics", "--system", "talker.py"),
+    ],
+)
+def test_a_path_may_stand_before_and_behind_options(arguments: tuple[str, ...]) -> None:
+    program()
+    Path("another.py").write_text("not Python", encoding="utf-8")  # read, it would be a finding
+    assert main(list(arguments)) == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("extract", "--unkown=deny"), "unrecognized arguments: --unkown=deny; did you mean --unknown?"),
+        (("snapshot", "here"), "unrecognized arguments: here"),
+        (("explain",), "the following arguments are required: NAME\n"),
+    ],
+)
+def test_wrong_use_says_what_is_wrong_and_no_more(
+    arguments: tuple[str, ...], says: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    wrong(*arguments)
+    said = capsys.readouterr().err
+    assert says in said
+    assert len(said.splitlines()) == 2
+
+
+def test_an_argument_as_ros2_launch_takes_it_is_told_how_it_is_given_here(capsys: pytest.CaptureFixture[str]) -> None:
+    program()
+    assert main(["extract", ".", "side:=left"]) == 2
+    assert "--arg side:=left" in capsys.readouterr().err
 
 
 def test_help_and_version_are_status_0(capsys: pytest.CaptureFixture[str]) -> None:

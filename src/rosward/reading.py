@@ -66,7 +66,9 @@ def read_sources(
     patterns = exclusions_of(exclude, map(str, wanted))
     workspace = discover(wanted, launch_files=named, include_tests=tests, exclude=patterns)
     if not (workspace.files or workspace.launch_files or request.nodes):
-        raise NothingToReadError(f"nothing to read: no Python file in {', '.join(map(str, wanted))}")
+        raise NothingToReadError(
+            f"nothing to read: no Python file and no launch file in {', '.join(map(str, wanted))} (C++ is not read)"
+        )
     sources = SourceTree(workspace, [Path(u) for u in underlays])
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))

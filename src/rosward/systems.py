@@ -108,6 +108,7 @@ def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest,
     return [(launch, _find(launch, outset)) for launch in request.launches]
 
 
+_SHOWN: Final = 5
 _ROS_1: Final = re.compile(r"<node\b[^>]*\stype\s*=")
 _ROS_2: Final = re.compile(r"<node\b[^>]*\sexec\s*=")
 
@@ -129,7 +130,7 @@ def _find(launch: LaunchRequest, outset: Outset) -> str:
             return each.relative
     named = [f.relative for f in files if f.relative.endswith(f"/{launch.file}")]
     if not named:
-        raise UnknownRequestError(f"no launch file {launch.file}")
+        raise UnknownRequestError(f"no launch file {launch.file}; {_there_is(outset)}")
     return _only(named, launch.file)
 
 
@@ -142,8 +143,22 @@ def _find_in_package(package: str, name: str, files: Iterable[SourceFile], outse
     own = [f for f in files if f.package is not None and f.package.name == package and f.path.name == Path(name).name]
     named = [f.relative for f in own if f.relative.endswith(f"/{name}")] or [f.relative for f in own]
     if not named:
-        raise UnknownRequestError(f"the package {package} has no launch file {name}")
+        known = any(each.name == package for each in outset.workspace.packages)
+        if not known and outset.files.find(path_of(Location(package, "package.xml"))) is None:
+            raise UnknownRequestError(
+                f"there is no package {package} among the sources and underlays; {_there_is(outset)}"
+            )
+        raise UnknownRequestError(f"the package {package} has no launch file {name}; {_there_is(outset)}")
     return _only(named, f"{name} in the package {package}")
+
+
+def _there_is(outset: Outset) -> str:
+    """The launch files that could be meant, so that a refusal shows what to write instead."""
+    known = sorted(each.relative for each in outset.workspace.launch_files)
+    if not known:
+        return "the sources have no launch file"
+    more = f" and {len(known) - _SHOWN} more (`rosward launch-tree` lists them)" if len(known) > _SHOWN else ""
+    return f"the sources have {', '.join(known[:_SHOWN])}{more}"
 
 
 def _only(named: Sequence[str], what: str) -> str:

@@ -328,6 +328,16 @@ def test_less_motion(browser: Browser, fleet: str) -> None:
         assert page.evaluate("rosward.graph.library().animated()") is False
 
 
+def test_on_paper_no_kind_and_no_code_is_broken_in_two(page: Page) -> None:
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    heights = page.locator("#paper td:first-child .name").evaluate_all(
+        "all => all.map((one) => one.getClientRects().length)"
+    )
+    assert heights
+    assert set(heights) == {1}
+
+
 def test_on_paper_there_is_all_of_it(page: Page) -> None:
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")

@@ -80,9 +80,9 @@ def test_a_network_without_nodes_says_so(browser: Browser, tmp_path: Path) -> No
     with opened(browser, written(tmp_path, network)) as page:
         assert "no ROS node" in page.locator("#blank").inner_text()
         page.get_by_role("link", name="Policies").click()
-        assert page.get_by_role("heading", name="No policy").is_visible()
+        page.get_by_role("heading", name="No policy").wait_for()
         page.get_by_role("link", name="Findings").click()
-        assert page.get_by_role("heading", name="No findings").is_visible()
+        page.get_by_role("heading", name="No findings").wait_for()
 
 
 def test_doubtful_names_and_their_reasons_are_seen(browser: Browser, tmp_path: Path) -> None:

@@ -44,6 +44,7 @@ node.create_publisher(String, "chatter", 10)
 rclpy.spin(node)
 """
 MORE = 'node.create_publisher(String, "echo", 10)'
+POLICY_OF_NOTHING = '<policy version="0.2.0"><enclaves/></policy>'
 UNKNOWN = "import sys; node.create_publisher(String, sys.argv[1], 10)"
 
 
@@ -264,3 +265,30 @@ def test_the_hook_writes_nothing(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert "RW101" in done.stdout
     assert [path.name for path in tmp_path.iterdir()] == ["talker.py"]
+
+
+def test_names_of_files_are_no_commands_to_the_runner(runner: Runner, capfd: pytest.CaptureFixture[str]) -> None:
+    """A runner obeys lines that begin with ::, also after spaces, and what stands behind ##[ anywhere."""
+    for name in ("::stop-commands::x", "##[error]y", "::error title=RW401::z"):
+        (runner.workspace / f"{name}.py").write_text(TALKER.format(more=UNKNOWN), encoding="utf-8")
+    (runner.workspace / "policy.xml").write_text(POLICY_OF_NOTHING, encoding="utf-8")
+    runner.run(policy="policy.xml", fail_on="none")
+    lines = [line for line in capfd.readouterr().out.splitlines() if re.match(r"\s*::", line) or "##[" in line]
+    assert lines
+    assert [
+        line
+        for line in lines
+        if not re.match(r"::(error|warning|notice) (file=[^:,]*,|line=|col=|\d|,)*title=RW\d", line)
+    ] == []
+
+
+def test_what_changed_is_not_written_through_a_link(runner: Runner, tmp_path: Path) -> None:
+    base = runner.commit(TALKER.format(more=""))
+    (tmp_path / "precious").write_text("precious", encoding="utf-8")
+    (runner.workspace / "rosward-out").mkdir()
+    (runner.workspace / "rosward-out/changes.md").symlink_to(tmp_path / "precious")
+    runner.commit(TALKER.format(more=MORE))
+    status, outputs = runner.run(base=base)
+    assert (status, outputs["changes"]) == (0, "rosward-out/changes.md")
+    assert (tmp_path / "precious").read_text(encoding="utf-8") == "precious"
+    assert "echo" in (runner.workspace / "rosward-out/changes.md").read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rosward.revisions.git import Git, GitError
-from rosward.revisions.tree import write_commit
+from rosward.revisions.tree import write_commit, write_work_tree
 
 
 def git(*arguments: str, text: bytes = b"") -> bytes:
@@ -90,3 +90,45 @@ def test_what_is_too_large_keeps_its_size_and_no_content(repository: Git, tmp_pa
     assert write_commit(repository, commit(root), str(tmp_path / "out")) == ()
     sizes = {p.name: (p.stat().st_size, p.read_bytes().strip(b"\0")) for p in (tmp_path / "out").iterdir()}
     assert sizes == {"big.py": (9_000_000, b""), "x.png": (3, b"")}
+
+
+def test_a_tracked_folder_that_is_now_a_link_is_not_read_through(repository: Git, tmp_path: Path) -> None:
+    """To git what it tracked in it is deleted; what lies behind the link is not of the repository."""
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    (outside / "spy.py").write_text("secret", encoding="utf-8")
+    work = tmp_path / "ws"
+    (work / "a").mkdir()
+    (work / "a/spy.py").write_text("x = 1", encoding="utf-8")
+    (work / ".gitignore").write_text("a\n", encoding="utf-8")
+    git("add", "-f", "a/spy.py")
+    (work / "a/spy.py").unlink()
+    (work / "a").rmdir()
+    (work / "a").symlink_to(outside)
+    write_work_tree(repository, str(tmp_path / "out"))
+    assert [p.name for p in (tmp_path / "out").rglob("*")] == [".gitignore"]
+
+
+def test_a_work_tree_elsewhere_is_refused(repository: Git, tmp_path: Path) -> None:
+    """The configuration comes with the repository, and can name any folder."""
+    other = tmp_path / "other"
+    other.mkdir()
+    git("init", "-q", str(other))
+    (other / "secret.py").write_text("secret", encoding="utf-8")
+    git("config", "core.worktree", str(other))
+    with pytest.raises(GitError, match="another repository"):
+        write_work_tree(Git(str(repository.top)), str(tmp_path / "out"))
+    assert not list(tmp_path.glob("out/*"))
+
+
+def test_objects_with_long_names_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "ws").mkdir()
+    monkeypatch.chdir(tmp_path / "ws")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    git("init", "-q", "--object-format=sha256")
+    (tmp_path / "ws/a.py").write_text("x = 1", encoding="utf-8")
+    git("add", "a.py")
+    git("commit", "-q", "-m", "x")
+    repository = Git(str(tmp_path / "ws"))
+    assert write_commit(repository, repository.commit("HEAD"), str(tmp_path / "out")) == ()
+    assert (tmp_path / "out/a.py").read_text(encoding="utf-8") == "x = 1"

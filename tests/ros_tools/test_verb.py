@@ -162,7 +162,7 @@ def test_sourced_folders_are_underlays(
     assert verb(*words) == 0
     assert "/chatter" in policy()
     assert verb(*words, "--no-ament-prefix-path") == 2
-    assert "no launch file base.launch.xml" in capsys.readouterr().err
+    assert "there is no package base among the sources and underlays" in capsys.readouterr().err
 
 
 def test_its_own_file_is_written_anew_and_another_is_left_alone(verb: Verb, capsys: pytest.CaptureFixture[str]) -> None:

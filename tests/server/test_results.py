@@ -173,7 +173,10 @@ def test_a_workspace_that_is_not_there_is_refused(page: Page, path: object) -> N
 def test_a_folder_without_programs_says_so(real_page: Page, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     result = real_page.wait(real_page.post("/api/workspaces", {"path": str(tmp_path / "empty")})["id"])
-    assert (result["state"], result["message"]) == ("failed", "There is no Python file and no launch file in it.")
+    assert (result["state"], result["message"]) == (
+        "failed",
+        "There is no Python file and no launch file in it. C++ is not read.",
+    )
 
 
 def test_names_of_others_stay_text(real_page: Page, tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from rosward._version import __version__
 from rosward.cli import audit, check, diff, enclaves, explain, extract, launch_tree, listing, nodl, serve, snapshot
 from rosward.cli.configuration import apply, leave_open
+from rosward.cli.parser import CommandParser
 from rosward.cli.shared import COMPLETE, INTERRUPTED, told
 
 __all__ = ["command_line", "main"]
@@ -47,7 +48,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def command_line() -> argparse.ArgumentParser:
     """The parser of all commands."""
-    parser = argparse.ArgumentParser(
+    parser = CommandParser(
         prog="rosward",
         description="Reads the source of a ROS 2 system, running nothing of it, and writes its computation graph and SROS2 policies.",
     )

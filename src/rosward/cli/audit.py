@@ -117,7 +117,7 @@ def _graph(options: argparse.Namespace) -> LiveGraph:
     try:
         return snapshot_of(take(options.seconds, options.domain_id, options.enclave))
     except RuntimeError as error:
-        raise WrongUseError(f"the graph cannot be looked at: {error}; name a --snapshot or --node-info") from error
+        raise WrongUseError(f"the graph cannot be looked at: {error}; or name a --snapshot or --node-info") from error
 
 
 def _text(file: str) -> str:

@@ -9,9 +9,7 @@ Everything that is not understood is refused, with the key that was probably mea
 from __future__ import annotations
 
 import difflib
-import importlib
 import os
-import sys
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -20,6 +18,7 @@ from rosward.cli.configuration_keys import KEYS, Value, WrongValueError
 from rosward.cli.shared import WrongUseError
 from rosward.findings import Finding
 from rosward.source.text import read_bytes
+from rosward.source.toml import read_toml
 
 __all__ = ["Configuration", "read_configuration"]
 
@@ -58,10 +57,9 @@ def _table(path: Path) -> dict[str, object] | None:
         if not whole:
             return None
         raise WrongUseError(f"{path}: {data.message}")
-    tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
     try:
-        document = tomllib.loads(data.decode("utf-8"))
-    except (ValueError, RecursionError) as error:
+        document = read_toml(data.decode("utf-8"))
+    except ValueError as error:
         raise WrongUseError(f"{path}: this is no TOML: {error} (--no-config leaves it unread)") from error
     if whole:
         return dict(document)

@@ -37,7 +37,7 @@ class WrongUseError(Exception):
 def add_sources(parser: argparse.ArgumentParser) -> None:
     """What to read."""
     parser.add_argument(
-        "paths", nargs="*", metavar="PATH", help="file, package or workspace (default: the current folder)"
+        "paths", nargs="*", default=[], metavar="PATH", help="file, package or workspace (default: the current folder)"
     )
     parser.add_argument(
         "--distro",
@@ -92,9 +92,9 @@ def add_format(parser: argparse.ArgumentParser, *formats: str, what: str = "") -
     parser.add_argument("--json", dest="format", action="store_const", const="json", help="the same as --format json")
 
 
-def add_deployment(parser: argparse.ArgumentParser) -> None:
-    """What to start."""
-    group = parser.add_argument_group("what is started (default: every executable, as `ros2 run` starts it)")
+def add_deployment(parser: argparse.ArgumentParser, default: str = "every executable, as `ros2 run` starts it") -> None:
+    """What to start; `default` says what is where nothing is asked for."""
+    group = parser.add_argument_group(f"what is started (default: {default})")
     group.add_argument(
         "--launch",
         action="append",
@@ -229,7 +229,8 @@ def check_paths(options: argparse.Namespace) -> None:
     """Raise WrongUseError where a path of the options is not there."""
     missing = [p for p in options.paths if not os.path.lexists(p)]
     if missing:
-        raise WrongUseError(f"no such file or folder: {', '.join(missing)}")
+        hint = next((f"; a launch argument is given as --arg {p}" for p in missing if ":=" in p), "")
+        raise WrongUseError(f"no such file or folder: {', '.join(missing)}{hint}")
     for option in ("models", "underlay"):
         absent = [m for m in getattr(options, option) if not os.path.isdir(m)]  # noqa: PTH112
         if absent:

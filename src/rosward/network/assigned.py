@@ -11,8 +11,6 @@ It is data: a file that `rosward enclaves suggest --write` writes, that people c
 
 from __future__ import annotations
 
-import importlib
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -23,6 +21,7 @@ from rosward.ros.entities import Node
 from rosward.ros.names import validate_enclave
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
+from rosward.source.toml import read_toml
 
 __all__ = ["NOTHING_ASSIGNED", "Assignment", "AssignmentError", "read_assignment"]
 
@@ -72,10 +71,9 @@ def read_assignment(path: Path) -> Assignment:
     data = read_bytes(path, str(path), _LIMIT)
     if isinstance(data, Finding):
         raise AssignmentError(data.message)
-    tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
     try:
-        document = tomllib.loads(data.decode("utf-8"))
-    except (ValueError, RecursionError) as error:
+        document = read_toml(data.decode("utf-8"))
+    except ValueError as error:
         raise AssignmentError(f"this is no TOML: {error}") from error
     tables = document.pop("enclave", [])
     if document or not isinstance(tables, list):

@@ -96,6 +96,9 @@ class Git:
 
     def work_tree(self) -> list[str]:
         """The files of the work tree that are not ignored, as paths below `top`. Raises GitError."""
+        own = ("rev-parse", "--absolute-git-dir")
+        if self._line(*own) != self._line("-C", self.top, *own):
+            raise GitError(f"{self.top}, which the repository names as its work tree, is that of another repository")
         text = self._read("-C", self.top, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--full-name")
         paths = sorted({os.fsdecode(line) for line in text.split(b"\0") if line})
         if len(paths) > _MOST_ENTRIES:

@@ -61,9 +61,14 @@ def write_work_tree(git: Git, folder: str) -> tuple[str, ...]:
     notes: list[str] = []
     links: list[_Link] = []
     total = 0
+    top = os.path.realpath(git.top)
+    paths = git.work_tree()
+    plain = {inner for inner in {os.path.dirname(p) for p in paths} if _is_plain(top, inner)}  # noqa: PTH120
     os.makedirs(folder)  # noqa: PTH103
-    for path in git.work_tree():
-        there = os.path.join(git.top, path)  # noqa: PTH118
+    for path in paths:
+        there = os.path.join(top, path)  # noqa: PTH118
+        if os.path.dirname(path) not in plain:  # noqa: PTH120
+            continue  # a link has taken the place of the folder: deleted, as git sees it
         try:
             status = os.lstat(there)
         except OSError:
@@ -79,6 +84,12 @@ def write_work_tree(git: Git, folder: str) -> tuple[str, ...]:
                 raise GitError(f"the work tree has more than {_ALL:,} bytes of source")
             _write(folder, path, b"" if _is_bulk(path, status.st_size) else _content(there, path), status.st_size)
     return (*notes, *_link(folder, links))
+
+
+def _is_plain(top: str, inner: str) -> bool:
+    """Whether a folder below the real path `top` is reached without a symbolic link."""
+    there = os.path.join(top, inner) if inner else top  # noqa: PTH118
+    return os.path.realpath(there) == there
 
 
 def _is_bulk(path: str, size: int) -> bool:

@@ -320,7 +320,7 @@ def run(output: str, seconds: float, domain: int | None, enclave: str | None) ->
         return 2
     nodes = document["nodes"]
     number = len(nodes) if isinstance(nodes, list) else 0
-    print(f"{number} nodes seen in {document['looks']} looks", file=sys.stderr)  # noqa: T201
+    print(f"{number} node{'' if number == 1 else 's'} seen in {document['looks']} looks", file=sys.stderr)  # noqa: T201
     return 0
 
 

@@ -109,7 +109,7 @@ def _unpacked(job: Job, tell: Teller) -> list[LeftOut]:
     root, notes = Path(job.root), Path(job.notes)
     if job.archive is None or root.is_dir():
         return read_left_out(notes)
-    partly = Path(tempfile.mkdtemp(prefix="unpacking-", dir=root.parent))
+    partly = Path(tempfile.mkdtemp(prefix="unpacking-", dir=job.output))  # it goes with the result if this is killed
     try:
         left_out = unpack(Path(job.archive), partly, job.limits, lambda done, count: tell("unpacking", done, count))
         write_left_out(notes, left_out)

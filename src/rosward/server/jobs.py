@@ -69,7 +69,10 @@ class Jobs:
     async def _work(self, result: Result, earlier: str | None) -> None:
         async with self._turn:
             self._results.step(result.id, Step("starting", 0, 0))
-            end = await self._run(self._job(result, earlier), lambda step: self._results.step(result.id, step))
+            try:
+                end = await self._run(self._job(result, earlier), lambda step: self._results.step(result.id, step))
+            except OSError as error:  # no process, no memory, no folder
+                end = End("failed", f"The analysis cannot be started: {error.strerror or error}.")
             self._results.end(result.id, end.end, end.message)
         if result.automatic:
             self._forget_before(result)

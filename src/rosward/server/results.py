@@ -11,8 +11,10 @@ results of an earlier server are read again; what is not of this form there is l
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
+import math
 import os
 import re
 import secrets
@@ -23,11 +25,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Final, final
 
+from rosward.findings import Finding
 from rosward.outputs.whole_files import write_text
 from rosward.server.job import Step
 from rosward.server.limits import Limits
 from rosward.server.places import RefusedError
 from rosward.server.settings import Settings, read_settings
+from rosward.source.text import read_bytes
 
 __all__ = ["ENDED", "Result", "Results", "Source"]
 
@@ -150,7 +154,8 @@ class Results:
         if state != "done":
             shutil.rmtree(self.output(known), ignore_errors=True)
         self._results[identifier] = replace(known, state=state, message=message, step=None, summary=summary)
-        self._keep(self._results[identifier])
+        with contextlib.suppress(OSError):  # a later server then says that this one ended before it did
+            self._keep(self._results[identifier])
         self._changed()
 
     def delete(self, identifier: str) -> None:
@@ -195,7 +200,7 @@ class Results:
         document = _read_json(folder / "result.json")
         source = Source(**_fields(document["source"], kind=str, key=str, title=str, zipped=bool))
         whole = _fields(document, created=float, state=str, message=str, automatic=bool)
-        if source.kind not in _KINDS or whole["state"] not in _STATES:
+        if source.kind not in _KINDS or whole["state"] not in _STATES or not math.isfinite(whole["created"]):
             raise RefusedError("another form")
         if source.kind != "workspace" and not _ID.fullmatch(source.key):
             raise RefusedError("another form")
@@ -213,11 +218,12 @@ def _fields(document: object, **kinds: type) -> dict[str, Any]:
 
 
 def _read_json(file: Path) -> dict[str, object]:
+    data = read_bytes(file, file.name, _LARGEST)
+    if isinstance(data, Finding) or file.is_symlink():
+        raise RefusedError("no file of ours")
     try:
-        if file.is_symlink() or file.stat().st_size > _LARGEST:
-            raise RefusedError("too large")
-        document = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
+        document = json.loads(data)
+    except (ValueError, RecursionError) as error:
         raise RefusedError(str(error)) from error
     if not isinstance(document, dict):
         raise RefusedError("another form")

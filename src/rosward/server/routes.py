@@ -17,16 +17,19 @@ What is refused is answered by {"error": "…"} and status 400.
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import AsyncIterator, Awaitable, Callable
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Response, StreamingResponse
 from starlette.routing import BaseRoute, Route
+from starlette.types import Receive, Scope, Send
 
-from rosward.outputs.safe import printable
+from rosward.findings import Finding
+from rosward.outputs.safe import encodable, printable
 from rosward.server.pages import ASSETS, asset
 from rosward.server.places import RefusedError
 from rosward.server.results import Result
@@ -35,10 +38,12 @@ from rosward.server.server import Server
 from rosward.server.settings import read_settings
 from rosward.server.shown import in_short
 from rosward.server.uploads import read_upload
+from rosward.source.text import read_bytes
 
 __all__ = ["routes"]
 
 _LONGEST_BODY: Final = 256 * 1024
+_LONGEST_TEXT: Final = 16_000_000
 _TEXT: Final = "text/plain; charset=utf-8"
 
 Answer = Callable[[Request], Awaitable[Response]]
@@ -79,6 +84,8 @@ def _refusing(answer: Answer) -> Answer:
             return await answer(request)
         except RefusedError as error:
             return JSONResponse({"error": printable(str(error))}, 400)
+        except ClientDisconnect:
+            return Response(status_code=400)  # nobody reads it
 
     return answered
 
@@ -109,9 +116,9 @@ class _Asked(NamedTuple):
 
     async def report(self, request: Request) -> Response:
         result = self._of(request)
-        if result is None or result.state != "done":
+        page = None if result is None else _regular(self.server.results.output(result), "report.html")
+        if page is None:
             return Response(status_code=404)
-        page = self.server.results.output(result) / "report.html"
         return FileResponse(page, media_type="text/html", headers={"Content-Security-Policy": REPORT_POLICY})
 
     async def file(self, request: Request) -> Response:
@@ -119,14 +126,13 @@ class _Asked(NamedTuple):
         result, path = self._of(request), request.path_params["path"]
         if result is None or path not in _files(result):
             return Response(status_code=404)
-        folder = self.server.results.output(result)
-        file = (folder / path).resolve()
-        if not file.is_relative_to(folder.resolve()):
+        file = _regular(self.server.results.output(result), path)
+        if file is None:
             return Response(status_code=404)
         headers = {"Content-Security-Policy": "sandbox; default-src 'none'"}
         if "show" in request.query_params:
             return FileResponse(file, media_type=_TEXT, headers=headers)
-        name = f"{result.source.title}-rosward.zip" if path == "outputs.zip" else path.rpartition("/")[2]
+        name = f"{encodable(result.source.title)}-rosward.zip" if path == "outputs.zip" else path.rpartition("/")[2]
         return FileResponse(file, media_type="application/octet-stream", filename=name, headers=headers)
 
     # News
@@ -136,14 +142,15 @@ class _Asked(NamedTuple):
 
     async def news(self, _request: Request) -> Response:
         server = self.server
-        if server.news.streams >= server.limits.streams:
+        if server.streaming.locked():
             return JSONResponse({"error": "too many pages are open"}, 503)
+        await server.streaming.acquire()  # at once: many may ask before the first of them is answered
 
         async def events() -> AsyncIterator[str]:
             async for _ in server.news.stream():
                 yield f"data: {json.dumps(self._all())}\n\n"
 
-        return StreamingResponse(events(), media_type="text/event-stream")
+        return _Released(events(), server.streaming)
 
     # What is to be done
 
@@ -209,20 +216,39 @@ class _Asked(NamedTuple):
         return result
 
 
+class _Released(StreamingResponse):
+    """A stream of events that gives its place back, however it ends."""
+
+    def __init__(self, events: AsyncIterator[str], place: asyncio.Semaphore) -> None:
+        super().__init__(events, media_type="text/event-stream")
+        self._place = place
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer."""
+        try:
+            await super().__call__(scope, receive, send)
+        finally:
+            self._place.release()
+
+
 def _started(result: Result) -> Response:
     return JSONResponse({"id": result.id}, 201)
 
 
 def _files(result: Result) -> frozenset[str]:
     files = result.summary.get("files")
-    return frozenset([*files, "outputs.zip"]) if isinstance(files, list) else frozenset()
+    return frozenset([*map(str, files), "outputs.zip"]) if isinstance(files, list) else frozenset()
+
+
+def _regular(folder: Path, name: str) -> Path | None:
+    """A file of a result: no link leads to it from elsewhere, and it is neither gone nor a FIFO."""
+    file = (folder / name).resolve()
+    return file if not folder.is_symlink() and file.is_relative_to(folder.resolve()) and file.is_file() else None
 
 
 def _read(file: Path) -> str:
-    try:
-        return file.read_text(encoding="utf-8")
-    except OSError:
-        return ""
+    data = read_bytes(file, file.name, _LONGEST_TEXT)
+    return "" if isinstance(data, Finding) else data.decode("utf-8", "replace")
 
 
 async def _body(request: Request) -> dict[str, object]:

@@ -38,6 +38,7 @@ class Server:
         self.pages = Pages(limits)
         self.examples: dict[str, Example] = {example.name: example for example in examples()}
         self.uploading = asyncio.Semaphore(limits.workers)
+        self.streaming = asyncio.Semaphore(limits.streams)
 
     @contextlib.asynccontextmanager
     async def lifespan(self, begin: Callable[[], None] | None = None) -> AsyncIterator[None]:

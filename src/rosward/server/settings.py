@@ -67,7 +67,7 @@ def read_settings(document: object) -> Settings:
     )
     if distro not in DISTROS:
         raise RefusedError(f"the distro is one of {', '.join(DISTROS)}")
-    if unknown not in {"deny", "wildcard"}:
+    if unknown not in ("deny", "wildcard"):
         raise RefusedError("unknown names are denied (deny) or get a wildcard (wildcard)")
     if enclaves is not None and enclaves not in ENCLAVES:
         raise RefusedError(f"enclaves are one of {', '.join(ENCLAVES)}")

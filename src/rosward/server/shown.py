@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from rosward.outputs.safe import encodable
 from rosward.server.results import Result
 
 __all__ = ["in_short", "numbers_of"]
@@ -14,13 +15,13 @@ def in_short(result: Result, *, watched: bool) -> dict[str, object]:
     """One row of the list."""
     return {
         "id": result.id,
-        "title": result.source.title,
+        "title": encodable(result.source.title),
         "kind": result.source.kind,
-        "settings": result.settings.words(),
+        "settings": encodable(result.settings.words()),
         "group": result.group,
         "created": result.created,
         "state": result.state,
-        "message": result.message,
+        "message": encodable(result.message),
         "automatic": result.automatic,
         "watched": watched,
         "step": None if result.step is None else result.step._asdict(),

@@ -9,6 +9,7 @@ The body is counted while it comes, and refused when it is too large. Files are 
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
 from pathlib import Path
@@ -56,7 +57,10 @@ async def _form(request: Request, limits: Limits) -> FormData:
 
     async def receive() -> Message:
         nonlocal count
-        message = await request.receive()
+        try:
+            message = await asyncio.wait_for(request.receive(), limits.silence)
+        except asyncio.TimeoutError as error:
+            raise RefusedError(f"nothing was sent for {limits.silence:g} seconds") from error
         count += len(message.get("body", b""))
         if count > limits.upload:
             raise _too_large(limits)

@@ -75,7 +75,7 @@ def _end_of(job: Job, teller: Teller) -> End:
     except (RefusedError, UnknownRequestError) as error:
         return End("failed", printable(str(error)))
     except NothingToReadError:
-        return End("failed", "There is no Python file and no launch file in it.")
+        return End("failed", "There is no Python file and no launch file in it. C++ is not read.")
     except MemoryError:
         return End("failed", f"It needs more than {job.limits.memory // 2**20:,} MB of memory.")
     except OSError as error:

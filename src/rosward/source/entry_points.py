@@ -10,14 +10,13 @@ the latter two are read here.
 from __future__ import annotations
 
 import configparser
-import importlib
 import re
-import sys
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.findings import Finding
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
+from rosward.source.toml import read_toml
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -135,10 +134,9 @@ def read_pyproject(path: str, file: str) -> Declared:
     text = _read_text(path, file)
     if isinstance(text, Finding):
         return Declared(findings=(text,))
-    tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
     try:
-        document = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
+        document = read_toml(text)
+    except ValueError as error:
         line = re.search(r"at line (\d+)", str(error))
         place = Place(file, int(line[1]) if line else 0)
         return Declared(findings=(Finding("RW008", "The pyproject.toml is not TOML.", place),))

@@ -63,8 +63,7 @@ rosward.controls = (() => {
     const text = el("span", { role: "status" });
     const update = () => {
       const shown = graph.shown();
-      text.textContent = `${shown.nodes.size} of ${names.plural(model.nodes.size, "node")} · ${shown.endpoints.size} of ${model.endpoints.size} topics …`;
-      text.title = "topics, services and actions";
+      text.textContent = `${shown.nodes.size} of ${names.plural(model.nodes.size, "node")} · ${shown.endpoints.size} of ${model.endpoints.size} topics, services and actions`;
     };
     graph.listen(update);
     update();

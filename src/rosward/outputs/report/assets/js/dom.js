@@ -61,10 +61,11 @@ rosward.dom = (() => {
     return svg;
   }
 
-  /** A name: breaks before slashes, and its direction stays its own. */
+  /** A name: breaks before slashes, where it stands alone behind underscores, too; and its direction stays its own. */
   function named(text, tag) {
     const element = el(tag || "bdi", { class: "name" });
-    visible(text).split(/(?=\/)/).forEach((part, at) => {
+    const breaks = /\s/.test(text) ? /(?=\/)/ : /(?=\/)|(?<=_)(?=[^_])/;
+    visible(text).split(breaks).forEach((part, at) => {
       if (at) element.append(document.createElement("wbr"));
       element.append(document.createTextNode(part));
     });

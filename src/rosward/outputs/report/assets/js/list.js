@@ -50,6 +50,8 @@ rosward.list = (() => {
 
   function item(one, place) {
     const link = parts.link(one);
+    // what tells nodes of one name apart
+    if (one.fqn !== undefined) link.title = [one.package, one.executable, parts.placeText(one.place)].filter(Boolean).map(names.visible).join(" · ");
     if (place.one === one) link.setAttribute("aria-current", "true");
     return el("li", {}, link, parts.badges(one.id));
   }

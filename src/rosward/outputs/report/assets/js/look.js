@@ -4,7 +4,7 @@
 // of the style sheet, so light, dark and print follow it.
 rosward.look = (() => {
   const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", Arial, sans-serif';
-  const FONT = `12px ${FAMILY}`;
+  const FONT = `600 12px ${FAMILY}`; // of the widest labels, those of nodes
   const SHAPES = {
     node: { shape: "ellipse" },
     topic: { shape: "rectangle" },

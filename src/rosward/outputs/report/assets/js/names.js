@@ -29,10 +29,10 @@ rosward.names = (() => {
     return spaces;
   }
 
-  /** plural(2, "process") is "2 processes". */
+  /** plural(2, "process") is "2 processes", plural(1200, "line") is "1,200 lines". */
   function plural(number, word) {
     if (number === 1) return `1 ${word}`;
-    return `${number} ${word.endsWith("y") ? word.slice(0, -1) + "ies" : word + (word.endsWith("s") ? "es" : "s")}`;
+    return `${number.toLocaleString("en")} ${word.endsWith("y") ? word.slice(0, -1) + "ies" : word + (word.endsWith("s") ? "es" : "s")}`;
   }
 
   return { visible, relative, shortened, above, plural };

@@ -22,7 +22,8 @@ rosward.print = (() => {
 
   function findings() {
     if (!model.report.findings.length) return null;
-    return [el("h2", {}, "Findings"), table(["Code", "Place", "What is the matter"], model.report.findings.map((one) => [one.code, one.place && parts.placeText(one.place), one.message]))];
+    const ordered = parts.SEVERITIES.flatMap((severity) => model.report.findings.filter((one) => one.severity === severity));
+    return [el("h2", {}, "Findings"), table(["Finding", "Place", "What is the matter"], ordered.map((one) => [`${one.severity} ${one.code}`, one.place && parts.placeText(one.place), one.message]))];
   }
 
   function node(one) {

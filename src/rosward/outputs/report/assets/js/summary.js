@@ -13,7 +13,7 @@ rosward.summary = (() => {
     const kinds = [["node", counts.nodes], ["topic", counts.topics.total - counts.topics.system], ["service", counts.services.total - counts.services.system], ["action", counts.actions.total - counts.actions.system]];
     return [
       el("ul", { class: "counts" }, kinds.map(([kind, number]) => el("li", { title: kind === "node" ? null : "without those that the client library makes" },
-        icon(kind), " ", el("b", {}, number), names.plural(number, kind).replace(/^\d+/, ""))),
+        icon(kind), " ", el("b", {}, number.toLocaleString("en")), names.plural(number, kind).replace(/^[\d,]+/, ""))),
       el("li", {}, summary.complete
         ? el("span", { class: "complete yes", title: "There is no error among the findings: everything that was asked for was read" }, icon("ok"), "complete")
         : el("a", { class: "complete no", href: "#findings", title: "There are errors: something that the system does may be missing here" }, icon("warning"), "not complete")),
