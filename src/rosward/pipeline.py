@@ -45,6 +45,8 @@ class Result:
     """What the launch files start, where they were followed."""
     excluded: int = 0
     """How many files and folders were left unread because a pattern means them."""
+    launch_files: int = 0
+    """How many launch files there are."""
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -132,7 +134,14 @@ def _extract(
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
     excluded = sum(s.reason is SkipReason.EXCLUDED for s in workspace.skipped)
-    return Result(_network(read, gathered, findings, unknown, wanted), workspace.root, files, systems, excluded)
+    return Result(
+        _network(read, gathered, findings, unknown, wanted),
+        workspace.root,
+        files,
+        systems,
+        excluded,
+        len(workspace.launch_files),
+    )
 
 
 def _network(

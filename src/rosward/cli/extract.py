@@ -107,7 +107,7 @@ def _run(options: argparse.Namespace) -> int:
     found, loose = reviewed_result(result, sources, options, unused=not request.deploys)
     written = _write(result, found, loose, options, widened)
     if not options.quiet:
-        _summarise(result, found, written, options)
+        summarise(result, found, written, options)
     if "github" in options.format:
         from rosward.outputs.github import github_commands
 
@@ -158,11 +158,13 @@ def _write(
     return written
 
 
-def _summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
+def summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
+    """Print what was found, and what was written."""
     from rich.console import Console
 
     from rosward.outputs.text import summary
 
     console = Console(soft_wrap=not sys.stdout.isatty())
     network = replace(result.network, findings=found.new)
-    summary(network, console, options.verbose, written, found, options.configuration, result.excluded)
+    unasked = 0 if result.systems else result.launch_files
+    summary(network, console, options.verbose, written, found, options.configuration, result.excluded, unasked)

@@ -13,12 +13,11 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from rosward.cli.configuration import apply, leave_open
-from rosward.cli.extract import add_compact, compacted
+from rosward.cli.extract import add_compact, compacted, summarise
 from rosward.cli.reviewing import add_review, reviewed_result, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
@@ -39,7 +38,6 @@ from rosward.source.text import read_bytes
 if TYPE_CHECKING:
     from rosward.pipeline import Result
     from rosward.reduction.widened import Widenings
-    from rosward.review.judge import Reviewed
 
 __all__ = ["add_arguments", "run"]
 
@@ -117,7 +115,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.write_baseline is not None:
         written.append(write_baseline(found.shown, options.write_baseline))
     if not options.quiet:
-        _summarise(result, found, written, options)
+        summarise(result, found, written, options)
     return COMPLETE if found.complete else INCOMPLETE
 
 
@@ -138,13 +136,3 @@ def _write(result: Result, file: Path, options: argparse.Namespace, widened: Wid
         return write_text(str(file.parent), file.name, policy)
     except OSError as error:
         raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
-
-
-def _summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
-    from rich.console import Console
-
-    from rosward.outputs.text import summary
-
-    console = Console(soft_wrap=not sys.stdout.isatty())
-    network = replace(result.network, findings=found.new)
-    summary(network, console, options.verbose, written, found, options.configuration, result.excluded)

@@ -48,11 +48,13 @@ def summary(
     reviewed: Reviewed = _NOTHING_ASIDE,
     configuration: str | None = None,
     excluded: int = 0,
+    launch_files: int = 0,
 ) -> None:
     """Print the summary.
 
     `verbose` lists every finding, notes too; `written` are the paths of what was written. Of `reviewed`, what is ignored or known is counted;
-    `configuration` is the file that set options, `excluded` the number of files and folders that patterns left unread.
+    `configuration` is the file that set options, `excluded` the number of files and folders that patterns left unread,
+    `launch_files` that of the launch files that are there and that nobody asked for.
     """
     counts = counts_of(network)
     _print(console, _head(network, counts))
@@ -66,6 +68,9 @@ def summary(
                 "yellow",
             ),
         )
+    if launch_files:
+        files = _several(launch_files, "launch file is", "launch files are")
+        _print(console, (f"  {files} not followed: --launch FILE, or --all-launch", "dim"))
     console.print()
     _print(console, ("  ", ""), *_things(counts))
     _print(console, ("  ", ""), *_names(counts))
