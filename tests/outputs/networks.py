@@ -164,3 +164,20 @@ def fleet(robots: int = 8, each: int = 6) -> Network:
         ),
     ]
     return connect("jazzy", nodes, [], files=len(nodes), lines=4000, processes=len(nodes))
+
+
+def hostile(text: str) -> Network:
+    """A node whose every text is the same one."""
+    bad = node(
+        "/a",
+        pub(
+            "/" + text, text, callback=text, reasons=(text,), depends_on=(text,), via=text, created_at=(Place(text, 1),)
+        ),
+        name=text,
+        namespace="/" + text,
+        process=text,
+        reasons=(text,),
+        defined_at=Place(text, 2),
+        parameters=(Parameter(text, text, text, [text], Place(text, 4)),),
+    )
+    return connect("jazzy", [bad], [Finding("RW101", text, Place(text, 3))])

@@ -12,14 +12,11 @@ from html.parser import HTMLParser
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rosward.findings import Finding
 from rosward.network.connect import connect
-from rosward.network.graph import Network
 from rosward.outputs.report.document import report_document
 from rosward.outputs.report.page import report_html
-from rosward.source.location import Place
 
-from .networks import fleet, node, pub, talker_and_listener
+from .networks import fleet, hostile, talker_and_listener
 
 
 class Page(HTMLParser):
@@ -86,21 +83,6 @@ def test_its_scripts_and_styles_are_those_that_it_allows() -> None:
 
 def test_a_network_without_nodes() -> None:
     assert json.loads(Page(report_html(connect("jazzy", []))).document)["nodes"] == []
-
-
-def hostile(text: str) -> Network:
-    bad = node(
-        "/a",
-        pub(
-            "/" + text, text, callback=text, reasons=(text,), depends_on=(text,), via=text, created_at=(Place(text, 1),)
-        ),
-        name=text,
-        namespace="/" + text,
-        process=text,
-        reasons=(text,),
-        defined_at=Place(text, 2),
-    )
-    return connect("jazzy", [bad], [Finding("RW101", text, Place(text, 3))])
 
 
 def test_text_from_the_sources_stays_text() -> None:

@@ -11,7 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, SetParameter, Shown
 from rosward.outputs.policy import policies
@@ -21,7 +20,7 @@ from rosward.reduction.widened import Widened
 from rosward.ros.entities import EntityKind, Parameter, Qos, Resolution
 from rosward.source.location import Place
 
-from .networks import entity, fleet, node, pub, sub, talker_and_listener
+from .networks import entity, fleet, hostile, node, pub, sub, talker_and_listener
 from .reports import SCHEMA, Report
 
 
@@ -323,22 +322,6 @@ def test_loose_ends_are_told_unless_they_are_taken_away() -> None:
     network = connect("jazzy", [node("/a", pub("/x"))])
     assert [f["code"] for f in Report(network)["findings"]] == ["RW332"]
     assert Report(network, Background(loose=()))["findings"] == []
-
-
-def hostile(text: str) -> Any:
-    bad = node(
-        "/a",
-        pub(
-            "/" + text, text, callback=text, reasons=(text,), depends_on=(text,), via=text, created_at=(Place(text, 1),)
-        ),
-        name=text,
-        namespace="/" + text,
-        process=text,
-        reasons=(text,),
-        defined_at=Place(text, 2),
-        parameters=(Parameter(text, text, text, [text], Place(text, 4)),),
-    )
-    return connect("jazzy", [bad], [Finding("RW101", text, Place(text, 3))])
 
 
 @settings(max_examples=100)

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from typing import TYPE_CHECKING
 
+from rosward.cli.reviewing import write_file
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -101,12 +101,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _write(found: Suggestion, file: str) -> None:
     from rosward.outputs.enclaves_toml import enclaves_toml
-    from rosward.outputs.whole_files import write_text
 
-    folder, name = os.path.split(file)
-    if not name.endswith(".toml"):
+    if not file.endswith(".toml"):
         raise WrongUseError(f"--write {file}: the name must end in .toml")
-    try:
-        write_text(folder or ".", name, enclaves_toml(found))
-    except OSError as error:
-        raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
+    write_file(enclaves_toml(found), file)

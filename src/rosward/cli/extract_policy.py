@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.cli.configuration import apply, leave_open
 from rosward.cli.extract import add_compact, compacted, summarise
-from rosward.cli.reviewing import add_review, reviewed_result, write_baseline
+from rosward.cli.reviewing import add_review, reviewed_result, write_baseline, write_file
 from rosward.cli.shared import (
     COMPLETE,
     DISTROS,
@@ -36,7 +36,6 @@ from rosward.cli.shared import (
 from rosward.source.text import read_bytes
 
 if TYPE_CHECKING:
-    from rosward.pipeline import Result
     from rosward.reduction.widened import Widenings
 
 __all__ = ["add_arguments", "run"]
@@ -92,6 +91,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.cli import command_line
+    from rosward.outputs.policy import policy_xml
     from rosward.review.judge import Sources
 
     options.command, options.commands = "extract_policy", command_line().get_default("commands")
@@ -111,7 +111,8 @@ def _run(options: argparse.Namespace) -> int:
     if not result.network.nodes:
         print("rosward: no nodes found, so no policy was written", file=sys.stderr)  # noqa: T201
         return INCOMPLETE
-    written = [_write(result, file, options, widened)]
+    policy = policy_xml(result.network, unknown=options.unknown, widened=widened)
+    written = [write_file(policy, str(file))]
     if options.write_baseline is not None:
         written.append(write_baseline(found.shown, options.write_baseline))
     if not options.quiet:
@@ -125,14 +126,3 @@ def _replaceable(file: Path) -> bool:
         return True
     data = read_bytes(file, str(file), _LIMIT)
     return isinstance(data, bytes) and (not data or _OURS in data[:_HEAD])
-
-
-def _write(result: Result, file: Path, options: argparse.Namespace, widened: Widenings) -> str:
-    from rosward.outputs.policy import policy_xml
-    from rosward.outputs.whole_files import write_text
-
-    policy = policy_xml(result.network, unknown=options.unknown, widened=widened)
-    try:
-        return write_text(str(file.parent), file.name, policy)
-    except OSError as error:
-        raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error

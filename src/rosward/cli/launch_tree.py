@@ -14,9 +14,9 @@ from rosward.cli.shared import (
     add_deployment,
     add_format,
     add_sources,
+    reading,
     refusing,
     request_of,
-    underlays_of,
 )
 
 if TYPE_CHECKING:
@@ -45,15 +45,7 @@ def _run(options: argparse.Namespace) -> int:
     options.all_launch = options.all_launch or not (options.launch or options.node)
     request = request_of(options)
     try:
-        systems, findings = launched(
-            *options.paths,
-            distro=options.distro,
-            models=options.models,
-            tests=options.tests,
-            exclude=options.exclude,
-            request=request,
-            underlays=underlays_of(options),
-        )
+        systems, findings = launched(*options.paths, **reading(options, request))
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
     sys.stdout.write(

@@ -4,6 +4,7 @@
 add_review(parser)                       --baseline, --write-baseline
 reviewed(findings, sources, options)     comments, `ignore`, `ignore-in` and the baseline, applied
 deliver(text, options.output)            to the terminal, or whole into a file
+write_file(text, "policy.xml")           whole, or told why not
 """
 
 from __future__ import annotations
@@ -21,7 +22,16 @@ if TYPE_CHECKING:
     from rosward.pipeline import Result
     from rosward.review.judge import Judged, Reviewed, Sources
 
-__all__ = ["add_output_file", "add_review", "deliver", "documentation", "reviewed", "reviewed_result", "write_baseline"]
+__all__ = [
+    "add_output_file",
+    "add_review",
+    "deliver",
+    "documentation",
+    "reviewed",
+    "reviewed_result",
+    "write_baseline",
+    "write_file",
+]
 
 
 def add_review(parser: argparse.ArgumentParser) -> None:
@@ -72,7 +82,7 @@ def write_baseline(shown: Iterable[Judged], file: str) -> str:
     """Write the findings of a run as a baseline; returns the path. Raises WrongUseError."""
     from rosward.review.baseline import baseline_text
 
-    return _write(baseline_text(shown), file)
+    return write_file(baseline_text(shown), file)
 
 
 def deliver(text: str, file: str | None) -> None:
@@ -80,10 +90,11 @@ def deliver(text: str, file: str | None) -> None:
     if file is None:
         sys.stdout.write(text)
     else:
-        _write(text, file)
+        write_file(text, file)
 
 
-def _write(text: str, file: str) -> str:
+def write_file(text: str, file: str) -> str:
+    """Write a text; returns the path. Raises WrongUseError."""
     from rosward.outputs.whole_files import write_text
 
     folder, name = os.path.split(file)

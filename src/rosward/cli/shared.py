@@ -17,12 +17,22 @@ if TYPE_CHECKING:
     from rosward.deployment.request import Request
     from rosward.network.assigned import Assignment
     from rosward.pipeline import Progress, Result
+    from rosward.source.exclude import Exclusion
 
 DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
 MODES: Final = ("node", "process", "launch")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
 
 Commands = argparse._SubParsersAction
+
+
+class _Reading(TypedDict):
+    distro: str
+    models: list[str]
+    tests: bool
+    exclude: list[str | Exclusion]
+    request: Request
+    underlays: list[str]
 
 
 class _WantedEnclaves(TypedDict, total=False):
@@ -148,13 +158,8 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
         with ProgressLine(shown=shown) as progress:
             return extract(
                 *paths,
-                distro=options.distro,
+                **reading(options, request),
                 unknown=getattr(options, "unknown", "deny"),
-                models=options.models,
-                tests=options.tests,
-                exclude=options.exclude,
-                request=request,
-                underlays=underlays_of(options),
                 **_wanted_enclaves(getattr(options, "enclaves", None)),
                 progress=progress,
             )
@@ -162,18 +167,30 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
         raise WrongUseError(str(error)) from error
 
 
-def _wanted_enclaves(wanted: str | None) -> _WantedEnclaves:
-    from rosward.network.assigned import AssignmentError, read_assignment
+def reading(options: argparse.Namespace, request: Request) -> _Reading:
+    """What the options ask to read, as `extract` and `launched` are told."""
+    return {
+        "distro": options.distro,
+        "models": options.models,
+        "tests": options.tests,
+        "exclude": options.exclude,
+        "request": request,
+        "underlays": _underlays_of(options),
+    }
 
+
+def _wanted_enclaves(wanted: str | None) -> _WantedEnclaves:
     if wanted is None or wanted in MODES:
         return {"enclaves": wanted}
+    from rosward.network.assigned import AssignmentError, read_assignment
+
     try:
         return {"enclaves": "process", "assigned": read_assignment(Path(wanted))}
     except AssignmentError as error:
         raise WrongUseError(f"--enclaves {wanted}: {error}") from error
 
 
-def underlays_of(options: argparse.Namespace) -> list[str]:
+def _underlays_of(options: argparse.Namespace) -> list[str]:
     """The underlays, nearest first: those that are named, then the sourced ones where that is asked for."""
     sourced = os.environ.get("AMENT_PREFIX_PATH", "") if options.ament_prefix_path else ""
     return [*options.underlay, *(folder for folder in sourced.split(os.pathsep) if os.path.isdir(folder))]  # noqa: PTH112

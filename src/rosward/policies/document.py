@@ -19,6 +19,7 @@ from xml.parsers import expat
 from rosward.findings import Finding
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
+from rosward.source.xml_events import RefusedError, parse
 
 __all__ = ["Element", "elements", "read_document"]
 
@@ -45,10 +46,6 @@ class Element(NamedTuple):
     def text(self) -> str:
         """The text that stands directly in it, white space included."""
         return "".join(self.words)
-
-
-class _RefusedError(Exception):
-    """The document is not of a kind that is read."""
 
 
 def read_document(path: str) -> tuple[Element | None, list[Finding]]:
@@ -140,29 +137,17 @@ class _Builder:
     def read(self, data: bytes) -> tuple[str, int] | None:
         """What is wrong with the document, and in which line."""
         parser = self._parser
-        parser.StartDoctypeDeclHandler = self._doctype
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
         parser.CharacterDataHandler = self._characters
-        try:
-            parser.Parse(data, True)
-        except _RefusedError as error:
-            return str(error), parser.CurrentLineNumber
-        except expat.ExpatError as error:
-            return f"The file is not well-formed XML: {expat.errors.messages[error.code]}.", error.lineno
-        except (ValueError, LookupError) as error:  # an encoding that Python does not know
-            return f"The file cannot be read: {error}.", 1
-        return None
-
-    def _doctype(self, *_: object) -> None:
-        raise _RefusedError("The file has a document type declaration; entities are not read.")
+        return parse(parser, data, "The file", " XML")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self.count += 1
         if self.count > self._most:
-            raise _RefusedError(f"The policy has more than {_MOST_ELEMENTS:,} elements.")
+            raise RefusedError(f"The policy has more than {_MOST_ELEMENTS:,} elements.")
         if len(self._open) >= _DEEPEST:
-            raise _RefusedError("The file is nested too deeply.")
+            raise RefusedError("The file is nested too deeply.")
         element = Element(tag, attributes, [], [], Place(self._file, self._parser.CurrentLineNumber))
         if self._open:
             self._open[-1].children.append(element)

@@ -17,6 +17,7 @@ from xml.parsers import expat
 from rosward.findings import Finding
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
+from rosward.source.xml_events import RefusedError, parse
 
 MANIFEST_LIMIT: Final = 1_000_000
 _DEPTH_LIMIT: Final = 50
@@ -31,10 +32,6 @@ class Manifest(NamedTuple):
     name: str
     build_type: str
     depends: frozenset[str] = frozenset()
-
-
-class _RefusedError(Exception):
-    """The document is not of a kind that a package.xml may be."""
 
 
 def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Finding | None]:
@@ -87,34 +84,22 @@ class _Outline:
     def read(self, data: bytes) -> tuple[str, int] | None:
         """What is wrong with the document, and in which line."""
         parser = expat.ParserCreate()
-        parser.StartDoctypeDeclHandler = self._doctype
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
         parser.CharacterDataHandler = self._text.append
-        try:
-            parser.Parse(data, True)
-        except _RefusedError as error:
-            return str(error), parser.CurrentLineNumber
-        except expat.ExpatError as error:
-            return f"The package.xml is not well-formed: {expat.errors.messages[error.code]}.", error.lineno
-        except (ValueError, LookupError) as error:  # an encoding that Python does not know
-            return f"The package.xml cannot be read: {error}.", 1
-        return None
-
-    def _doctype(self, *_: object) -> None:
-        raise _RefusedError("The package.xml has a document type declaration; entities are not read.")
+        return parse(parser, data, "The package.xml")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._path.append(tag)
         self._text.clear()
         if len(self._path) > _DEPTH_LIMIT:
-            raise _RefusedError("The package.xml is nested too deeply.")
+            raise RefusedError("The package.xml is nested too deeply.")
         self._count += 1
         if self._count > _ELEMENT_LIMIT:
-            raise _RefusedError("The package.xml has too many elements.")
+            raise RefusedError("The package.xml has too many elements.")
         condition = attributes.get("condition", "")
         if len(condition) > _CONDITION_LIMIT or condition.count("(") > 3:
-            raise _RefusedError("The package.xml has a condition that is too complex to evaluate.")
+            raise RefusedError("The package.xml has a condition that is too complex to evaluate.")
 
     def _end(self, _: str) -> None:
         if self._path == ["package", "name"] and not self.name:
