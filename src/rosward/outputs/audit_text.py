@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from rosward.findings import Finding, Severity
+from rosward.outputs.counts import several, some
 from rosward.outputs.safe import printable
 from rosward.running.result import Audit, Counts, Difference
 
@@ -35,7 +36,7 @@ def audit_text(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[F
         lines += [node, *(_line(d.finding) + _looks(d.seen, audit.looks) for d in differences), ""]
     lines += _section("not seen, and only in some runs", _unseen(audit))
     lines += _section(
-        "tools", [f"{t.node}  {t.tool}, {_several(t.entities, 'entity', 'entities')}" for t in audit.tools]
+        "tools", [f"{t.node}  {t.tool}, {several(t.entities, 'entity', 'entities')}" for t in audit.tools]
     )
     lines += _section(
         "explained by the name of the node alone, for its interface is not known",
@@ -75,15 +76,15 @@ def _listed(items: Sequence[str]) -> str:
 
 
 def _summary(audit: Audit, known: int) -> list[str]:
-    tools = f", {_several(len(audit.tools), 'tool', 'tools')}" if audit.tools else ""
+    tools = f", {several(len(audit.tools), 'tool', 'tools')}" if audit.tools else ""
     parts = [f"{_counted(audit.nodes, 'node runs', 'nodes run')}{tools}."]
     if audit.entities.running:
         has = "The explained node has" if audit.nodes.exact + audit.nodes.pattern == 1 else "The explained nodes have"
         parts.append(f"{has} {_counted(audit.entities, 'entity', 'entities')}.")
     beside = [
-        _many(audit.accepted, "is accepted", "are accepted"),
-        _many(known, "is in the baseline", "are in the baseline"),
-        _many(audit.untold, "expected node is in no text", "expected nodes are in no text"),
+        some(audit.accepted, "is accepted", "are accepted"),
+        some(known, "is in the baseline", "are in the baseline"),
+        some(audit.untold, "expected node is in no text", "expected nodes are in no text"),
     ]
     told = [part for part in beside if part]
     if told:
@@ -94,26 +95,18 @@ def _summary(audit: Audit, known: int) -> list[str]:
 def _counted(counts: Counts, one: str, many: str) -> str:
     explained = f"{counts.exact + counts.pattern} explained"
     through = f" ({counts.pattern} by a pattern)" if counts.pattern else ""
-    return f"{_several(counts.running, one, many)}: {explained}{through}"
+    return f"{several(counts.running, one, many)}: {explained}{through}"
 
 
 def _verdict(audit: Audit, new: Sequence[Difference]) -> str:
     count = {code: sum(d.finding.code == code for d in new) for code in ("RW501", "RW502", "RW503", "RW504", "RW506")}
     parts = [
-        _many(count["RW501"], "running node not explained", "running nodes not explained"),
-        _many(count["RW502"], "running entity not explained", "running entities not explained"),
-        _many(count["RW503"], "expected and not there", "expected and not there"),
-        _many(count["RW504"], "of another type or QoS", "of another type or QoS"),
-        _many(count["RW506"], "explained by an unknown name only", "explained by unknown names only"),
-        _many(len(audit.findings), "part not read", "parts not read"),
+        some(count["RW501"], "running node not explained", "running nodes not explained"),
+        some(count["RW502"], "running entity not explained", "running entities not explained"),
+        some(count["RW503"], "expected and not there", "expected and not there"),
+        some(count["RW504"], "of another type or QoS", "of another type or QoS"),
+        some(count["RW506"], "explained by an unknown name only", "explained by unknown names only"),
+        some(len(audit.findings), "part not read", "parts not read"),
     ]
     said = ", ".join(part for part in parts if part)
     return f"{said}." if said else "The source explains all that runs, and all that it surely has runs."
-
-
-def _several(number: int, one: str, many: str) -> str:
-    return f"{number} {one if number == 1 else many}"
-
-
-def _many(number: int, one: str, many: str) -> str:
-    return _several(number, one, many) if number else ""

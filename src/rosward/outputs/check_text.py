@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rosward.outputs.checked import Checked
+from rosward.outputs.counts import some
 from rosward.outputs.safe import printable
 from rosward.review.judge import Judged
 
@@ -44,12 +45,12 @@ def _section(title: str, judged: Iterable[Judged]) -> list[str]:
 def _verdict(found: Checked) -> str:
     new = [d.judged.finding.code for d in found.differences if not d.judged.known]
     parts = [
-        _several(new.count("RW401"), "right lacking", "rights lacking"),
-        _several(new.count("RW402"), "rule too much", "rules too much"),
-        _several(new.count("RW404"), "enclave of no process", "enclaves of no process"),
-        _several(new.count("RW405"), "process without enclave", "processes without enclave"),
-        _several(_new(found.unread), "part of the policy not read", "parts of the policy not read"),
-        _several(_new(found.questions), "question about the code open", "questions about the code open"),
+        some(new.count("RW401"), "right lacking", "rights lacking"),
+        some(new.count("RW402"), "rule too much", "rules too much"),
+        some(new.count("RW404"), "enclave of no process", "enclaves of no process"),
+        some(new.count("RW405"), "process without enclave", "processes without enclave"),
+        some(_new(found.unread), "part of the policy not read", "parts of the policy not read"),
+        some(_new(found.questions), "question about the code open", "questions about the code open"),
     ]
     aside = [
         f"{number} {word}" for number, word in ((found.ignored, "ignored"), (found.known, "in the baseline")) if number
@@ -66,7 +67,3 @@ def _verdict(found: Checked) -> str:
 
 def _new(judged: Iterable[Judged]) -> int:
     return sum(not j.known for j in judged)
-
-
-def _several(number: int, one: str, many: str) -> str:
-    return f"{number} {one if number == 1 else many}" if number else ""

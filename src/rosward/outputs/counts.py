@@ -10,7 +10,7 @@ from rosward.findings import Severity
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.ros.entities import Resolution
 
-__all__ = ["Count", "Counts", "counts_of"]
+__all__ = ["Count", "Counts", "counts_of", "several", "some"]
 
 
 class Count(NamedTuple):
@@ -47,3 +47,13 @@ def counts_of(network: Network) -> Counts:
 
 def _count(meetings: Sequence[Topic | Service | Action]) -> Count:
     return Count(len(meetings), sum(meeting.system for meeting in meetings))
+
+
+def several(number: int, one: str, many: str) -> str:
+    """`3 tools`."""
+    return f"{number} {one if number == 1 else many}"
+
+
+def some(number: int, one: str, many: str) -> str:
+    """The same, and nothing for none."""
+    return several(number, one, many) if number else ""

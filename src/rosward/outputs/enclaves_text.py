@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import Final
 
+from rosward.outputs.counts import several
 from rosward.outputs.safe import printable
 from rosward.reduction.grouping import Ladder
 from rosward.reduction.price import ACTS, LISTENS
@@ -70,8 +71,8 @@ def _verdict(suggestion: Suggestion) -> Iterator[str]:
     if not suggestion.met:
         yield f"No cut is {_cut_by(suggestion)}; this is the nearest."
     yield (
-        f"{_several(len(processes), 'process', 'processes')} in {_several(len(enclaves), 'enclave', 'enclaves')}, price {total.application}: "
-        f"{_several(application, 'right', 'rights')} of the application and {total.system} of the client library "
+        f"{several(len(processes), 'process', 'processes')} in {several(len(enclaves), 'enclave', 'enclaves')}, price {total.application}: "
+        f"{several(application, 'right', 'rights')} of the application and {total.system} of the client library "
         f"are held by processes that do not need them; they need {suggestion.needed} of the application."
     )
     yield f"The price counts {ACTS} for a right that acts on others, {LISTENS} for a subscription."
@@ -79,7 +80,7 @@ def _verdict(suggestion: Suggestion) -> Iterator[str]:
     if knee is not None and suggestion.wish is Wish.FREE and suggestion.knee > suggestion.cut.steps:
         yield f"Fewer enclaves cost least up to the knee, --max {knee.enclaves}: price {knee.total.application}."
     if free:
-        yield f"{_several(free, 'step costs', 'steps cost')} nothing but rights of the client library."
+        yield f"{several(free, 'step costs', 'steps cost')} nothing but rights of the client library."
     if any(enclave.fixed for enclave in enclaves):
         yield "Enclaves that launch files name stay as they are (--ignore-given)."
 
@@ -113,7 +114,3 @@ def _some(words: Iterable[str], *, verbose: bool) -> str:
     if verbose or len(ordered) <= _MOST_SHOWN:
         return ", ".join(ordered)
     return f"{', '.join(ordered[:_MOST_SHOWN])} and {len(ordered) - _MOST_SHOWN} more"
-
-
-def _several(number: int, one: str, many: str) -> str:
-    return f"{number} {one if number == 1 else many}"
