@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
+from rosward.domain.memory import Heap
 from rosward.domain.text import make, matches
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import (
@@ -169,7 +170,7 @@ def states(draw: st.DrawFn, version: int = 1) -> State:
     """A state whose address n holds an object of kind n: as in a run, an address never changes its kind."""
     heap = {address: draw(objects(kind)) for address, kind in enumerate(KINDS) if draw(st.booleans())}
     done = draw(st.frozensets(st.sampled_from((("node", 1), ("node", 2), ("entity", 3))), max_size=2))
-    return State(heap, version, done or NOTHING_DONE)
+    return State(Heap(heap.items()), version, done or NOTHING_DONE)
 
 
 two_states = st.tuples(states(version=1), states(version=2))
@@ -211,5 +212,6 @@ def _entries_cover(above: Obj, below: Obj) -> bool:
 
 def state_covers(above: State, below: State) -> bool:
     """Whether every execution that `below` stands for is among those that `above` stands for."""
-    heap = all(a in above.heap and object_covers(above.heap[a], o) for a, o in below.heap.items())
+    records = dict(above.heap.items())
+    heap = all(a in records and object_covers(records[a], o) for a, o in below.heap.items())
     return heap and above.done <= below.done

@@ -32,6 +32,7 @@ from rosward.domain.choice import MAX_OPTIONS, generalise, join, join_all, lift,
 from rosward.domain.heap import Obj
 from rosward.domain.text import common, concat, make, matches
 from rosward.domain.values import (
+    NONE,
     UNBOUND,
     Choice,
     Const,
@@ -331,26 +332,48 @@ def test_the_version_stays_where_left_covers_right(two: tuple[State, State]) -> 
     left, right = two
     joined = join_states(left, right, _Versions())
     version = joined.version
-    again = State(dict(right.heap), 3, right.done)
+    again = State(right.heap.copy(), 3, right.done)
     assert join_states(joined, again, _Versions()).version == version
 
 
 @given(two_states)
 def test_the_version_changes_where_the_heap_does(two: tuple[State, State]) -> None:
     left, right = two
-    version, heap = left.version, dict(left.heap)
+    version, before = left.version, dict(left.heap.items())
     joined = join_states(left, right, _Versions())
-    same = heap.keys() == joined.heap.keys() and all(joined.heap[a] is heap[a] for a in heap)
+    after = dict(joined.heap.items())
+    same = before.keys() == after.keys() and all(after[a] is before[a] for a in before)
     assert (joined.version == version) is same
 
 
 @given(states())
 def test_a_copy_is_independent(state: State) -> None:
     copy = state.copy()
-    records = dict(state.heap)
-    copy.heap.clear()
+    records = dict(state.heap.items())
+    for address in (*records, 1_000):
+        copy.heap[address] = Obj("cell", NONE)
     assert copy.version == state.version
-    assert state.heap == records
+    assert dict(state.heap.items()) == records
+
+
+@given(two_states)
+def test_a_join_leaves_the_right_side_and_all_copies_alone(two: tuple[State, State]) -> None:
+    left, right = two
+    copies = [left.copy(), right.copy()]
+    before = [dict(s.heap.items()) for s in (*copies, right)]
+    joined = join_states(left, right, _Versions())
+    for address in dict(joined.heap.items()):
+        joined.heap[address] = Obj("cell", NONE)
+    assert [dict(s.heap.items()) for s in (*copies, right)] == before
+
+
+@given(two_states)
+def test_filling_takes_over_what_is_missing_and_nothing_else(two: tuple[State, State]) -> None:
+    left, right = two
+    ours, theirs = dict(left.heap.items()), dict(right.heap.items())
+    left.heap.fill(right.heap)
+    assert dict(left.heap.items()) == {**theirs, **ours}
+    assert dict(right.heap.items()) == theirs
 
 
 @given(unknowns, values)

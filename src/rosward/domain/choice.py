@@ -54,6 +54,8 @@ def join(left: Value, right: Value) -> Value:
         return right
     if right is UNBOUND:
         return left
+    if left.__class__ is Choice and all(o in left.options for o in options(right)):
+        return left  # most joins are of what is known already
     return join_all((*options(left), *options(right)))
 
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj
+from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     NONE,
@@ -62,7 +63,7 @@ class Interpreter:
         self.library = library
         self.budget = budget
         self.log = log
-        self.state = State({}, 0, NOTHING_DONE)
+        self.state = State(Heap(), 0, NOTHING_DONE)
         self.frames: list[Frame] = []
         self.catchers: list[catcher.Catcher] = []
         self.schedule_book = Schedule()
@@ -181,7 +182,8 @@ class Interpreter:
 
     def at(self, address: int) -> Obj:
         """The record at an address."""
-        found = self.state.heap.get(address)
+        page = self.state.heap.pages.get(address >> SHIFT)  # `Heap.get`, without the call: nothing is asked as often
+        found = None if page is None else page[address & MASK]
         return found if found is not None else self.library.at(address)
 
     def put(self, address: int, obj: Obj) -> None:

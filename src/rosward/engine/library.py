@@ -107,7 +107,7 @@ class Library:
 
     def at(self, address: int) -> Obj:
         """A record of the models' heap; an empty one where there is none."""
-        return self._loader.state.heap.get(address, _NOTHING)
+        return self._loader.state.heap.get(address) or _NOTHING
 
     def native(self, name: str) -> NativeFunction | None:
         """The model in code of a dotted name."""

@@ -160,9 +160,7 @@ class Schedule:
 
     @staticmethod
     def _call(machine: Interpreter, entry: Entry) -> None:
-        for address, obj in entry.state.heap.items():
-            if address not in machine.state.heap:
-                machine.state.heap[address] = obj
+        machine.state.heap.fill(entry.state.heap)
         code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
         frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)
         frame.line, frame.column = entry.place.line, entry.place.column

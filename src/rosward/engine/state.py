@@ -12,9 +12,9 @@ from typing import Final, final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.memory import Heap
 from rosward.domain.values import UNBOUND, Ref, Value
 
-Heap = dict[int, Obj]
 Merge = Callable[[Value, Value], Value]
 EventKey = tuple[object, ...]
 _PARTIAL: Final = ("instance", "class", "module")
@@ -45,20 +45,7 @@ def join_states(left: State, right: State, fresh: Callable[[], int], merge: Merg
     left.done &= right.done
     if left.version == right.version:
         return left
-    heap, changed = left.heap, False
-    for address, theirs in right.heap.items():
-        ours = heap.get(address)
-        if ours is theirs:
-            continue
-        if ours is None:
-            heap[address] = theirs
-            changed = True
-            continue
-        merged = join_objects(ours, theirs, merge)
-        if merged is not ours:
-            heap[address] = merged
-            changed = True
-    if changed:
+    if left.heap.cover(right.heap, lambda ours, theirs: join_objects(ours, theirs, merge)):
         left.version = fresh()
     return left
 
