@@ -91,7 +91,9 @@ class World:
     def _turn(self, executor: Any) -> None:
         spin_once = self._spin_once.get(SingleThreadedExecutor)
         if executor is not None and spin_once is not None:
-            self._call(self._spin_once.get(type(executor), spin_once), executor, 0.002)
+            cls = type(executor)
+            own = cls.spin_once if any("spin_once" in vars(c) for c in cls.mro() if c not in self._spin_once) else None
+            self._call(own or self._spin_once.get(cls, spin_once), executor, 0.002)
 
     def _call(self, callback: Callable[..., Any], *arguments: Any) -> None:
         try:

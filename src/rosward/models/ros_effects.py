@@ -197,6 +197,7 @@ _NODE_OPTIONS: Final = (
     "lifecycle_services",
     "allow_undeclared_parameters",
     "automatically_declare_parameters_from_overrides",
+    "asked",
 )
 
 

@@ -17,7 +17,7 @@ from rosward.models.command_line import ANY_NAME, given_to, type_word
 from rosward.models.effects import EffectLog, NodeEffect, ParameterEffect
 from rosward.models.host import host, is_true, text_of
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.ros_effects import create, mark
+from rosward.models.ros_effects import mark
 from rosward.models.ros_names import command_lines, final_name
 from rosward.ros.names import fully_qualified
 
@@ -196,14 +196,28 @@ def _set(call: NativeCall) -> Value:
             if table is not None:
                 machine.store_item(table, key, value)
             if text_of(key) == "use_sim_time" and any(is_true(v) for v in options(value)):
-                create(
-                    machine,
-                    "subscription",
-                    each,
-                    Const("/clock"),
-                    machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock"),
-                )
+                clock = machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock")
+                machine.call(machine.load_attr(each, "create_subscription"), (clock, Const("/clock"), NONE, Const(1)))
     return NONE
+
+
+def _undeclare(call: NativeCall) -> Value:
+    """A parameter that is no longer declared; perhaps, where the node or the name is one of several."""
+    machine = host(call.machine)
+    nodes, names = options(call.args[0]), options(call.args[1])
+    sure = len(nodes) == len(names) == 1
+    for table in (t for t in (_table(machine, n) for n in nodes) if t is not None):
+        record = machine.obj(table)
+        label = names[0] if sure and isinstance(names[0], Const) else None
+        gone = {k for k in record.entries if k == label or (label is None and _may_be_named(k, names))}
+        entries = {k: v for k, v in record.entries.items() if k != label}
+        changed = record.replace(entries=entries, maybe=(record.maybe | gone) & frozenset(entries))
+        machine.update(table, changed)
+    return NONE
+
+
+def _may_be_named(key: Value, names: tuple[Value, ...]) -> bool:
+    return any(not isinstance(n, Const) or n.value == text_of(key) for n in names)
 
 
 def _has(call: NativeCall) -> Value:
@@ -268,4 +282,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "rclpy.node.Node.has_parameter": _has,
     "rclpy.node.Node.get_parameters_by_prefix": _by_prefix,
     "_rosward.set_parameter": _set,
+    "rclpy.node.Node.undeclare_parameter": _undeclare,
 }

@@ -6,19 +6,17 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final, NamedTuple
 
-from rosward.domain.choice import options
 from rosward.domain.text import pattern
 from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
 from rosward.findings import Finding
-from rosward.models.command_line import Rule
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.models.host import is_true
 from rosward.models.name_values import NameOption, interface_types, name_options
 from rosward.models.ros_names import command_lines, final_name, remapped_by, remaps_of
-from rosward.models.ros_parameters import values_of
+from rosward.network import implicit
 from rosward.network.doubts import invalid_name, unknown_name, unknown_node, unknown_type
+from rosward.network.implicit import Identity
 from rosward.ros import names
-from rosward.ros.distro import ClientLibrary, Distro, implicit_entities, service_event_topic
+from rosward.ros.distro import Distro, service_event_topic
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
 from rosward.source.location import Place
 
@@ -49,18 +47,6 @@ class Process(NamedTuple):
     conditional: bool = False
 
 
-class _Identity(NamedTuple):
-    """One of the full names that a node may have."""
-
-    name: str
-    namespace: str
-    rules: tuple[Rule, ...]
-    resolution: Resolution
-    depends_on: tuple[str, ...]
-    reasons: tuple[str, ...]
-    sole: bool
-
-
 def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
     """The nodes of a process and the findings about their names."""
     findings: dict[Finding, None] = {}
@@ -71,10 +57,10 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
     return _merged(nodes), list(findings)
 
 
-def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[_Identity]:
+def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[Identity]:
     name_value, space_value = final_name(log, effect)
     rules = remaps_of(log, effect)
-    found: list[_Identity] = []
+    found: list[Identity] = []
     spaces = name_options(space_value)
     own = name_options(name_value)
     for space in spaces:
@@ -99,7 +85,7 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
             namespace = names.full_namespace(space.text)
             found.append(
-                _Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1)
+                Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1)
             )
     return found
 
@@ -107,7 +93,7 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
 def _node(
     log: EffectLog,
     effect: NodeEffect,
-    identity: _Identity,
+    identity: Identity,
     process: Process,
     distro: Distro,
     findings: dict[Finding, None],
@@ -119,7 +105,9 @@ def _node(
             sure = certain and EffectLog.key(entity) in process.done
             path = log.paths.get(entity, ())
             entities += _entities(entity, identity, distro, findings, path, sure=sure)
-    entities += [e if identity.sole else replace(e, conditional=True) for e in _implicit(effect, identity, distro, log)]
+    made, asked = implicit.of_client_library(log, effect, identity, distro)
+    entities = [replace(e, system=True) if (e.kind, e.name, e.type) in asked else e for e in entities]
+    entities += [e if identity.sole else replace(e, conditional=True) for e in made]
     if not certain:
         entities = [replace(e, conditional=True) if not e.system else e for e in entities]
     fqn = names.fully_qualified(identity.namespace, identity.name)
@@ -151,7 +139,7 @@ def _given_enclave(log: EffectLog, effect: NodeEffect) -> str | None:
 
 def _entities(
     effect: EntityEffect,
-    identity: _Identity,
+    identity: Identity,
     distro: Distro,
     findings: dict[Finding, None],
     path: tuple[Place, ...],
@@ -204,7 +192,7 @@ def _from_node_only(option: NameOption) -> bool:
 def _resolved(
     kind: EntityKind,
     option: NameOption,
-    identity: _Identity,
+    identity: Identity,
     distro: Distro,
     effect: EntityEffect,
     findings: dict[Finding, None],
@@ -241,7 +229,7 @@ def _entity(
     text: str,
     type_: str | None,
     option: NameOption,
-    identity: _Identity,
+    identity: Identity,
     path: tuple[Place, ...],
     *,
     sure: bool,
@@ -279,60 +267,6 @@ def _entity(
 
 
 _KNOWN: Final = (Resolution.EXACT, Resolution.DEFAULT, Resolution.BOUND)
-
-
-def _implicit(effect: NodeEffect, identity: _Identity, distro: Distro, log: EffectLog) -> list[Entity]:
-    """What the client library creates by itself, under the node's own rules."""
-    switches = dict(effect.options)
-
-    def switch(name: str, default: bool) -> bool:
-        value = switches.get(name)
-        if isinstance(value, Const) and isinstance(value.value, bool) and not value.origins:
-            return value.value
-        return True if value is not None else default
-
-    own, general = command_lines(log, effect)
-    fqn = names.fully_qualified(identity.namespace, identity.name)
-    values = values_of(log, effect)
-    given = values.get("use_sim_time")
-    description = switches.get("start_type_description_service", values.get("start_type_description_service"))
-    sim = (given is not None and _may_be_true(given)) or any(
-        p.address == effect.address
-        and isinstance(p.name, Const)
-        and p.name.value == "use_sim_time"
-        and is_true(p.value)
-        for p in log.parameters
-    )
-    found = implicit_entities(
-        distro,
-        node_fqn=fqn,
-        enable_rosout=switch("enable_rosout", True) and own.rosout_logs and general.rosout_logs,
-        start_parameter_services=switch("start_parameter_services", True),
-        type_description=not (isinstance(description, Const) and description.value is False),
-        logger_service=switch("enable_logger_service", False),
-        use_sim_time=sim or switch("use_sim_time", False),
-        lifecycle=switch("lifecycle", False),
-        lifecycle_services=switch("lifecycle_services", True),
-        start_parameter_event_publisher=switch("start_parameter_event_publisher", True),
-        client_library=_client_library(switches.get("client_library")),
-    )
-    rules = tuple(r.rule for r in identity.rules)
-    result: list[Entity] = []
-    for entity in found:
-        kind = names.RemapKind.SERVICE if entity.kind in _SERVICES else names.RemapKind.TOPIC
-        for text in names.resolve(entity.name, kind, rules, identity.name, identity.namespace):
-            resolution = identity.resolution if text.startswith(fqn) else Resolution.EXACT
-            result.append(replace(entity, name=text, resolution=resolution, created_at=(effect.place,), system=True))
-    return result
-
-
-def _client_library(value: Value | None) -> ClientLibrary:
-    written = value.value if isinstance(value, Const) else None
-    return ClientLibrary.RCLCPP if written == ClientLibrary.RCLCPP.value else ClientLibrary.RCLPY
-
-
-def _may_be_true(value: Value) -> bool:
-    return any(not isinstance(o, Const) or o.value is True for o in options(value))
 
 
 def _parameters(log: EffectLog, address: int) -> list[Parameter]:

@@ -126,6 +126,9 @@ _BOTH: Final = (
     *(_Row(_Switch.LIFECYCLE_SERVICES, _SERVER, f"~/{n}", t, _SERVICE) for n, t in _LIFECYCLE_SERVICES),
 )
 
+_ASKED: Final = frozenset({_Switch.ALWAYS, _Switch.SIM_TIME, _Switch.PARAMETER_SERVICES, _Switch.LOGGER_SERVICE})
+"""What rclpy makes by `create_publisher`, `create_subscription` and `create_service` of the node; the rest rcl makes itself."""
+
 _RCLPY: Final = (*_BOTH, _Row(_Switch.ALWAYS, _PUBLISHER, "/parameter_events", _EVENTS, _reliable(1000)))
 
 _RCLCPP: Final = (
@@ -151,13 +154,15 @@ def implicit_entities(
     use_sim_time: bool = False,
     lifecycle: bool = False,
     lifecycle_services: bool = True,
+    asked: bool = False,
     client_library: ClientLibrary = ClientLibrary.RCLPY,
 ) -> tuple[Entity, ...]:
     """The endpoints that the client library gives the node `node_fqn` by itself, sorted by kind and name.
 
     `enable_rosout` is the option of the node and the absence of `--disable-rosout-logs`; `type_description` the
     parameter `start_type_description_service`; `lifecycle_services` the option `enable_communication_interface` of a
-    lifecycle node, without which `~/transition_event` remains (rcl_lifecycle.c). rclpy has no switch for the publisher
+    lifecycle node, without which `~/transition_event` remains (rcl_lifecycle.c). With `asked`, only those that rclpy makes
+    through methods of the node, which a program may override; without, all of them. rclpy has no switch for the publisher
     of parameter events. The names are those before remapping:
     rcl remaps them like any other (`/rosout:=/log` works).
     """
@@ -173,7 +178,7 @@ def implicit_entities(
     entities = [
         Entity(row.kind, row.name.replace("~", node_fqn, 1), row.type, system=True, qos=row.qos)
         for row in _rows(client_library)
-        if row.switch in on and distro.has(row.since)
+        if row.switch in on and distro.has(row.since) and (not asked or row.switch in _ASKED)
     ]
     return tuple(sorted(entities, key=lambda entity: (entity.kind.value, entity.name)))
 

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import spins
+from _rosward import overridden, spins
 
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
@@ -27,7 +27,8 @@ class InitContextManager:
     def __enter__(self):
         return self
 
-    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+    def __exit__(self, exc_type, exc_val, exc_tb):
+        self.context.try_shutdown()
 
 
 def init(*, args=None, context=None, domain_id=None, signal_handler_options=None):
@@ -40,10 +41,12 @@ def get_global_executor():
     return SingleThreadedExecutor()
 
 
-def shutdown(*, context=None, uninstall_handlers=None) -> None: ...
+def shutdown(*, context=None, uninstall_handlers=None):
+    (get_default_context() if context is None else context).shutdown()
 
 
-def try_shutdown(*, context=None, uninstall_handlers=None) -> None: ...
+def try_shutdown(*, context=None, uninstall_handlers=None):
+    (get_default_context() if context is None else context).try_shutdown()
 
 
 def create_node(
@@ -80,12 +83,28 @@ def create_node(
 
 
 @spins
-def spin_once(node, *, executor=None, timeout_sec=None) -> None: ...
+def spin_once(node, *, executor=None, timeout_sec=None):
+    if overridden(executor, *_BY_SPINNING):
+        executor.add_node(node)
+        executor.spin_once(timeout_sec=timeout_sec)
+        executor.remove_node(node)
 
 
 @spins
-def spin(node, executor=None) -> None: ...
+def spin(node, executor=None):
+    if overridden(executor, *_BY_SPINNING):
+        executor.add_node(node)
+        executor.spin_once()
+        executor.remove_node(node)
 
 
 @spins
-def spin_until_future_complete(node, future, executor=None, timeout_sec=None) -> None: ...
+def spin_until_future_complete(node, future, executor=None, timeout_sec=None):
+    if overridden(executor, *_BY_SPINNING):
+        executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec)
+        executor.remove_node(node)
+
+
+_BY_SPINNING = ("add_node", "spin_once", "spin_until_future_complete", "remove_node")
+"""What spinning calls on an executor, which a program may override."""

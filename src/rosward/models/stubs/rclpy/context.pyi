@@ -8,7 +8,8 @@ from _rosward import calls, init
 
 
 class Context:
-    def __init__(self) -> None: ...
+    def __init__(self):
+        self._nodes = []
 
     @property
     def handle(self): ...
@@ -18,11 +19,22 @@ class Context:
     def init(self, args=None, *, initialize_logging=True, domain_id=None):
         init(self, args)
 
-    def track_node(self, node) -> None: ...
+    # A node is tracked where the program says what happens when it is destroyed: on any other that changes nothing.
+
+    def track_node(self, node):
+        self._nodes.append(node)
+
     def untrack_node(self, node) -> None: ...
+
+    def _cleanup(self):
+        for node in self._nodes:
+            node.destroy_node()
     def ok(self) -> bool: ...
-    def shutdown(self) -> None: ...
-    def try_shutdown(self) -> None: ...
+    def shutdown(self):
+        self._cleanup()
+
+    def try_shutdown(self):
+        self._cleanup()
 
     @calls("callback", event="shutdown", args=())
     def on_shutdown(self, callback) -> None: ...
@@ -33,4 +45,5 @@ class Context:
         self.init()
         return self
 
-    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+    def __exit__(self, exc_type, exc_val, exc_tb):
+        self.try_shutdown()

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import schedule, spins
+from _rosward import ask, schedule, spins, unknown
 
 from rclpy.context import Context
 from rclpy.task import Future as Future, Task as Task
@@ -34,6 +34,7 @@ class TimeoutObject:
 class Executor:
     def __init__(self, *, context=None):
         self._nodes = []
+        ask(self, "wake")
 
     @property
     def context(self) -> Context: ...
@@ -52,23 +53,36 @@ class Executor:
         self._nodes.append(node)
         return True
 
-    def remove_node(self, node) -> None: ...
+    def remove_node(self, node):
+        if node in self._nodes:
+            self._nodes.remove(node)
+
     def wake(self) -> None: ...
 
     def get_nodes(self):
         return self._nodes
 
     @spins
-    def spin(self) -> None: ...
+    def spin(self):
+        ask(self, "spin_once")
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     @spins
-    def spin_until_future_complete(self, future, timeout_sec=None) -> None: ...
+    def spin_until_future_complete(self, future, timeout_sec=None):
+        ask(self, "wake")
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     @spins
-    def spin_once(self, timeout_sec=None) -> None: ...
+    def spin_once(self, timeout_sec=None):
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     @spins
-    def spin_once_until_future_complete(self, future, timeout_sec=None) -> None: ...
+    def spin_once_until_future_complete(self, future, timeout_sec=None):
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     def can_execute(self, entity) -> bool: ...
 
@@ -78,7 +92,8 @@ class Executor:
     def __enter__(self):
         return self
 
-    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+    def __exit__(self, exc_type, exc_val, exc_tb):
+        ask(self, "shutdown")
 
 
 class SingleThreadedExecutor(Executor):
@@ -86,10 +101,14 @@ class SingleThreadedExecutor(Executor):
         super().__init__(context=context)
 
     @spins
-    def spin_once(self, timeout_sec=None) -> None: ...
+    def spin_once(self, timeout_sec=None):
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     @spins
-    def spin_once_until_future_complete(self, future, timeout_sec=None) -> None: ...
+    def spin_once_until_future_complete(self, future, timeout_sec=None):
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
 
 class MultiThreadedExecutor(Executor):
@@ -97,9 +116,13 @@ class MultiThreadedExecutor(Executor):
         super().__init__(context=context)
 
     @spins
-    def spin_once(self, timeout_sec=None) -> None: ...
+    def spin_once(self, timeout_sec=None):
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     @spins
-    def spin_once_until_future_complete(self, future, timeout_sec=None) -> None: ...
+    def spin_once_until_future_complete(self, future, timeout_sec=None):
+        ask(self, "get_nodes")
+        ask(self, "can_execute", unknown("live", "entity that is ready"))
 
     def shutdown(self, timeout_sec=None, *, wait_for_threads=True) -> bool: ...

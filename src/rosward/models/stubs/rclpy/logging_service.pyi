@@ -6,11 +6,15 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 
+from rclpy.qos import qos_profile_services_default
+
 
 class LoggingService:
     def __init__(self, node):
-        node.create_service(GetLoggerLevels, node.get_name() + "/get_logger_levels", self._get_logger_levels)
-        node.create_service(SetLoggerLevels, node.get_name() + "/set_logger_levels", self._set_logger_levels)
+        name = node.get_name()
+        qos = qos_profile_services_default
+        node.create_service(GetLoggerLevels, f"{name}/get_logger_levels", self._get_logger_levels, qos_profile=qos)
+        node.create_service(SetLoggerLevels, f"{name}/set_logger_levels", self._set_logger_levels, qos_profile=qos)
 
     def _get_logger_levels(self, request, response):
         return response

@@ -5,6 +5,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 """
 
 from _rosward import (
+    ask,
     calls,
     create_node,
     creates,
@@ -16,13 +17,15 @@ from _rosward import (
     node_fqn,
     node_name,
     node_namespace,
+    opaque,
+    overridden,
     parameter,
     resolve_name,
     schedule,
     set_parameter,
     unknown,
 )
-from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, SetParametersResult
+from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterEvent, SetParametersResult
 
 from rclpy.callback_groups import CallbackGroup as CallbackGroup
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
@@ -31,6 +34,7 @@ from rclpy.client import Client as Client
 from rclpy.clock import Clock as Clock, ROSClock as ROSClock
 from rclpy.constants import S_TO_NS as S_TO_NS
 from rclpy.context import Context as Context
+from rclpy.event_handler import EventHandler
 from rclpy.event_handler import PublisherEventCallbacks as PublisherEventCallbacks
 from rclpy.event_handler import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from rclpy.exceptions import *
@@ -39,8 +43,10 @@ from rclpy.expand_topic_name import expand_topic_name as expand_topic_name
 from rclpy.guard_condition import GuardCondition as GuardCondition
 from rclpy.impl.rcutils_logger import RcutilsLogger as RcutilsLogger
 from rclpy.logging import get_logger as get_logger
+from rclpy.logging_service import LoggingService as LoggingService
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING as PARAMETER_SEPARATOR_STRING
 from rclpy.parameter import Parameter as Parameter
+from rclpy.parameter_service import ParameterService as ParameterService
 from rclpy.publisher import Publisher as Publisher
 from rclpy.qos import QoSProfile as QoSProfile
 from rclpy.qos import qos_profile_parameter_events as qos_profile_parameter_events
@@ -50,7 +56,9 @@ from rclpy.qos_overriding_options import QoSOverridingOptions as QoSOverridingOp
 from rclpy.qos_overriding_options import _declare_qos_parameters
 from rclpy.service import Service as Service
 from rclpy.subscription import Subscription as Subscription
+from rclpy.time_source import TimeSource as TimeSource
 from rclpy.timer import Rate as Rate, Timer as Timer
+from rclpy.type_description_service import TypeDescriptionService as TypeDescriptionService
 from rclpy.utilities import get_default_context as get_default_context
 
 HIDDEN_NODE_PREFIX = "_"
@@ -94,9 +102,11 @@ class Node:
         automatically_declare_parameters_from_overrides=False,
         enable_logger_service=False,
     ):
+        asked = overridden(self, *_ASKED)
         create_node(
             self,
             node_name,
+            asked=asked,
             context=get_default_context() if context is None else context,
             namespace=namespace,
             cli_args=cli_args,
@@ -110,8 +120,25 @@ class Node:
             lifecycle=self._rosward_lifecycle,
             lifecycle_services=self._rosward_lifecycle_services,
         )
+        if asked:
+            self._parameter_event_publisher = self.create_publisher(
+                ParameterEvent, "/parameter_events", qos_profile_parameter_events
+            )
         if automatically_declare_parameters_from_overrides:
             declare_given(self)
+            given = self.get_parameters_by_prefix("")
+            descriptor = ParameterDescriptor()
+            entries = [(name, each.value, descriptor) for name, each in given.items()]
+            ask(self, "declare_parameters", "", entries, ignore_override=True)
+        if asked:
+            self._time_source = TimeSource(node=self)
+            if start_parameter_services:
+                self._parameter_service = ParameterService(self)
+            if enable_logger_service:
+                self._logger_service = LoggingService(self)
+            self._type_description_service = TypeDescriptionService(self)
+        if overridden(self, "destroy_node"):
+            (get_default_context() if context is None else context).track_node(self)
 
     # What the node has. None of these can be assigned (`self.timers = []` raises AttributeError), except `executor`.
 
@@ -178,6 +205,14 @@ class Node:
     # Parameters
 
     def declare_parameter(self, name, value=None, descriptor=None, ignore_override=False):
+        if overridden(self, "declare_parameters"):
+            if value is None and descriptor is None:
+                return self.declare_parameters("", [(name,)], ignore_override)[0]
+            descriptor = ParameterDescriptor() if descriptor is None else descriptor
+            return self.declare_parameters("", [(name, value, descriptor)], ignore_override)[0]
+        return self._declare(name, value, descriptor, ignore_override)
+
+    def _declare(self, name, value, descriptor, ignore_override):
         dynamic = descriptor is not None and descriptor.dynamic_typing
         if isinstance(value, Parameter.Type):
             return Parameter(name, value, declare_parameter(self, name, None, value, ignore_override, dynamic))
@@ -189,29 +224,32 @@ class Node:
             name = f"{namespace}.{entry[0]}" if namespace else entry[0]
             value = entry[1] if len(entry) > 1 else None
             descriptor = entry[2] if len(entry) > 2 else None
-            declared.append(Node.declare_parameter(self, name, value, descriptor, ignore_override))
+            declared.append(self._declare(name, value, descriptor, ignore_override))
         return declared
 
+    @native
     def undeclare_parameter(self, name) -> None: ...
 
     @native
     def has_parameter(self, name) -> bool: ...
 
     def get_parameter_types(self, names):
-        return [self.get_parameter(name).type_ for name in names]
+        return [self.get_parameter_type(name) for name in names]
 
     def get_parameter_type(self, name):
-        return self.get_parameter(name).type_
+        ask(self, "has_parameter", name)
+        return Node.get_parameter(self, name).type_
 
     def get_parameters(self, names):
         return [self.get_parameter(name) for name in names]
 
     def get_parameter(self, name):
+        ask(self, "has_parameter", name)
         return Parameter(name, None, parameter(self, name))
 
     def get_parameter_or(self, name, alternative_value=None):
         if self.has_parameter(name):
-            return self.get_parameter(name)
+            return Node.get_parameter(self, name)
         if alternative_value is None:
             return Parameter(name, Parameter.Type.NOT_SET, None)
         return Parameter(
@@ -224,14 +262,21 @@ class Node:
     def set_parameters(self, parameter_list):
         results = []
         for new in parameter_list:
-            set_parameter(self, new.name, new.value)
+            self._set(new)
             results.append(message(SetParametersResult, "result"))
         return results
 
     def set_parameters_atomically(self, parameter_list):
         for new in parameter_list:
-            set_parameter(self, new.name, new.value)
+            self._set(new)
         return message(SetParametersResult, "result")
+
+    def _set(self, new):
+        ask(self, "has_parameter", new.name)
+        set_parameter(self, new.name, new.value)
+        ask(self, "get_namespace")
+        ask(self, "get_name")
+        ask(self, "get_parameter_or", new.name)
 
     def list_parameters(self, prefixes, depth) -> ListParametersResult: ...
 
@@ -253,12 +298,19 @@ class Node:
         return [self.describe_parameter(name) for name in names]
 
     def set_descriptor(self, name, descriptor, alternative_value=None):
+        ask(self, "has_parameter", name)
+        ask(self, "describe_parameter", name)
         return self.get_parameter(name).get_parameter_value()
 
     # Entities
 
     def add_waitable(self, waitable):
-        schedule(waitable.execute, unknown("input", "data of a waitable"), event="waitable")
+        if overridden(waitable, "execute", "is_ready", "take_data", "add_to_wait_set", "get_num_entities"):
+            schedule(waitable.get_num_entities, event="waitable")
+            schedule(waitable.add_to_wait_set, unknown("live", "wait set"), event="waitable")
+            schedule(waitable.is_ready, unknown("live", "wait set"), event="waitable")
+            schedule(waitable.take_data, event="waitable")
+            schedule(waitable.execute, unknown("input", "data of a waitable"), event="waitable")
 
     def remove_waitable(self, waitable) -> None: ...
 
@@ -276,6 +328,8 @@ class Node:
     ):
         if qos_overriding_options is not None:
             _declare_qos_parameters("publisher", self, self.resolve_topic_name(topic), qos_profile, qos_overriding_options)
+        if overridden(self, "add_waitable"):
+            self.add_waitable(opaque(EventHandler))
         return publisher_class(
             self, msg_type, topic, qos_profile, event_callbacks=event_callbacks, callback_group=callback_group
         )
@@ -299,6 +353,8 @@ class Node:
             _declare_qos_parameters(
                 "subscription", self, self.resolve_topic_name(topic), qos_profile, qos_overriding_options
             )
+        if overridden(self, "add_waitable"):
+            self.add_waitable(opaque(EventHandler))
         return Subscription(self, msg_type, topic, callback, callback_group, qos_profile, raw, event_callbacks)
 
     @creates("service_client", node="self", name="srv_name", type="srv_type", qos="qos_profile")
@@ -318,15 +374,29 @@ class Node:
     def create_guard_condition(self, callback, callback_group=None):
         return GuardCondition(callback, callback_group)
 
-    def create_rate(self, frequency, clock=None) -> Rate: ...
+    def create_rate(self, frequency, clock=None):
+        if overridden(self, "create_timer"):
+            timer = self.create_timer(1.0 / frequency, _ring, ReentrantCallbackGroup(), clock)
+            return Rate(timer, context=self.context)
+        return Rate(None, context=None)
+
     def destroy_publisher(self, publisher) -> bool: ...
     def destroy_subscription(self, subscription) -> bool: ...
     def destroy_client(self, client) -> bool: ...
     def destroy_service(self, service) -> bool: ...
     def destroy_timer(self, timer) -> bool: ...
     def destroy_guard_condition(self, guard) -> bool: ...
-    def destroy_rate(self, rate) -> bool: ...
-    def destroy_node(self) -> None: ...
+    def destroy_rate(self, rate):
+        ask(self, "destroy_timer", rate._timer)
+        return unknown("live", "whether the rate was there", "bool")
+
+    def destroy_node(self):
+        ask(self, "destroy_publisher", unknown("live", "publisher of the node"))
+        ask(self, "destroy_subscription", unknown("live", "subscription of the node"))
+        ask(self, "destroy_client", unknown("live", "client of the node"))
+        ask(self, "destroy_service", unknown("live", "service of the node"))
+        ask(self, "destroy_timer", unknown("live", "timer of the node"))
+        ask(self, "destroy_guard_condition", unknown("live", "guard condition of the node"))
 
     # The running system, which nobody knows before it runs
 
@@ -352,6 +422,7 @@ class Node:
         return unknown("live", "nodes of the system")
 
     def get_fully_qualified_node_names(self):
+        ask(self, "get_node_names_and_namespaces")
         return unknown("live", "nodes of the system")
 
     def get_node_names_and_namespaces(self):
@@ -371,12 +442,29 @@ class Node:
     def get_subscriptions_info_by_topic(self, topic_name, no_mangle=False):
         return unknown("live", "subscriptions of a topic")
 
-    def wait_for_node(self, fully_qualified_node_name, timeout) -> bool: ...
+    def wait_for_node(self, fully_qualified_node_name, timeout):
+        ask(self, "get_fully_qualified_node_names")
+        return unknown("live", "whether the node is there", "bool")
 
     def __enter__(self):
         return self
 
-    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+    def __exit__(self, exc_type, exc_val, exc_tb):
+        ask(self, "destroy_node")
+
+
+_ASKED = (
+    "create_publisher", "create_subscription", "create_service", "destroy_subscription", "get_name", "get_logger",
+    "declare_parameter", "declare_parameters", "has_parameter", "get_parameter", "get_parameters",
+    "get_parameter_type", "get_parameter_types", "describe_parameter", "describe_parameters", "list_parameters",
+    "set_parameters_atomically", "add_on_set_parameters_callback",
+)
+"""What rclpy calls on a node that it makes, at once or when somebody asks one of its services."""
+
+
+def _ring():
+    """The callback of a rate's timer."""
+    return None
 
 
 def _new_parameters():

@@ -45,7 +45,8 @@ class ParameterEventHandler:
             raw=raw,
         )
 
-    def destroy(self) -> None: ...
+    def destroy(self):
+        self.node.destroy_subscription(self.parameter_event_subscription)
 
     @staticmethod
     def get_parameter_from_event(event, parameter_name, node_name) -> ParameterMsg | None: ...

@@ -4,7 +4,9 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import declare_parameter, schedule
+from _rosward import ask, schedule
+
+from rcl_interfaces.msg import ParameterDescriptor
 
 from rclpy.duration import Duration
 from rclpy.qos import QoSPolicyEnum, QoSPolicyKind as QoSPolicyKind, QoSProfile as QoSProfile
@@ -53,6 +55,8 @@ def _declare_qos_parameters(entity_type, node, topic_name, qos, options):
             value = value.name.lower()
         elif isinstance(value, Duration):
             value = value.nanoseconds
-        declare_parameter(node, f"qos_overrides.{topic_name}.{entity_type}{suffix}.{policy_name}", value)
+        name = f"qos_overrides.{topic_name}.{entity_type}{suffix}.{policy_name}"
+        node.declare_parameter(name, value, ParameterDescriptor(read_only=True))
+        ask(node, "get_parameter", name)
     if options.callback is not None:
         schedule(options.callback, profile, event="qos override")

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import schedule
+from _rosward import awaited, schedule
 
 
 class Future:
@@ -43,11 +43,11 @@ class Task(Future):
         self._kwargs = {} if kwargs is None else kwargs
 
     def __call__(self):
-        # A coroutine object, which one hands over instead of a function, is awaited.
+        # A coroutine is awaited: one that is handed over, and one that a coroutine function makes of the arguments.
         if callable(self._handler):
-            self.set_result(self._handler(*self._args, **self._kwargs))
+            self.set_result(awaited(self._handler(*self._args, **self._kwargs)))
         else:
-            schedule(self._handler, event="task")
+            self.set_result(awaited(self._handler))
 
     def executing(self) -> bool: ...
     def cancel(self) -> None: ...

@@ -20,8 +20,13 @@ def remove_ros_args(args=None): ...
 
 
 def ok(*, context=None) -> bool: ...
-def shutdown(*, context=None) -> None: ...
-def try_shutdown(*, context=None) -> None: ...
+def shutdown(*, context=None):
+    (get_default_context() if context is None else context).shutdown()
+
+
+def try_shutdown(*, context=None):
+    (get_default_context() if context is None else context).try_shutdown()
+
 
 
 def get_rmw_implementation_identifier():

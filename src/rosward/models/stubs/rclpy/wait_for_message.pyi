@@ -8,5 +8,6 @@ from _rosward import either, message
 
 
 def wait_for_message(msg_type, node, topic, time_to_wait=-1, *, qos_profile=1):
-    node.create_subscription(msg_type, topic, None, qos_profile)
+    subscription = node.create_subscription(msg_type, topic, None, qos_profile=qos_profile)
+    node.destroy_subscription(subscription)
     return either((True, message(msg_type, "message")), (False, None))

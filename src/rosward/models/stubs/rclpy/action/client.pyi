@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, creates, either, message, schedule, unknown
+from _rosward import ask, create, creates, either, message, schedule, unknown
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -81,6 +81,8 @@ class ActionClient(Waitable):
         self._node = node
         self._action_type = action_type
         self._action_name = action_name
+        ask(node, "add_waitable", self)
+        ask(node, "get_logger")
 
     def is_ready(self, wait_set) -> bool: ...
     def take_data(self): ...
@@ -119,4 +121,5 @@ class ActionClient(Waitable):
                 introspection=True,
             )
 
-    def destroy(self) -> None: ...
+    def destroy(self):
+        ask(self._node, "remove_waitable", self)

@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import Enum, IntEnum
 
-from _rosward import create, creates, message, schedule
+from _rosward import ask, create, creates, message, schedule
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -102,11 +102,14 @@ class ActionServer(Waitable):
         self._action_type = action_type
         self._action_name = action_name
         self._execute_callback = execute_callback
+        ask(node, "get_clock")
         self.register_goal_callback(goal_callback)
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_cancel_callback(cancel_callback)
         if execute_callback is not None:
             self.register_execute_callback(execute_callback)
+        ask(node, "add_waitable", self)
+        ask(node, "get_logger")
 
     def _goal(self):
         return ServerGoalHandle(self, None, message(self._action_type.Goal, "goal"))
@@ -160,4 +163,5 @@ class ActionServer(Waitable):
                 introspection=True,
             )
 
-    def destroy(self) -> None: ...
+    def destroy(self):
+        ask(self._node, "remove_waitable", self)

@@ -4,13 +4,12 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import creates, schedule, unknown
+from _rosward import ask, schedule, unknown
 
 from rclpy.lifecycle.managed_entity import ManagedEntity as ManagedEntity
 from rclpy.lifecycle.managed_entity import TransitionCallbackReturn as TransitionCallbackReturn
 from rclpy.lifecycle.publisher import LifecyclePublisher as LifecyclePublisher
 from rclpy.node import Node as Node
-from rclpy.qos_overriding_options import _declare_qos_parameters
 
 
 class LifecycleState:
@@ -25,6 +24,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def __init__(self, *, enable_communication_interface=True, callback_group=None):
         self._managed_entities = []
+        ask(self, "get_logger")
         if enable_communication_interface:  # without it, only the node itself triggers transitions
             schedule(self.on_configure, LifecycleState("unconfigured", 1), event="transition")
             schedule(self.on_cleanup, LifecycleState("inactive", 2), event="transition")
@@ -81,19 +81,17 @@ class LifecycleNodeMixin(ManagedEntity):
             entity.on_error(state)
         return TransitionCallbackReturn.SUCCESS
 
-    @creates("publisher", node="self", name="topic", type="msg_type", qos="qos_profile")
     def create_lifecycle_publisher(self, msg_type, topic, qos_profile, *, publisher_class=None, **kwargs):
-        if kwargs.get("qos_overriding_options") is not None:
-            _declare_qos_parameters(
-                "publisher", self, self.resolve_topic_name(topic), qos_profile, kwargs["qos_overriding_options"]
-            )
-        publisher = LifecyclePublisher(
-            self, msg_type, topic, qos_profile, kwargs.get("event_callbacks"), kwargs.get("callback_group")
+        publisher = Node.create_publisher(
+            self, msg_type, topic, qos_profile, publisher_class=LifecyclePublisher, **kwargs
         )
         self._managed_entities.append(publisher)
         return publisher
 
-    def destroy_lifecycle_publisher(self, publisher) -> bool: ...
+    def destroy_lifecycle_publisher(self, publisher):
+        if publisher in self._managed_entities:
+            self._managed_entities.remove(publisher)
+        return Node.destroy_publisher(self, publisher)
 
 
 def _some_state():
