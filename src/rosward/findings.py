@@ -77,6 +77,12 @@ _TABLE: Final = (
         _E,
         "Give the node a name in the source, or a default to what it is made of.",
     ),
+    Rule(
+        "RW106",
+        "unknown ROS arguments",
+        _E,
+        "Write the arguments in the source: remap rules among them rename nodes, topics and services.",
+    ),
     # Analysis
     Rule("RW201", "limit reached", _E, "The analysis stopped early here: the result lacks what comes after."),
     Rule(

@@ -18,6 +18,7 @@ from rosward.deployment.declared.effects import declared
 from rosward.deployment.request import Request
 from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
+from rosward.domain.series import Series
 from rosward.engine.budget import Budget
 from rosward.findings import Finding
 from rosward.gather import Gathered
@@ -150,7 +151,7 @@ class _Runs:
         nodes, doubts = collect(log, process, self._outset.distro)
         refused = [
             Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
-            for error in read_words(program.configuration.words).errors
+            for error in read_words(Series(program.configuration.words)).errors
         ]
         return _Made(tuple(nodes), (*log.findings, *doubts, *refused))
 

@@ -49,6 +49,7 @@ FAILS: Final = {
     "introspection: An attribute that a str has not": "AttributeError",
     "iteration: Generators made in a loop": "EOFError",
     "invalid: A node name with a slash": "InvalidNodeNameException",
+    "ros_arguments: Refused for the node": "RCLInvalidROSArgsError",
     "invalid: Assigning to a property of Node": "AttributeError",
 }
 """Cases about programs that fail, and how the real ones do."""

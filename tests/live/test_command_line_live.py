@@ -18,6 +18,7 @@ os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 rclpy = pytest.importorskip("rclpy")
 
 from rosward.deep_stack import with_deep_stack  # noqa: E402
+from rosward.domain.series import Series  # noqa: E402
 from rosward.domain.values import Const  # noqa: E402
 from rosward.engine.budget import Budget  # noqa: E402
 from rosward.engine.library import Library  # noqa: E402
@@ -168,7 +169,7 @@ def static(words: tuple[str, ...], library: Library, entry: Any) -> tuple[Graph,
                 graph |= {(node.fqn, "subscription", f"{name}/_action/{t}") for t in ("feedback", "status")}
             else:
                 graph.add((node.fqn, entity.kind.value, entity.name))
-    return graph, [*read_words(values).errors, *(f.message for f in (*found.log.findings, *doubts))]
+    return graph, [*read_words(Series(values)).errors, *(f.message for f in (*found.log.findings, *doubts))]
 
 
 def test_the_table_has_at_least_150_rows() -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from rosward.domain.choice import join_all, options
-from rosward.domain.heap import Obj
+from rosward.domain.choice import options
+from rosward.domain.heap import Obj, fields_of
+from rosward.domain.series import Series
 from rosward.domain.text import make, matches
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import (
@@ -115,6 +116,9 @@ class FakeMachine:
     def iterate(self, value: Value) -> Items:
         return operators.iterate(self, value)
 
+    def series(self, value: Value) -> Series:
+        return operators.series(self, value)
+
     def truth(self, value: Value) -> bool | None:
         return operators.truth(self, value)
 
@@ -133,17 +137,14 @@ class FakeMachine:
         self.heap[address] = obj
         return Ref(address)
 
-    def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
-        return self._sequence("list", tuple(items), rest)
+    def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
+        return self._sequence("list", Series(tuple(items), rest, tail))
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
-        return self._sequence("set", tuple(dict.fromkeys(items)), rest)
+        return self._sequence("set", Series(tuple(dict.fromkeys(items)), rest))
 
-    def _sequence(self, kind: str, items: tuple[Value, ...], rest: Value | None) -> Ref:
-        cls = Native(f"builtins.{kind}")
-        if rest is None:
-            return self.allocate(Obj(kind, cls, items=items))
-        return self.allocate(Obj(kind, cls, items=None, rest=join_all((*items, rest))))
+    def _sequence(self, kind: str, series: Series) -> Ref:
+        return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind)))
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         return self.allocate(Obj("dict", Native("builtins.dict"), entries=dict(entries), rest=rest))
@@ -225,9 +226,20 @@ def _covers_object(machine: FakeMachine, obj: Obj, concrete: object) -> bool:
         return len(obj.items) == len(concrete) and all(any(covers(machine, v, c) for v in obj.items) for c in concrete)
     if obj.kind != "list" or not isinstance(concrete, (list, tuple)):
         return False
-    if obj.items is None:
-        return all(obj.rest is not None and covers(machine, obj.rest, c) for c in concrete)
-    return _each(machine, obj.items, concrete)
+    return series_covers(machine, obj.series(), concrete)
+
+
+def series_covers(machine: FakeMachine, series: Series, concrete: Sequence[object]) -> bool:
+    """Whether a series stands, among others, for these objects in their order."""
+    if series.middle is None:
+        return _each(machine, series.head, concrete)
+    begin, end = len(series.head), len(concrete) - len(series.tail)
+    return (
+        begin <= end
+        and _each(machine, series.head, concrete[:begin])
+        and _each(machine, series.tail, concrete[end:])
+        and all(covers(machine, series.middle, c) for c in concrete[begin:end])
+    )
 
 
 def _covers_dict(machine: FakeMachine, obj: Obj, concrete: dict[object, object]) -> bool:

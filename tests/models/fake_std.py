@@ -6,8 +6,9 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from rosward.domain.choice import join_all, options
-from rosward.domain.heap import Obj
+from rosward.domain.choice import options
+from rosward.domain.heap import Obj, fields_of
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     FALSE,
@@ -148,6 +149,9 @@ class FakeMachine:
             return Const(bool(_COMPARISONS[operator](left.value, right.value)))
         return self.unknown(Cause.OPERATION, operator, "bool")
 
+    def series(self, value: Value) -> Series:
+        return Series(*self.iterate(value))
+
     def iterate(self, value: Value) -> Items:
         if isinstance(value, Tuple):
             return Items(value.items)
@@ -182,12 +186,9 @@ class FakeMachine:
         self.heap[address] = obj
         return Ref(address)
 
-    def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
-        known = tuple(items)
-        if rest is None:
-            return self.allocate(Obj("list", NONE, items=known))
-        joined = join_all((*known, rest))
-        return self.allocate(Obj("list", NONE, items=None, rest=None if joined is UNBOUND else joined))
+    def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
+        middle = None if rest is UNBOUND else rest
+        return self.allocate(Obj("list", NONE, **fields_of(Series(tuple(items), middle, tail))))
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         return self.allocate(Obj("set", NONE, items=tuple(items), rest=rest))

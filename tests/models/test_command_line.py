@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Tuple, Unknown, Value
@@ -18,7 +19,7 @@ UNKNOWN = Unknown(HOLE.reasons, "str")
 
 def read(*words: str | Value, **files: tuple[Given, ...]) -> CommandLine:
     configuration = Configuration(files={f"{name}.yaml": rows for name, rows in files.items()})
-    return read_words(tuple(_word(w) for w in ("--ros-args", *words)), configuration)
+    return read_words(Series(tuple(_word(w) for w in ("--ros-args", *words))), configuration)
 
 
 def _word(word: str | Value) -> Value:
@@ -30,7 +31,7 @@ def with_hole(*parts: str | Hole) -> Text:
 
 
 def test_nothing() -> None:
-    assert read_words(()) == CommandLine()
+    assert read_words(Series()) == CommandLine()
 
 
 def test_a_remap_rule_with_a_hole_in_its_target() -> None:

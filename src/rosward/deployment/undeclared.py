@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from rosward.deployment.resolve import Launched
 from rosward.deployment.started import StartKind
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, Const, Unknown, Value
 from rosward.findings import Finding
@@ -31,8 +32,8 @@ def undeclared(launched: Launched) -> EffectLog:
         name=unnamed,
         namespace=NONE,
         options=options,
-        words=(),
-        global_words=launched.configuration.words,
+        words=Series(),
+        global_words=Series(launched.configuration.words),
         cls=Unknown(()),
         place=place,
         late=False,

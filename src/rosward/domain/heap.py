@@ -6,8 +6,9 @@ self.items.append(x)    heap[a] = heap[a].with_items(items + (x,))
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import Final, NamedTuple, TypedDict, final
 
+from rosward.domain.series import Series
 from rosward.domain.values import Value
 
 NO_ATTRS: Final[dict[str, Value]] = {}
@@ -19,20 +20,54 @@ class Alternatives(NamedTuple):
     elements: tuple[tuple[Value, bool], ...]
 
 
+MAX_ENDS: Final = 100
+"""So many elements at both ends of a list of unknown length are kept in order."""
+
+
+class Elements(TypedDict):
+    """The fields of a record that hold the elements of a list or set."""
+
+    items: tuple[Value, ...] | None
+    rest: Value | None
+    ends: Series | None
+
+
+def fields_of(series: Series, kind: str = "list", most: int | None = None) -> Elements:
+    """How a record holds a series: exactly, up to `most` elements."""
+    if series.exact and (most is None or len(series.head) <= most):
+        return {"items": series.head, "rest": None, "ends": None}
+    kept = kind == "list" and not series.exact and 0 < series.least <= MAX_ENDS
+    return {"items": None, "rest": series.element(), "ends": series if kept else None}
+
+
 @final
 class Obj:
     """One object: its class and what it holds. Fields are never changed in place; `replace` makes a new record.
 
     kind is 'instance', 'list', 'set', 'dict', 'class', 'module', 'cell' or 'generator'.
     attrs: attributes (variables of a module, `value` of a cell), by name; `partial` holds those that may be absent.
-    items: the elements of a list or set in order, exactly, or None where the length is not known; then `rest` joins all elements (None: empty).
+    items: the elements of a list or set in order, exactly, or None where the length is not known; then `rest` joins all elements (None: empty),
+    and `ends` tells how a list begins and ends, where that is known. A write that does not say how drops it.
     entries: the items of a dict whose keys are known, in order, key value to value; `maybe` holds the keys that may be absent;
     `rest` joins the values under keys that are not known (None: there are none), `rest_key` those keys.
     many: the record stands for several objects of the program (made in a loop or a callback that runs again): writes only add.
     payload: what the kind needs beyond (the suspended call of a generator, say).
     """
 
-    __slots__ = ("attrs", "cls", "entries", "items", "kind", "many", "maybe", "partial", "payload", "rest", "rest_key")
+    __slots__ = (
+        "attrs",
+        "cls",
+        "ends",
+        "entries",
+        "items",
+        "kind",
+        "many",
+        "maybe",
+        "partial",
+        "payload",
+        "rest",
+        "rest_key",
+    )
 
     def __init__(
         self,
@@ -47,6 +82,7 @@ class Obj:
         many: bool = False,
         payload: object = None,
         partial: frozenset[str] = frozenset(),
+        ends: Series | None = None,
     ) -> None:
         self.kind = kind
         self.cls = cls
@@ -59,19 +95,29 @@ class Obj:
         self.many = many
         self.payload = payload
         self.partial = partial
+        self.ends = ends
 
     def replace(self, **changes: object) -> Obj:
         """A copy with some fields changed."""
         copy = Obj.__new__(Obj)
         for name in Obj.__slots__:
             setattr(copy, name, changes[name] if name in changes else getattr(self, name))
-        if (
-            copy.payload.__class__ is Alternatives
-            and "payload" not in changes
-            and ("items" in changes or "rest" in changes)
-        ):
-            copy.payload = None
+        if "items" in changes or "rest" in changes:
+            if copy.payload.__class__ is Alternatives and "payload" not in changes:
+                copy.payload = None
+            if "ends" not in changes:
+                copy.ends = None
         return copy
+
+    def series(self) -> Series:
+        """The elements of a list or set, as far as their order is known."""
+        if self.items is not None:
+            return Series(self.items)
+        return self.ends if self.ends is not None else Series((), self.rest)
+
+    def with_series(self, series: Series) -> Obj:
+        """A copy with other elements."""
+        return self.replace(**fields_of(series, self.kind))
 
     def with_attr(self, name: str, value: Value) -> Obj:
         """A copy in which one attribute differs."""
@@ -95,6 +141,7 @@ class Obj:
         copy.many = self.many
         copy.payload = self.payload
         copy.partial = self.partial
+        copy.ends = self.ends
         return copy
 
     def __repr__(self) -> str:

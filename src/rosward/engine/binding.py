@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 LOOSE: Final = "*"
 """The keyword under which a call passes arguments of unknown number and name, joined."""
+ORDER: Final = "*…"
+"""The keyword beside it, where they are positional: a tuple of what joins those of unknown number, and those behind them in order."""
 ANY: Final = "?"
 """The keyword that says: whatever parameters are left get an unknown value (a call from code that is not known)."""
 
@@ -50,6 +52,7 @@ def bind_arguments(
     keywords = dict(keywords)
     perhaps = {k[1:]: keywords.pop(k) for k in [k for k in keywords if k[:1] == MAYBE]}
     loose, anything = keywords.pop(LOOSE, None), keywords.pop(ANY, None)
+    order = keywords.pop(ORDER, None)
     if anything is UNBOUND:
         anything = Unknown((Reason(Cause.CALLER, code.name, Place(code.file, code.line)),))
     values: list[Value] = list(args[:count])
@@ -67,7 +70,10 @@ def bind_arguments(
     if parameters.vararg is not None:
         if loose is not None or anything is not None:
             rest = loose if loose is not None else anything
-            values.append(machine.new_list(extra, rest))
+            if isinstance(order, Tuple) and len(args) >= count:
+                values.append(machine.new_list(extra, order.items[0], order.items[1:]))
+            else:
+                values.append(machine.new_list(extra, rest))
         else:
             values.append(Tuple(extra))
     kwdefaults = dict(function.kwdefaults)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, lost_behaviour, options
 from rosward.domain.heap import Obj
+from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
@@ -26,12 +27,13 @@ from rosward.domain.values import (
     Partial,
     Ref,
     Super,
+    Tuple,
     Unknown,
     Value,
 )
 from rosward.engine import activation, attributes, classes, declared
 from rosward.engine.alternatives import each_apart
-from rosward.engine.binding import ANY, LOOSE, MAYBE, BadCallError, bind_arguments
+from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
 from rosward.engine.catcher import note_import
 from rosward.engine.escape import escape, name_of
 from rosward.ir.ops import Argument
@@ -46,28 +48,28 @@ Keywords = dict[str, Value]
 
 def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
     """A call as written, with starred and named arguments."""
-    args: list[Value] = []
     keywords: Keywords = {}
+    several: list[Series] = []
     loose: list[Value] = []
     for argument in arguments:
         value = registers[argument.register]
         if argument.kind == "positional":
-            if loose:  # behind a `*` of unknown length it may be any of what follows
-                loose.append(value)
-            else:
-                args.append(value)
+            several.append(Series((value,)))
         elif argument.kind == "keyword":
             keywords[argument.name] = value
         elif argument.kind == "star":
-            known, rest = machine.iterate(value)
-            args.extend(known)
-            if rest is not None:
-                loose.append(rest)
+            several.append(machine.series(value))
         else:
             loose.extend(_spread(machine, value, keywords))
+    args = concatenated(several)
+    behind = args.behind_head()  # what stands there may be any parameter that the head does not reach
+    if args.middle is not None and behind is not None:
+        if not loose:
+            keywords[ORDER] = Tuple((args.middle, *args.tail))
+        loose.append(behind)
     if loose:
         keywords[LOOSE] = join_all(loose)  # further arguments, of unknown number and name
-    return call(machine, function, tuple(args), keywords)
+    return call(machine, function, args.head, keywords)
 
 
 def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Value]:
@@ -159,7 +161,7 @@ def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keyw
 def _call_external(machine: Interpreter, function: External, args: Arguments, keywords: Keywords) -> Value:
     """Something of a library that is not modelled: its callable arguments may be called; an interface type makes a message."""
     if attributes.is_interface(function):
-        named = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ANY)}
+        named = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}
         return machine.allocate(Obj("instance", function, attrs=named))
     if machine.library.native(function.name):
         return call_native(machine, function.name, args, keywords)
@@ -175,10 +177,10 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
 def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
     """A builtin, or a model in code."""
     native = machine.library.native(name)
-    if keywords and any(k in (LOOSE, ANY) or k[0] == MAYBE for k in keywords):
+    if keywords and any(k in (LOOSE, ORDER, ANY) or k[0] == MAYBE for k in keywords):
         loose = keywords.get(LOOSE)
         args = args if loose is None else (*args, loose)
-        keywords = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ANY)}
+        keywords = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}
     if native is not None:
         frame = machine.frames[-1] if machine.frames else None
         if frame is not None:

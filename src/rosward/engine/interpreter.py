@@ -10,9 +10,10 @@ import time
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj
+from rosward.domain.choice import join
+from rosward.domain.heap import Obj, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     NONE,
@@ -236,18 +237,16 @@ class Interpreter:
         self.put(address, obj)
         return address
 
-    def new_list(self, known: Iterable[Value], rest: Value | None = None, kind: str = "list") -> Ref:
-        """A new list (or set)."""
-        elements: tuple[Value, ...] | None = tuple(known)
-        cls = Native(f"builtins.{kind}")
-        if rest is not None or len(elements or ()) > self.budget.items:
-            rest = join_all([*(elements or ()), *(() if rest is None else (rest,))])
-            elements = None
-        return self.allocate(Obj(kind, cls, items=elements, rest=rest))
+    def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
+        """A new list."""
+        return self._collection("list", Series(tuple(items), rest, tail))
 
-    def new_set(self, known: Iterable[Value], rest: Value | None = None) -> Ref:
+    def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new set."""
-        return self.new_list(dict.fromkeys(known), rest, "set")
+        return self._collection("set", Series(tuple(dict.fromkeys(items)), rest))
+
+    def _collection(self, kind: str, series: Series) -> Ref:
+        return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind, self.budget.items)))
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         """A new dict."""
@@ -302,6 +301,10 @@ class Interpreter:
     def iterate(self, value: Value) -> Items:
         """What iterating yields."""
         return iteration.iterate(self, value)
+
+    def series(self, value: Value) -> Series:
+        """What iterating yields, as far as the order is known."""
+        return iteration.series(self, value)
 
     def truth(self, value: Value) -> bool | None:
         """The truth of a value, None for both."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import join, join_all, options
-from rosward.domain.heap import Obj
+from rosward.domain.choice import options
+from rosward.domain.heap import Obj, fields_of
+from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
     NONE,
     TRUE,
-    UNBOUND,
     Choice,
     Class,
     Const,
@@ -27,9 +27,9 @@ from rosward.domain.values import (
 from rosward.engine import attributes, calls, classes
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
-from rosward.engine.state import element
 from rosward.ir import ops
 from rosward.models import operators
+from rosward.models.containers_list import new_tuple
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -40,27 +40,17 @@ def build(machine: Interpreter, op: ops.Build, frame: Frame) -> Value:
     registers = frame.registers
     if op.kind == "dict":
         return _build_dict(machine, op, registers)
-    known: list[Value] = []
-    rest: Value | None = None
-    for starred, register in op.items:
-        if not starred:
-            if rest is None:
-                known.append(registers[register])
-            else:
-                rest = join(rest, registers[register])
-            continue
-        more, unknown = machine.iterate(registers[register])
-        if rest is None:
-            known.extend(more)
-        else:
-            rest = join_all([rest, *more])
-        if unknown is not None:
-            rest = unknown if rest is None else join(rest, unknown)
+    found = concatenated(
+        [
+            machine.series(registers[register]) if starred else Series((registers[register],))
+            for starred, register in op.items
+        ]
+    )
     if op.kind == "tuple":
-        if rest is None and len(known) <= machine.budget.items:
-            return Tuple(tuple(known))
-        return machine.new_list(known, rest)
-    return machine.new_set(known, rest) if op.kind == "set" else machine.new_list(known, rest)
+        return new_tuple(machine, found)
+    if op.kind == "set":
+        return machine.new_set(found.head, found.behind_head())
+    return machine.new_list(*found)
 
 
 def _build_dict(machine: Interpreter, op: ops.Build, registers: list[Value]) -> Value:
@@ -132,32 +122,17 @@ def delete(machine: Interpreter, target: Value, index: Value) -> None:
 
 def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
     """a, *b, c = value."""
-    source = frame.registers[op.src]
-    known, rest = machine.iterate(source)
-    count = len(op.dsts)
-    if op.star == ops.NO_REGISTER:
-        for number, dst in enumerate(op.dsts):
-            if number < len(known):
-                frame.registers[dst] = known[number] if rest is None else join(known[number], rest)
-            else:
-                frame.registers[dst] = (
-                    rest if rest is not None else machine.unknown(Cause.ERROR, "too few values to unpack")
-                )
-        return
-    behind = count - op.star - 1
-    if rest is None and len(known) >= count - 1:
-        middle = known[op.star : len(known) - behind]
-        for number in range(op.star):
-            frame.registers[op.dsts[number]] = known[number]
-        frame.registers[op.dsts[op.star]] = machine.new_list(middle)
-        for number in range(behind):
-            frame.registers[op.dsts[op.star + 1 + number]] = known[len(known) - behind + number]
-        return
-    everything = join_all([*known, *(() if rest is None else (rest,))])
-    if everything is UNBOUND:
-        everything = machine.unknown(Cause.ERROR, "too few values to unpack")
+    series, registers, count = machine.series(frame.registers[op.src]), frame.registers, len(op.dsts)
     for number, dst in enumerate(op.dsts):
-        frame.registers[dst] = machine.new_list((), everything) if number == op.star else everything
+        if number == op.star:
+            behind = number + 1 - count
+            registers[dst] = machine.new_list(*series.part(slice(number, behind or None)))
+            continue
+        from_end = op.star != ops.NO_REGISTER and number > op.star
+        if op.star == ops.NO_REGISTER and number >= len(series.head) and not series.exact:
+            from_end = True  # there are exactly `count`
+        value = series.at(number - count if from_end else number)
+        registers[dst] = value if value is not None else machine.unknown(Cause.ERROR, "too few values to unpack")
 
 
 def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Frame) -> Value:
@@ -195,13 +170,9 @@ def _append(machine: Interpreter, target: Value, value: Value) -> None:
     if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
-    if obj.items is None or len(obj.items) >= machine.budget.items:
-        before = element(obj)
-        rest = value if before is None else join(before, value)
-        if obj.items is not None or rest != obj.rest:
-            machine.update(target, obj.replace(items=None, rest=rest))
-        return
-    machine.update(target, obj.replace(items=(*obj.items, value)))
+    longer = fields_of(concatenated((obj.series(), Series((value,)))), obj.kind, machine.budget.items)
+    if longer["items"] is not None or (longer["rest"], longer["ends"]) != (obj.rest, obj.ends):
+        machine.update(target, obj.replace(**longer))
 
 
 def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:
@@ -232,9 +203,12 @@ def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
 
 
 def _length(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
-    known, rest = machine.iterate(arguments[0])
-    wanted = arguments[1]
-    if rest is not None or not isinstance(wanted, Const) or not isinstance(wanted.value, int):
+    series, wanted = machine.series(arguments[0]), arguments[1]
+    if not isinstance(wanted, Const) or not isinstance(wanted.value, int):
         return machine.unknown(Cause.OPERATION, "match", "bool")
     count = wanted.value
-    return TRUE if (len(known) == count if name == "length_is" else len(known) >= count) else FALSE
+    if series.exact:
+        return TRUE if (series.least == count if name == "length_is" else series.least >= count) else FALSE
+    if name == "length_at_least" and series.least >= count:
+        return TRUE
+    return FALSE if name == "length_is" and series.least > count else machine.unknown(Cause.OPERATION, "match", "bool")

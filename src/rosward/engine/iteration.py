@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options, widen
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     NONE,
@@ -300,6 +301,19 @@ def iterate(machine: Interpreter, value: Value) -> Items:
     if cls in (External, Native, Function, Class):
         return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
     return operators.iterate(machine, value)
+
+
+def series(machine: Interpreter, value: Value) -> Series:
+    """What `for x in value` sees, as far as the order is known."""
+    if isinstance(value, Ref) and machine.obj(value).kind == "instance":
+        iterator = _made(machine, value, asynchronous=False)
+        if iterator is UNBOUND:
+            return Series()
+        if iterator != value:
+            return machine.series(iterator)
+    if isinstance(value, Ref) and machine.obj(value).kind not in ("list", "set", "dict"):
+        return Series(*machine.iterate(value))
+    return operators.series(machine, value)
 
 
 def _iterate_choice(machine: Interpreter, value: Choice) -> Items:

@@ -11,8 +11,9 @@ from collections.abc import Callable
 from typing import Final, final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Alternatives, Obj, fields_of
 from rosward.domain.memory import Heap
+from rosward.domain.series import joined as joined_series
 from rosward.domain.values import UNBOUND, Ref, Value
 
 Merge = Callable[[Value, Value], Value]
@@ -101,7 +102,12 @@ def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -
 
 
 def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
-    if left.items == right.items and left.rest == right.rest and left.payload == right.payload:
+    if (
+        left.items == right.items
+        and left.rest == right.rest
+        and left.payload == right.payload
+        and left.ends == right.ends
+    ):
         return result
     if (
         left.items is not None
@@ -116,10 +122,13 @@ def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
     ours, theirs = element(left), element(right)
     ways = _alternatives(left, right)
     payload = left.payload if ways is None and left.payload.__class__ is not Alternatives else ways
+    ends = fields_of(joined_series(left.series(), right.series(), merge), left.kind)["ends"]
     if left.items is None and (theirs is None or (ours is not None and merge(ours, theirs) == ours)):
-        return result if payload == left.payload else result.replace(payload=payload)
+        if ends == left.ends:
+            return result if payload == left.payload else result.replace(payload=payload)
+        return result.replace(items=None, rest=ours, payload=payload, ends=ends)
     both = merge(ours if ours is not None else UNBOUND, theirs if theirs is not None else UNBOUND)
-    return result.replace(items=None, rest=None if both is UNBOUND else both, payload=payload)
+    return result.replace(items=None, rest=None if both is UNBOUND else both, payload=payload, ends=ends)
 
 
 _MOST_ALTERNATIVES: Final = 200

@@ -8,6 +8,7 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.heap import Obj
+from rosward.domain.series import Series
 from rosward.domain.values import (
     EMPTY,
     FALSE,
@@ -100,14 +101,18 @@ def _items(call: NativeCall) -> Items:
     return call.machine.iterate(call.args[0]) if call.args else Items(())
 
 
+def _series(call: NativeCall) -> Series:
+    return call.machine.series(call.args[0]) if call.args else Series()
+
+
 def _list(call: NativeCall) -> Value:
-    made = listed(call.machine, call.name, *_items(call))
+    made = listed(call.machine, call.name, *_series(call))
     keep_told(call.machine, made, (told(call.machine, a) for a in call.args[:1]))
     return made
 
 
 def _tuple(call: NativeCall) -> Value:
-    return new_tuple(call.machine, _items(call))
+    return new_tuple(call.machine, _series(call))
 
 
 def _set(call: NativeCall) -> Value:

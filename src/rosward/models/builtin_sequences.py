@@ -9,9 +9,10 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Range, Ref, Tuple, Value
-from rosward.models.containers_list import ITERATOR, order, write
+from rosward.models.containers_list import ITERATOR, order, write_series
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable
 from rosward.models.plain import (
@@ -32,7 +33,7 @@ from rosward.models.plain import (
 _LIST: Final = Native("builtins.list")
 
 
-def iterator(machine: Machine, items: Items) -> Value:
+def iterator(machine: Machine, items: Items | Series) -> Value:
     """A list that stands for an iterator."""
     made = listed(machine, "iterator", *items)
     machine.update(made, machine.obj(made).replace(payload=ITERATOR))
@@ -108,8 +109,7 @@ def _sorted(call: NativeCall) -> Value:
 
 
 def _reversed(call: NativeCall) -> Value:
-    known, rest = call.machine.iterate(call.args[0])
-    return iterator(call.machine, Items(known[::-1]) if rest is None else Items((), join_all((*known, rest))))
+    return iterator(call.machine, call.machine.series(call.args[0]).reversed())
 
 
 def _iter(call: NativeCall) -> Value:
@@ -120,7 +120,7 @@ def _iter(call: NativeCall) -> Value:
         obj = call.machine.obj(first)
         if obj.payload == ITERATOR or obj.kind == "generator":
             return first
-    return iterator(call.machine, call.machine.iterate(first))
+    return iterator(call.machine, call.machine.series(first))
 
 
 def _next(call: NativeCall) -> Value:
@@ -133,9 +133,9 @@ def _next_of(call: NativeCall, value: Value) -> Value:
     obj = machine.obj(value) if isinstance(value, Ref) else None
     if obj is None or not isinstance(value, Ref):
         return _any_of(call, all_of(machine.iterate(value)))
-    if obj.payload == ITERATOR and obj.items and not obj.many:
-        write(machine, value, obj.items[1:])
-        return obj.items[0]
+    if obj.payload == ITERATOR and not obj.many and (series := obj.series()).head:
+        write_series(machine, value, series.without(1))
+        return series.head[0]
     if obj.kind == "generator" and not obj.many:
         return _start(call, value, machine.iterate(value))
     if obj.kind == "instance":

@@ -9,10 +9,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Mapping
+from typing import Final, NamedTuple
 
-from rosward.domain.choice import lift
+from rosward.domain.choice import lift, options, reasons_of
+from rosward.domain.series import Series
 from rosward.domain.text import make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Text, Tuple, Unknown, Value
@@ -35,7 +36,7 @@ class Rule(NamedTuple):
 class CommandLine(NamedTuple):
     """What the words mean. `parameters` are those of -p and of the files, in order; `missing` says which files are not known, and why.
 
-    `errors` end the real program at once; `unreadable`: words whose holes may make them anything.
+    `errors` end the real program at once; `unreadable`: words whose holes may make them anything; `open`: why there may be further words.
     """
 
     remaps: tuple[Rule, ...] = ()
@@ -45,6 +46,7 @@ class CommandLine(NamedTuple):
     rosout_logs: bool = True
     errors: tuple[str, ...] = ()
     unreadable: tuple[str, ...] = ()
+    open: tuple[Reason, ...] = ()
 
     @property
     def rules(self) -> tuple[names.RemapRule, ...]:
@@ -52,15 +54,27 @@ class CommandLine(NamedTuple):
         return tuple(r.rule for r in self.remaps)
 
 
-def read_words(words: Sequence[Value], configuration: Configuration | None = None) -> CommandLine:
-    """Read the words of a command line; `configuration` knows the parameter files that they name."""
-    if not words:
+def read_words(series: Series, configuration: Configuration | None = None) -> CommandLine:
+    """Read the words of a command line; `configuration` knows the parameter files that they name.
+
+    What somebody types where the program runs is taken as nothing (docs/limits.md); of other words that are not known it is told.
+    """
+    words = (*series.head, *series.tail)
+    between = _between(series.middle)
+    if not words and between == _NOTHING:
         return CommandLine()
     parsed = arguments.parse_arguments([pattern(w) for w in words])
     at = parsed.positions
-    remaps = tuple(Rule(rule, behind(words[index], ":=")) for rule, index in zip(parsed.remaps, at.remaps, strict=True))
+    found = [
+        (index, Rule(rule, behind(words[index], ":="))) for rule, index in zip(parsed.remaps, at.remaps, strict=True)
+    ]
+    remaps = (
+        *(rule for index, rule in found if index < len(series.head)),
+        *between.remaps,
+        *(rule for index, rule in found if index >= len(series.head)),
+    )
     parameters: list[Given] = []
-    missing: list[Reason] = []
+    missing: list[Reason] = [*between.missing]
     for override, index in zip(parsed.overrides, at.overrides, strict=True):
         if isinstance(override, arguments.ParameterRule):
             parameters.append(Given(override.node, override.name, _rule_value(override.value, words[index])))
@@ -81,7 +95,40 @@ def read_words(words: Sequence[Value], configuration: Configuration | None = Non
         parsed.rosout_logs,
         parsed.errors,
         parsed.unknown,
+        between.open,
     )
+
+
+class _Between(NamedTuple):
+    """What words of unknown number may mean: rules and parameters that may be given, and why there may be others."""
+
+    remaps: tuple[Rule, ...] = ()
+    missing: tuple[Reason, ...] = ()
+    open: tuple[Reason, ...] = ()
+
+
+_NOTHING: Final = _Between()
+_PARAMETERS: Final = ("-p", "--param", "--params-file")
+
+
+def _between(middle: Value | None) -> _Between:
+    several = options(middle) if middle is not None else ()
+    rules: list[Rule] = []
+    parameters = False
+    reasons: list[Reason] = []
+    for word in several:
+        if not isinstance(word, (Const, Text)):
+            told = reasons_of(word) or (Reason(Cause.OPERATION, "a word", Place("")),)
+            reasons += (r for r in told if r.cause is not Cause.ARGUMENT)
+            continue
+        text = pattern(word)
+        parameters = parameters or text in _PARAMETERS
+        try:
+            rules.append(Rule(arguments.parse_remap_rule(text)._replace(maybe=True), behind(word, ":=")))
+        except arguments.InvalidArgument:
+            continue
+    missing = (Reason(Cause.OPERATION, "ROS arguments that may be given", Place("")),) if parameters else ()
+    return _Between(tuple(rules), (*missing, *reasons), tuple(dict.fromkeys(reasons)))
 
 
 def behind(word: Value, mark: str) -> Value:

@@ -31,7 +31,7 @@ from rosward.domain.values import (
 )
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import equal
-from rosward.models.plain import Raised, listed, native, origins, unknown_from, with_origins
+from rosward.models.plain import Raised, all_of, listed, native, origins, unknown_from, with_origins
 
 MAX_ENTRIES: Final = 2_000
 _IDENTITIES: Final = (Class, External, Function, ModuleValue, Native, Ref)
@@ -222,6 +222,8 @@ def _listing(call: NativeCall) -> Value:
     obj = call.machine.obj(ref)
     name = call.name.rpartition(".")[2]
     items = keys(call.machine, obj) if name == "keys" else values(obj) if name == "values" else pairs(call.machine, obj)
+    if obj.rest is not None:  # where the keys stand that are not known, nobody knows
+        items = Items((), join_all(all_of(items)))
     return listed(call.machine, call.name, *items)
 
 

@@ -11,10 +11,11 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj
+from rosward.domain.heap import Obj, fields_of
+from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Ref, Slice, Tuple, Value
-from rosward.models.list_alternatives import keep_told, told
+from rosward.models.list_alternatives import Told, keep_told, told
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable, equal
 from rosward.models.plain import (
@@ -44,11 +45,14 @@ def element(obj: Obj) -> Value | None:
 
 
 def write(machine: Machine, ref: Ref, items: Iterable[Value] | None, rest: Value | None = None) -> None:
-    """Give a list or set new elements: exactly `items`, or (None) any number of `rest`."""
-    exact = None if items is None else tuple(items)
-    if exact is not None and (rest is not None or len(exact) > MAX_ITEMS):
-        rest, exact = join_all([*exact, *(() if rest is None else (rest,))]), None
-    machine.update(ref, machine.obj(ref).replace(items=exact, rest=rest))
+    """Give a list or set new elements: `items`, then any number of `rest`."""
+    write_series(machine, ref, Series(() if items is None else tuple(items), rest))
+
+
+def write_series(machine: Machine, ref: Ref, series: Series) -> None:
+    """Give a list or set new elements."""
+    obj = machine.obj(ref)
+    machine.update(ref, obj.replace(**fields_of(series, obj.kind, MAX_ITEMS)))
 
 
 def add_to_rest(machine: Machine, ref: Ref, values: Iterable[Value]) -> None:
@@ -71,27 +75,22 @@ def _lost(call: NativeCall) -> Value:
 def _append(call: NativeCall) -> Value:
     ref, value = _receiver(call), call.args[1]
     if ref is not None:
-        items = call.machine.obj(ref).items
-        if items is None:
-            before = told(call.machine, ref)
-            add_to_rest(call.machine, ref, (value,))
-            keep_told(call.machine, ref, (before, told(call.machine, Tuple((value,)))))
-        else:
-            write(call.machine, ref, (*items, value))
+        _add(call.machine, ref, Series((value,)), told(call.machine, Tuple((value,))))
     return NONE
+
+
+def _add(machine: Machine, ref: Ref, more: Series, apart: Told) -> None:
+    """Elements come to the end of a list."""
+    before = told(machine, ref)
+    write_series(machine, ref, concatenated((machine.obj(ref).series(), more)))
+    keep_told(machine, ref, (before, apart))
 
 
 def _extend(call: NativeCall) -> Value:
     ref = _receiver(call)
-    known, rest = call.machine.iterate(call.args[1])
+    more = call.machine.series(call.args[1])
     if ref is not None:
-        items = call.machine.obj(ref).items
-        parts = told(call.machine, ref), told(call.machine, call.args[1])
-        if items is None:
-            add_to_rest(call.machine, ref, (*known, *(() if rest is None else (rest,))))
-        else:
-            write(call.machine, ref, (*items, *known), rest)
-        keep_told(call.machine, ref, parts)
+        _add(call.machine, ref, more, told(call.machine, call.args[1]))
     return NONE
 
 
@@ -100,14 +99,12 @@ def _insert(call: NativeCall) -> Value:
     if ref is None:
         return NONE
     items = call.machine.obj(ref).items
-    if items is None:
+    if index is not None:
+        write_series(call.machine, ref, call.machine.obj(ref).series().with_inserted(index, value))
+    elif items is None:
         add_to_rest(call.machine, ref, (value,))
-    elif index is None:
-        write(call.machine, ref, (join_all((*items[max(0, n - 1) : n + 1], value)) for n in range(len(items) + 1)))
     else:
-        changed = list(items)
-        changed.insert(index, value)
-        write(call.machine, ref, changed)
+        write(call.machine, ref, (join_all((*items[max(0, n - 1) : n + 1], value)) for n in range(len(items) + 1)))
     return NONE
 
 
@@ -123,29 +120,24 @@ def _pop(call: NativeCall) -> Value:
     anything = element(obj)
     if anything is None:
         raise Raised("IndexError", "pop from empty list")
-    if obj.items is None:
-        return anything
-    index = int_of(where)
+    index, series = int_of(where), obj.series()
     if index is None:
-        write(machine, ref, (join(a, b) for a, b in zip(obj.items, obj.items[1:], strict=False)))
+        if obj.items is None:
+            write_series(machine, ref, series.loose())
+        else:
+            write(machine, ref, (join(a, b) for a, b in zip(obj.items, obj.items[1:], strict=False)))
         return anything
-    if not -len(obj.items) <= index < len(obj.items):
+    taken = series.at(index)
+    if taken is None:
         raise Raised("IndexError", "pop index out of range")
-    left = list(obj.items)
-    taken = left.pop(index)
-    write(machine, ref, left)
+    write_series(machine, ref, series.without_at(index))
     return with_origins(taken, origins(where))
 
 
 def _delete_slice(machine: Machine, ref: Ref, where: Slice) -> Value:
     ends = slice_of(where)
-    items = machine.obj(ref).items
-    if items is None or ends is None:
-        add_to_rest(machine, ref, ())
-    else:
-        left = list(items)
-        del left[ends]
-        write(machine, ref, left)
+    series = machine.obj(ref).series()
+    write_series(machine, ref, series.loose() if ends is None else series.without_part(ends))
     return NONE
 
 
@@ -204,7 +196,9 @@ def order(machine: Machine, items: Items, key: Value | None, reverse: Value | No
     keys = list(known) if key is None or key == NONE else [machine.call(key, (item,)) for item in known]
     if rest is not None and key is not None:
         machine.call(key, (rest,))
-    if rest is not None or len(known) < 2:
+    if rest is not None:
+        return Items((), join_all((*known, rest)))
+    if len(known) < 2:
         return items
     decided = False if reverse is None else machine.truth(reverse)
     ranks = [comparable(machine, k) for k in keys]
@@ -227,20 +221,19 @@ def _sort(call: NativeCall) -> Value:
             write(call.machine, ref, ordered.known)
         elif obj.rest is not None:
             order(call.machine, Items((), obj.rest), call.keywords.get("key"), None)
+            write_series(call.machine, ref, obj.series().loose())
     return NONE
 
 
 def _reverse(call: NativeCall) -> Value:
     ref = _receiver(call)
-    items = call.machine.obj(ref).items if ref is not None else None
-    if ref is not None and items is not None:
-        write(call.machine, ref, items[::-1])
+    if ref is not None:
+        write_series(call.machine, ref, call.machine.obj(ref).series().reversed())
     return NONE
 
 
 def _copy(call: NativeCall) -> Value:
-    known, rest = call.machine.iterate(call.args[0])
-    return listed(call.machine, call.name, known, rest)
+    return listed(call.machine, call.name, *call.machine.series(call.args[0]))
 
 
 def _special(call: NativeCall) -> Value:
@@ -258,11 +251,11 @@ def _special(call: NativeCall) -> Value:
     return NONE
 
 
-def new_tuple(machine: Machine, items: Items) -> Value:
+def new_tuple(machine: Machine, series: Series) -> Value:
     """A tuple; one of unknown length lives on the heap like a list."""
-    if items.rest is None and len(items.known) <= MAX_ITEMS:
-        return Tuple(items.known)
-    return listed(machine, "tuple", *items, cls="tuple")
+    if series.exact and len(series.head) <= MAX_ITEMS:
+        return Tuple(series.head)
+    return listed(machine, "tuple", *series, cls="tuple")
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {

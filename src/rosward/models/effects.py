@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple, final
 
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, External, Ref, Value
 from rosward.findings import Finding
@@ -29,8 +30,8 @@ class NodeEffect(NamedTuple):
     name: Value
     namespace: Value
     options: tuple[tuple[str, Value], ...]
-    words: tuple[Value, ...]  # its cli_args
-    global_words: tuple[Value, ...]  # those of its context, where it uses them
+    words: Series  # its cli_args
+    global_words: Series  # those of its context, where it uses them
     cls: Value
     place: Place
     late: bool  # created in a callback, or by one of several command lines
@@ -120,7 +121,9 @@ class EffectLog:
         )
         unknown = machine.unknown(Cause.MODULE, name, "str")
         cls = machine.obj(ref).cls
-        self.add_node(machine, NodeEffect(ref.address, unknown, UNBOUND, (), (), (), cls, machine.place, False, True))
+        self.add_node(
+            machine, NodeEffect(ref.address, unknown, UNBOUND, (), Series(), Series(), cls, machine.place, False, True)
+        )
 
     def defined(self, cls: Class) -> None:
         """A class was made."""

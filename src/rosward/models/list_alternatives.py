@@ -15,8 +15,10 @@ from rosward.domain.values import Ref, Tuple, Value
 from rosward.models.native import Machine
 from rosward.models.plain import MAX_ITEMS
 
+Told = tuple[tuple[Value, bool], ...] | None
 
-def told(machine: Machine, value: Value) -> tuple[tuple[Value, bool], ...] | None:
+
+def told(machine: Machine, value: Value) -> Told:
     """The elements of a list or tuple of objects in order, and whether each is surely there; None where they are not told apart."""
     items: tuple[Value, ...] | None = None
     if isinstance(value, Tuple):
@@ -31,7 +33,7 @@ def told(machine: Machine, value: Value) -> tuple[tuple[Value, bool], ...] | Non
     return tuple((i, True) for i in items)
 
 
-def keep_told(machine: Machine, ref: Ref, parts: Iterable[tuple[tuple[Value, bool], ...] | None]) -> None:
+def keep_told(machine: Machine, ref: Ref, parts: Iterable[Told]) -> None:
     """A list of unknown length was made of `parts`: where the elements of all are told apart, they stay so."""
     found: dict[Value, bool] = {}
     for part in parts:

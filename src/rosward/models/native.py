@@ -17,6 +17,7 @@ from rosward.domain.choice import reasons_of
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
+    from rosward.domain.series import Series
     from rosward.domain.unknown import Cause, Reason
     from rosward.domain.values import Ref, Unknown, Value
     from rosward.models.file_paths import Files
@@ -57,6 +58,9 @@ class Machine(Protocol):
     def iterate(self, value: Value) -> Items:
         """What `for x in value` sees (runs generators)."""
 
+    def series(self, value: Value) -> Series:
+        """The same, as far as the order is known."""
+
     def truth(self, value: Value) -> bool | None:
         """The truth of a value; None where both are possible (also for constants that stem from a mere default)."""
 
@@ -72,8 +76,8 @@ class Machine(Protocol):
     def allocate(self, obj: Obj, site: object = None) -> Ref:
         """A new object on the heap; `site` tells apart what one call makes in no fixed order."""
 
-    def new_list(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
-        """A new list."""
+    def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
+        """A new list: of items, then any number of `rest`, then `tail`."""
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new set."""

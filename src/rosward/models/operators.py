@@ -8,11 +8,13 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 from collections.abc import Callable
 from typing import Final
 
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join, options
+from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import MAX_LENGTH, concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import (
@@ -55,7 +57,19 @@ from rosward.models.plain import (
 from rosward.models.strings_format import too_wide
 from rosward.models.strings_percent import percent, percent_one
 
-__all__ = ["binary", "compare", "contains", "equal", "iterate", "load_item", "percent", "store_item", "truth", "unary"]
+__all__ = [
+    "binary",
+    "compare",
+    "contains",
+    "equal",
+    "iterate",
+    "load_item",
+    "percent",
+    "series",
+    "store_item",
+    "truth",
+    "unary",
+]
 
 MAX_RANGE: Final = 1_000
 MAX_REPEAT: Final = 1_000
@@ -93,8 +107,8 @@ def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value | Fre
     if op == "*" and (kinds[0] in _SEQUENCES or kinds[1] in _SEQUENCES):
         sequence, times = (left, right) if kinds[0] in _SEQUENCES else (right, left)
         return _repeated(machine, sequence, times)
-    if op == "+" and kinds[0] == kinds[1] and kinds[0] in ("list", "tuple"):
-        return _sequences(machine, left, right, kinds[0])
+    if op == "+" and (kind := _sequence_kind(left, right, kinds)):
+        return _sequences(machine, left, right, kind)
     if op in "|&-^" and isinstance(left, Ref) and isinstance(right, Ref) and {*kinds} <= {"set", "dict", "list"}:
         return _collections(machine, op, left, right, kinds)
     if all(k in (*_SEQUENCES, "dict", "set", "int", "float", "NoneType") for k in kinds) and _surely_wrong(
@@ -102,6 +116,12 @@ def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value | Fre
     ):
         raise Raised("TypeError", f"unsupported operand type(s) for {op}: '{kinds[0]}' and '{kinds[1]}'")
     return unknown_from(machine, op, _hint(op, kinds), left, right)
+
+
+def _sequence_kind(left: Value, right: Value, kinds: tuple[str, str]) -> str:
+    """Of which kind a concatenation is; what is added to a list, and of no known type, is one too."""
+    known = {kind for kind, value in zip(kinds, (left, right), strict=True) if kind or not isinstance(value, Unknown)}
+    return known.pop() if len(known) == 1 and known <= {"list", "tuple"} else ""
 
 
 def _surely_wrong(left: Value, right: Value, kinds: tuple[str, str]) -> bool:
@@ -164,30 +184,21 @@ def _repeated(machine: Machine, sequence: Value, times: Value) -> Value | Fresh:
         return make(parts_of(sequence) * number, origins(sequence, times))
     if kind in ("str", "bytes") or isinstance(sequence, Unknown):
         return unknown_from(machine, "*", kind, sequence, times)
-    known, rest = iterate(machine, sequence)
-    if number is not None and rest is None and len(known) * number <= MAX_REPEAT:
-        items = Items(known * number)
-    else:
-        items = Items((), join_all((*known, *(() if rest is None else (rest,)))) if known or rest is not None else None)
-    return _new_sequence(kind, items)
+    found = series(machine, sequence)
+    if number is None or max(1, found.least) * number > MAX_REPEAT:
+        return _new_sequence(kind, found.loose())
+    return _new_sequence(kind, concatenated([found] * number))
 
 
 def _sequences(machine: Machine, left: Value, right: Value, kind: str) -> Value | Fresh:
     if isinstance(left, Unknown) and isinstance(right, Unknown):
         return unknown_from(machine, "+", kind, left, right)
-    first, second = iterate(machine, left), iterate(machine, right)
-    if first.rest is None:
-        items = Items((*first.known, *second.known), second.rest)
-    else:
-        items = Items(
-            first.known, join_all((first.rest, *second.known, *(() if second.rest is None else (second.rest,))))
-        )
-    return _new_sequence(kind, items)
+    return _new_sequence(kind, concatenated((series(machine, left), series(machine, right))))
 
 
-def _new_sequence(kind: str, items: Items) -> Value | Fresh:
-    exact = kind == "tuple" and items.rest is None and len(items.known) <= MAX_ITEMS
-    return Tuple(items.known) if exact else Fresh("list", kind, items)
+def _new_sequence(kind: str, found: Series) -> Value | Fresh:
+    exact = kind == "tuple" and found.exact and len(found.head) <= MAX_ITEMS
+    return Tuple(found.head) if exact else Fresh("list", kind, found)
 
 
 def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[str, str]) -> Value | Fresh:
@@ -199,7 +210,7 @@ def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[
     if "dict" in kinds or kinds == ("list", "list"):
         return unknown_from(machine, op, "", left, right)
     items = combine(machine, op, iterate(machine, left), iterate(machine, right))
-    return Fresh("set", "frozenset" if machine.obj(left).cls == FROZEN else "set", distinct(items))
+    return Fresh("set", "frozenset" if machine.obj(left).cls == FROZEN else "set", Series(*distinct(items)))
 
 
 @operation
@@ -254,7 +265,7 @@ def _object_truth(machine: Machine, ref: Ref) -> bool | None:
     if obj.kind in ("list", "set") and obj.items is not None:
         return bool(obj.items)
     if obj.kind in ("list", "set"):
-        return None if obj.rest is not None else False
+        return (True if obj.ends is not None else None) if obj.rest is not None else False
     if obj.kind == "dict":
         if any(k not in obj.maybe for k in obj.entries):
             return True
@@ -307,10 +318,26 @@ def _iterate(machine: Machine, value: Value) -> Items:
 def _iterate_object(machine: Machine, ref: Ref) -> Items:
     obj = machine.obj(ref)
     if obj.kind in ("list", "set"):
-        return Items(obj.items) if obj.items is not None else Items((), obj.rest)
+        series = obj.series()
+        return Items(series.head, series.behind_head())
     if obj.kind == "dict":
         return containers_dict.keys(machine, obj)
     return Items((), unknown_from(machine, "iteration", "", ref))
+
+
+def series(machine: Machine, value: Value) -> Series:
+    """What iterating over a value yields, as far as the order is known."""
+    found: list[Series] = []
+    for option in options(value):
+        if isinstance(option, Tuple):
+            found.append(Series(option.items))
+        elif isinstance(option, Ref) and machine.obj(option).kind in ("list", "set"):
+            found.append(machine.obj(option).series())
+        elif isinstance(option, Ref) and machine.obj(option).rest is not None:
+            return Series(*machine.iterate(value)).loose()  # where the unknown keys of a dict stand, nobody knows
+        else:
+            return Series(*machine.iterate(value))
+    return functools.reduce(lambda a, b: joined(a, b, join), found)
 
 
 def _iterate_range(machine: Machine, value: Range) -> Items:

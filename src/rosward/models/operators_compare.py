@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
+from rosward.domain.series import Series
 from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
 from rosward.domain.values import (
@@ -192,7 +193,7 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     if a is None or b is None:
         return None
     if kinds[0] in ("list", "tuple"):
-        return None if a.items is None or b.items is None else _sequences(machine, a.items, b.items, depth)
+        return _series(machine, a.series(), b.series(), depth)
     if kinds[0] == "dict" and a.rest is None and b.rest is None and not a.maybe and not b.maybe:
         if set(a.entries) == set(b.entries):
             return _sequences(machine, tuple(a.entries.values()), tuple(b.entries[k] for k in a.entries), depth)
@@ -204,6 +205,19 @@ def _objects(machine: Machine, left: Value, right: Value, depth: int) -> bool | 
     if kinds[0] == "set" and a.items is not None and b.items is not None:
         return _same_constants(a.items, b.items) if all(isinstance(k, Const) for k in (*a.items, *b.items)) else None
     return None
+
+
+def _series(machine: Machine, left: Series, right: Series, depth: int) -> bool | None:
+    """Two lists, of which one may have any number of elements in the middle."""
+    if left.exact and right.exact:
+        return _sequences(machine, left.head, right.head, depth)
+    short = any(a.exact and len(a.head) < b.least for a, b in ((left, right), (right, left)))
+    ends = [(left.head, right.head)]
+    ends.append(((left.head if left.exact else left.tail)[::-1], (right.head if right.exact else right.tail)[::-1]))
+    differ = any(
+        equal(machine, a, b, depth - 1) is False for one, other in ends for a, b in zip(one, other, strict=False)
+    )
+    return False if short or differ else None
 
 
 def _same_constants(
@@ -244,9 +258,9 @@ def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | No
         return None, frozenset()
     obj = machine.obj(container)
     if obj.kind in ("list", "set"):
-        items = obj.items or ()
-        rest = obj.rest if obj.items is None or obj.rest is not None else None
-        return _among(machine, items, rest, item), origins(*items)
+        series = obj.series()
+        items = (*series.head, *series.tail)
+        return _among(machine, items, series.middle, item), origins(*items)
     if obj.kind == "dict":
         sure = tuple(k for k in obj.entries if k not in obj.maybe)
         if _among(machine, sure, None, item) is True:

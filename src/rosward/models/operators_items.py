@@ -10,12 +10,13 @@ from __future__ import annotations
 import operator
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import derived
 from rosward.domain.values import NONE, Choice, Const, External, Range, Ref, Slice, Text, Tuple, Unknown, Value
 from rosward.models import containers_dict, text_parts
-from rosward.models.containers_list import add_to_rest, element, write
-from rosward.models.native import Items, Machine
+from rosward.models.containers_list import add_to_rest, write, write_series
+from rosward.models.native import Machine
 from rosward.models.operators_compare import kind_of
 from rosward.models.plain import (
     Fresh,
@@ -76,9 +77,11 @@ def _of_object(machine: Machine, ref: Ref, index: Value) -> Value:
     if obj.kind == "list":
         if obj.items is not None:
             return _element(machine, obj.items, index)
-        if obj.rest is None:
+        number = int_of(index)
+        found = obj.rest if number is None else obj.series().at(number)
+        if found is None:
             raise Raised("IndexError", "list index out of range")
-        return obj.rest
+        return with_origins(found, origins(index))
     if obj.kind == "set":
         raise Raised("TypeError", "'set' object is not subscriptable")
     return unknown_from(machine, "[]", "", ref, index)
@@ -118,11 +121,13 @@ def _slice(machine: Machine, value: Value, index: Slice) -> Value | Fresh:
     if isinstance(value, Tuple):
         if ends is not None:
             return with_origins(Tuple(value.items[ends]), source)
-        return Fresh("list", "tuple", Items((), join_all(value.items))) if value.items else value
+        return Fresh("list", "tuple", Series(value.items).loose()) if value.items else value
     if isinstance(value, Ref) and machine.obj(value).kind == "list":
-        obj = machine.obj(value)
-        part = Items((), element(obj)) if obj.items is None or ends is None else Items(obj.items[ends])
-        return Fresh("list", kind_of(machine, value), part)
+        series, kind = machine.obj(value).series(), kind_of(machine, value)
+        if ends is not None and ends.step == 0:
+            raise Raised("ValueError", "slice step cannot be zero")
+        part = series.loose() if ends is None else series.part(ends)
+        return Tuple(part.head) if kind == "tuple" and part.exact else Fresh("list", kind, part)
     if isinstance(value, Range) and ends is not None:
         return _range_slice(machine, value, ends)
     return (
@@ -185,11 +190,14 @@ def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak:
     if isinstance(index, Slice):
         _store_slice(machine, ref, index, value, weak)
         return
-    if items is None:
+    number, series = int_of(index), machine.obj(ref).series()
+    if number is not None and not series.exact:
+        write_series(
+            machine, ref, joined(series, series.with_at(number, value), join) if weak else series.with_at(number, value)
+        )
+    elif items is None:
         add_to_rest(machine, ref, (value,))
-        return
-    number = int_of(index)
-    if number is None:
+    elif number is None:
         write(machine, ref, (join(old, value) for old in items))
     elif -len(items) <= number < len(items):
         changed = list(items)
@@ -200,11 +208,16 @@ def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak:
 
 
 def _store_slice(machine: Machine, ref: Ref, index: Slice, value: Value, weak: bool) -> None:
-    items, ends = machine.obj(ref).items, slice_of(index)
-    known, rest = machine.iterate(value)
-    if weak or items is None or rest is not None or ends is None or ends.step not in (None, 1):
-        add_to_rest(machine, ref, (*known, *(() if rest is None else (rest,))))
-        return
-    changed = list(items)
-    changed[ends] = known
-    write(machine, ref, changed)
+    old, new, ends = machine.obj(ref).series(), machine.series(value), slice_of(index)
+    if not weak and ends is not None and ends.step in (None, 1):
+        if old.exact and new.exact:
+            changed = list(old.head)
+            changed[ends] = new.head
+            write(machine, ref, changed)
+            return
+        begin = ends.start or 0
+        if begin >= 0 and (ends.stop is None or 0 <= begin <= ends.stop):
+            parts = [old.part(slice(begin)), new, *([] if ends.stop is None else [old.part(slice(ends.stop, None))])]
+            write_series(machine, ref, concatenated(parts))
+            return
+    add_to_rest(machine, ref, (v for v in (new.element(),) if v is not None))

@@ -9,12 +9,14 @@ What the analysed program raises travels as `Raised` through these models; `nati
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections.abc import Callable, Iterable, Sequence
 from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
 
-from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join_all, options, reasons_of
-from rosward.domain.heap import Obj
+from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, join_all, options, reasons_of
+from rosward.domain.heap import Obj, fields_of
+from rosward.domain.series import Series, joined
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
@@ -99,7 +101,7 @@ class Fresh(NamedTuple):
 
     kind: str
     cls: str
-    items: Items
+    items: Series
 
 
 def spread_fresh(machine: Machine, site: object, function: Callable[..., Value | Fresh], *values: Value) -> Value:
@@ -112,8 +114,9 @@ def spread_fresh(machine: Machine, site: object, function: Callable[..., Value |
     for kind, cls in dict.fromkeys((r.kind, r.cls) for r in results if isinstance(r, Fresh)):
         several = [r.items for r in results if isinstance(r, Fresh) and (r.kind, r.cls) == (kind, cls)]
         if kind == "set" and len(several) > 1:
-            several = [Items((), join_all(all_of(i))) if all_of(i) else i for i in several]
-        found.append(listed(machine, site, *join_items(several), kind=kind, cls=cls))
+            several = [s.loose() for s in several]
+        together = functools.reduce(lambda a, b: joined(a, b, join), several)
+        found.append(listed(machine, site, *together, kind=kind, cls=cls))
     return join_all(found)
 
 
@@ -256,15 +259,17 @@ def listed(
     site: object,
     known: Iterable[Value],
     rest: Value | None = None,
+    tail: tuple[Value, ...] = (),
     *,
     kind: str = "list",
     cls: str = "",
 ) -> Ref:
-    """A new list or set; `site` keeps it apart from those that other operations make at the same place."""
-    items: tuple[Value, ...] | None = tuple(known)
-    if rest is not None or len(items or ()) > MAX_ITEMS:
-        rest, items = join_all((*(items or ()), *(() if rest is None else (rest,)))), None
-    return machine.allocate(Obj(kind, Native(f"builtins.{cls or kind}"), items=items, rest=rest), site)
+    """A new list or set: of `known`, then any number of `rest`, then `tail`.
+
+    `site` keeps it apart from those that other operations make at the same place.
+    """
+    elements = fields_of(Series(tuple(known), rest, tail), kind, MAX_ITEMS)
+    return machine.allocate(Obj(kind, Native(f"builtins.{cls or kind}"), **elements), site)
 
 
 def exact_list(machine: Machine, items: tuple[Value, ...]) -> Value:

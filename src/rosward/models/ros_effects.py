@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.heap import Obj
+from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import (
@@ -24,6 +25,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models.effects import EntityEffect, NodeEffect
+from rosward.models.given_words import context_lines, keep_line, lines_of, words_of_process
 from rosward.models.host import host, is_true, text_of
 from rosward.models.name_values import callback_name, interface_type, qos_of
 from rosward.models.native import NativeCall, NativeFunction
@@ -201,13 +203,6 @@ _NODE_OPTIONS: Final = (
 )
 
 
-def _words(machine: Interpreter, value: Value | None) -> tuple[Value, ...]:
-    if value is None or value == NONE or isinstance(value, Unknown):
-        return ()
-    known, rest = machine.iterate(value)
-    return known if rest is None else (*known, rest)
-
-
 _READ_BY_LIBRARY: Final = ("use_sim_time", "start_type_description_service")
 """Parameters that decide what the client library itself creates."""
 
@@ -236,14 +231,15 @@ def _create_node(call: NativeCall) -> Value:
         table = machine.new_dict({})
         machine.update(node, machine.obj(node).with_attr("__parameters__", table))
         takes_global = use_global is None or machine.truth(use_global) is not False
-        lines = _context_words(machine, keywords.get("context")) if takes_global else [()]
-        for words in lines:
+        general = context_lines(machine, keywords.get("context")) if takes_global else (Series(),)
+        lines = [(own, words) for own in lines_of(machine, keywords.get("cli_args")) for words in general]
+        for own, words in lines:
             effect = NodeEffect(
                 node.address,
                 call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE),
                 keywords.get("namespace", NONE),
                 tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _own_overrides(machine, overrides),
-                _words(machine, keywords.get("cli_args")),
+                own,
                 words,
                 machine.obj(node).cls,
                 machine.place,
@@ -255,20 +251,9 @@ def _create_node(call: NativeCall) -> Value:
     return NONE
 
 
-_WORDS: Final = "__words__"
-
-
 def _init(call: NativeCall) -> Value:
-    """`init(context, args)`: the context keeps its command line, that of the process where it is given none."""
-    machine = host(call.machine)
-    context, args = call.args[0], call.arg(1, "args")
-    if args is None or args == NONE:
-        words = machine.log.configuration.words if machine.log.configuration is not None else ()
-    else:
-        words = _words(machine, args)
-    for each in options(context):
-        if isinstance(each, Ref):
-            machine.update(each, machine.obj(each).with_attr(_WORDS, Tuple(words)))
+    """`init(context, args)`: the context keeps its command line."""
+    keep_line(host(call.machine), call.args[0], call.arg(1, "args"))
     return NONE
 
 
@@ -276,20 +261,20 @@ def _remove_ros_args(call: NativeCall) -> Value:
     """`rclpy.utilities.remove_ros_args(args)`: the words that are not between --ros-args and --."""
     machine = host(call.machine)
     args = call.arg(0, "args")
-    if args is None or args == NONE:
-        args = machine.load_attr(machine.load_module("sys"), "argv")
-    words = machine.iterate(args)
-    kept: list[Value] = []
+    words = machine.series(words_of_process(machine) if args is None or args == NONE else args)
+    kept: list[list[Value]] = []
     for_ros = False
-    for word in words.known:
-        text = text_of(word)
-        if text == "--ros-args":
-            for_ros = True
-        elif for_ros and text == "--":
-            for_ros = False
-        elif not for_ros:
-            kept.append(word)
-    return machine.new_list(kept, words.rest)
+    for part in (words.head, words.tail):
+        kept.append([])
+        for word in part:
+            text = text_of(word)
+            if text == "--ros-args":
+                for_ros = True
+            elif for_ros and text == "--":
+                for_ros = False
+            elif not for_ros:
+                kept[-1].append(word)
+    return machine.new_list(kept[0], words.middle, tuple(kept[1]))
 
 
 def _environment(call: NativeCall) -> Value:
@@ -297,20 +282,6 @@ def _environment(call: NativeCall) -> Value:
     configuration = host(call.machine).log.configuration
     found = configuration.environment.get(text_of(call.args[0])) if configuration is not None else None
     return found if found is not None else NONE
-
-
-def _context_words(machine: Interpreter, context: Value | None) -> list[tuple[Value, ...]]:
-    """The command lines that a context may have; without init, that of the process."""
-    found: dict[tuple[Value, ...], None] = {}
-    for each in options(context) if context is not None else ():
-        words = machine.obj(each).attrs.get(_WORDS) if isinstance(each, Ref) else None
-        for option in options(words) if words is not None else ():
-            if isinstance(option, Tuple):
-                found[option.items] = None
-    if not found:
-        configuration = machine.log.configuration
-        found[configuration.words if configuration is not None else ()] = None
-    return list(found)
 
 
 # Plain functions

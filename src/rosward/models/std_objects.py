@@ -81,6 +81,7 @@ def _deep(call: NativeCall) -> Value:
                 attrs={k: copied(v, depth + 1) for k, v in obj.attrs.items()},
                 items=None if obj.items is None else tuple(copied(v, depth + 1) for v in obj.items),
                 rest=None if obj.rest is None else copied(obj.rest, depth + 1),
+                ends=None if obj.ends is None else obj.ends.mapped(lambda v: copied(v, depth + 1)),
                 entries={k: copied(v, depth + 1) for k, v in obj.entries.items()},
             ),
         )

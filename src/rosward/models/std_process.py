@@ -78,7 +78,9 @@ def _exit(call: NativeCall) -> Value:
 
 
 def _argv(call: NativeCall) -> Value:
-    return call.machine.new_list((), call.machine.unknown(Cause.ARGUMENT, "sys.argv", "str"))
+    """The program, then what somebody types."""
+    word = call.machine.unknown(Cause.ARGUMENT, "sys.argv", "str")
+    return call.machine.new_list((word,), word)
 
 
 def _made_at_run_time(call: NativeCall) -> Value:

@@ -6,9 +6,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final, NamedTuple
 
+from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
 from rosward.findings import Finding
+from rosward.models.command_line import read_words
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.models.name_values import NameOption, interface_types, name_options
 from rosward.models.ros_names import command_lines, final_name, remapped_by, remaps_of
@@ -58,6 +60,8 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
 
 
 def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[Identity]:
+    if _refused(log, effect):
+        return []
     name_value, space_value = final_name(log, effect)
     rules = remaps_of(log, effect)
     found: list[Identity] = []
@@ -88,6 +92,14 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
                 Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1)
             )
     return found
+
+
+def _refused(log: EffectLog, effect: NodeEffect) -> bool:
+    """Whether rcl refuses the arguments that the program itself gives: then there is no node. (Those of a launch file are told there.)"""
+    errors = {error for line in command_lines(log, effect) for error in line.errors}
+    if not errors or log.configuration is None:
+        return bool(errors)
+    return not errors <= set(read_words(Series(log.configuration.words), log.configuration).errors)
 
 
 def _node(

@@ -74,12 +74,13 @@ class RemapKind(enum.Enum):
 
 
 class RemapRule(NamedTuple):
-    """One remap rule, `node:match:=replacement`. `match` is empty for NODE and NAMESPACE rules."""
+    """One remap rule, `node:match:=replacement`. `match` is empty for NODE and NAMESPACE rules. `maybe`: it may not be given."""
 
     node: str | None
     kind: RemapKind
     match: str
     replacement: str
+    maybe: bool = False
 
 
 def action_names_are_remapped(distro: Distro) -> bool:
@@ -275,11 +276,11 @@ def remap_topic(
 
 
 def is_for_node(rule: RemapRule, node_name: str) -> bool | None:
-    """Whether the node prefix of `rule` fits; None if that depends on how a hole is filled."""
+    """Whether `rule` is one for this node; None if that depends on how a hole is filled, or on whether the rule is given."""
     if rule.node is None:
-        return True
+        return None if rule.maybe else True
     if HOLE not in rule.node and HOLE not in node_name:
-        return rule.node == node_name
+        return rule.node == node_name and (None if rule.maybe else True)
     return None if may_be_equal(rule.node, node_name) else False
 
 

@@ -24,6 +24,7 @@ from rosward.deployment.declared.read import read_package
 from rosward.deployment.declared.shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
 from rosward.deployment.declared.text import Parameters, Scope, as_value, expand, joined
 from rosward.domain.choice import lift, options
+from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
@@ -180,8 +181,8 @@ class _Execution:
             expand(shape.name, scope),
             NONE if shape.namespace is None else expand(shape.namespace, scope),
             tuple(options_),
-            tuple(expand(a, scope) for a in shape.arguments),
-            self._configuration.words if shape.global_arguments else (),
+            Series(tuple(expand(a, scope) for a in shape.arguments)),
+            Series(self._configuration.words if shape.global_arguments else ()),
             External(f"{shape.client_library.value}.node.Node"),
             self._place,
             False,

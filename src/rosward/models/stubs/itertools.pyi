@@ -6,8 +6,7 @@ class chain:
     def __init__(self, *iterables):
         self._iterables = iterables
     def __iter__(self):
-        for one in self._iterables:
-            yield from one
+        return _flat(self._iterables)
     def __next__(self):
         return next(iter(self))
     @classmethod
@@ -15,8 +14,10 @@ class chain:
         return _flat(iterable)
 
 def _flat(iterable):
+    found = []
     for one in iterable:
-        yield from one
+        found += one
+    return iter(found)
 
 def count(start=0, step=1):
     while True:
