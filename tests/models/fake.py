@@ -167,7 +167,7 @@ class FakeMachine:
     def report(self, code: str, message: str) -> None:  # noqa: ARG002
         self.findings.append(code)
 
-    def die(self, error: str, message: str) -> Value:  # noqa: ARG002
+    def die(self, error: str, message: str, args: object = None, *, sure: bool = False, plain: bool = False) -> Value:  # noqa: ARG002
         self.deaths.append(error)
         return UNBOUND
 

@@ -215,7 +215,7 @@ class FakeMachine:
     def report(self, code: str, message: str) -> None:
         self.findings.append((code, message))
 
-    def die(self, error: str, message: str) -> Value:
+    def die(self, error: str, message: str, args: object = None, *, sure: bool = False, plain: bool = False) -> Value:  # noqa: ARG002
         self.deaths.append((error, message))
         return UNBOUND
 

@@ -214,7 +214,7 @@ def test_iterators(stubs: Stubs) -> None:
 
 
 def test_context_managers() -> None:
-    contextlib = Stubs(_enter=next).load("contextlib")
+    contextlib = Stubs(_begin=next, _end=lambda *_: None, _unwind=lambda *_: None).load("contextlib")
 
     @contextlib.contextmanager  # type: ignore[untyped-decorator]
     def opened(name: str) -> Any:

@@ -14,7 +14,7 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher, throw
+from rosward.engine.catcher import Catcher, note, rethrow
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import EventKey, State, join_states
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
@@ -57,12 +57,17 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
         limit = 0 if _is_large(machine, function) else 1
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return _summarised(machine, function, registers)
-    key = (function, tuple(registers), machine.state.version)
+    key = (function, tuple(registers), machine.state.version, bool(machine.catchers))
     remembered = machine.memo.get(key)
     if remembered is not None:
-        return remembered, Items(())
+        value, level = remembered
+        if level:
+            note(machine, level)
+        return value, Items(())
     raised, version, provisional = machine.raised, machine.state.version, machine.provisional
+    noted, machine.noted = machine.noted, 0
     value, items = run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
+    level, machine.noted = machine.noted, max(machine.noted, noted)
     quiet = (
         machine.state.version == version
         and machine.raised == raised
@@ -71,7 +76,7 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
         and items.rest is None
     )
     if quiet and value is not UNBOUND and not declared.is_model(function):
-        machine.memo[key] = value
+        machine.memo[key] = (value, level)
     return value, items
 
 
@@ -215,21 +220,12 @@ def _of_summary(machine: Interpreter, summary: Summary, done: frozenset[EventKey
     """What a call gives by its summary, where `done` had surely happened before it."""
     machine.yielded = None
     if summary.catcher is not None:
-        _throw(machine, summary.catcher)
+        rethrow(machine, summary.catcher)
     if summary.after is None:
         return UNBOUND, _any_number(summary.yields)
     _enter(machine, summary.after.copy())
     machine.state.done |= done
     return summary.value, _any_number(summary.yields)
-
-
-def _throw(machine: Interpreter, inner: Catcher) -> None:
-    """What leaves a call by exceptions reaches the `try` around it."""
-    if machine.catchers and inner.reached:
-        machine.catchers[-1].take_over(machine, inner)
-    if inner.raised is not UNBOUND:
-        machine.state = inner.snapshot.state.copy()
-        throw(machine, inner.raised)
 
 
 def _enter(machine: Interpreter, state: State) -> None:

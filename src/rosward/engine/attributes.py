@@ -39,6 +39,7 @@ from rosward.engine import modules
 from rosward.engine.escape import name_of
 from rosward.engine.namespaces import table_of
 from rosward.models.builtin_attributes import may_hide
+from rosward.models.exceptions import MEMBERS, is_exception, member_of
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -83,12 +84,26 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
         if name in ("__name__", "__qualname__"):
             return Const(value.name.rpartition(".")[2])  # type: ignore[attr-defined]
         base = value.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+        if is_exception(base):
+            return _of_native_class(machine, base, name) or _of_exception_class(machine, base, name)
         return Native(f"{base}.{name}")
     if cls is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
     if cls is Partial and name in ("func", "args"):
         return value.function if name == "func" else Tuple(value.arguments)  # type: ignore[attr-defined]
     return _of_builtin(machine, value, name)
+
+
+def _of_exception_class(machine: Interpreter, cls: str, name: str) -> Value:
+    """What Python's own exception classes have as any class has."""
+    if name == "__module__":
+        return Const("builtins")
+    if name in ("__mro__", "__bases__"):
+        found = getattr(getattr(builtins, cls), name)
+        return Tuple(tuple(Native(f"builtins.{b.__name__}") for b in found))
+    if name == "__class__":
+        return Native("builtins.type")
+    return Native(f"{cls}.{name}") if hasattr(getattr(builtins, cls), name) else machine.unknown(Cause.ERROR, name)
 
 
 _OBJECT: Final = Native("builtins.object")
@@ -135,7 +150,7 @@ def _of_unknown(machine: Interpreter, value: Unknown, name: str) -> Value:
 def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
     """The attribute of a class along its mro, as it stands there; None where no known class has it."""
     if cls.__class__ is not Class:
-        return None
+        return _of_native_class(machine, cls.name, name) if is_builtin_exception(cls) else None  # type: ignore[attr-defined]
     perhaps: Value = UNBOUND
     for base in cls.mro:
         if base.__class__ is Class:
@@ -146,10 +161,22 @@ def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
                     return join(perhaps, found)
                 perhaps = join(perhaps, found)  # where this class has none, that of the next one
         elif base.__class__ is Native:
-            short = base.name.removeprefix("builtins.")
-            if machine.library.native(f"{short}.{name}"):
-                return join(perhaps, Native(f"{short}.{name}"))
+            inherited = _of_native_class(machine, base.name, name)
+            if inherited is not None:
+                return join(perhaps, inherited)
     return None if perhaps is UNBOUND else perhaps
+
+
+def is_builtin_exception(cls: Value) -> bool:
+    """Whether a class is one of Python's own exceptions."""
+    return cls.__class__ is Native and is_exception(cls.name)
+
+
+def _of_native_class(machine: Interpreter, cls: str, name: str) -> Native | None:
+    """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
+    short = cls.removeprefix("builtins.")
+    bases = [b.__name__ for b in getattr(builtins, short).__mro__] if is_exception(short) else [short]
+    return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
 
 
 def method(machine: Interpreter, value: Value, name: str) -> Value | None:
@@ -217,6 +244,10 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
         return cls
     if name == "__dict__":
         return table_of(machine, ref.address)
+    if name in MEMBERS:
+        member = member_of(machine, obj, name)
+        if member is not None:
+            return member
     fallback = lookup(machine, cls, "__getattr__")
     if fallback is not None:
         return machine.call(fallback, (ref, Const(name)))
@@ -306,9 +337,9 @@ def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
         elif base.__class__ is External:
             return Partial(External(f"{base.name}.{name}"), (), ())
         elif base.__class__ is Native:
-            short = base.name.removeprefix("builtins.")
-            if machine.library.native(f"{short}.{name}"):
-                return BoundMethod(receiver, Native(f"{short}.{name}"))
+            inherited = _of_native_class(machine, base.name, name)
+            if inherited is not None:
+                return inherited if name == "__new__" else BoundMethod(receiver, inherited)
     if name == "__new__":
         return Native("object.__new__")
     return BoundMethod(receiver, Native(f"object.{name}"))

@@ -34,9 +34,10 @@ from rosward.domain.values import (
 from rosward.engine import activation, attributes, classes, declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
-from rosward.engine.catcher import note_import
+from rosward.engine.catcher import LIBRARY, note, note_call
 from rosward.engine.escape import escape, name_of
 from rosward.ir.ops import Argument
+from rosward.models.exceptions import is_exception
 from rosward.models.native import NativeCall
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywo
     if cls is Descriptor:
         return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
     if cls is Unknown:
-        note_import(machine)
+        note_call(machine)
         if lost_behaviour(function):
             machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
         escape(machine, (*args, *keywords.values()), name_of(function))
@@ -165,7 +166,7 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
         return machine.allocate(Obj("instance", function, attrs=named))
     if machine.library.native(function.name):
         return call_native(machine, function.name, args, keywords)
-    note_import(machine)
+    note_call(machine)
     escape(machine, (*args, *keywords.values()), function.name)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
         return args[
@@ -193,8 +194,8 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
     if short == "super":
         return _super(machine, args)
     if "." not in short:
-        if classes.is_exception(short):
-            return classes.exception_object(machine, Native(name), args)
+        if is_exception(short):
+            return classes.exception_object(machine, Native(name), args, keywords)
     if short == "object" or name.startswith("object."):
         return _object_method(machine, short, args)
     if short.startswith("descriptor."):
@@ -209,7 +210,11 @@ def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
         return machine.allocate(Obj("instance", Native("builtins.object")))
     if name == "object.__new__" and args:
         cls = args[0]
-        return classes.new_instance(machine, cls) if cls.__class__ is Class else machine.unknown(Cause.CALL, name)
+        return (
+            classes.new_instance(machine, cls, tuple(args[1:]))
+            if cls.__class__ is Class
+            else machine.unknown(Cause.CALL, name)
+        )
     if name == "object.__setattr__" and len(args) == 3 and args[0].__class__ is Ref and args[1].__class__ is Const:
         ref, key = args[0], str(args[1].value)
         machine.update(ref, machine.obj(ref).with_attr(key, args[2]))
@@ -259,8 +264,11 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
         if not declared.is_model(function) or function.module.name.startswith(("rclpy.", "launch")):
             raises = "may raise" if machine.choosing else "raises"
             machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
+        note(machine)
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
         registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
+    if machine.catchers and declared.may_raise(function, registers):
+        note(machine, LIBRARY)
     if function.effects:
         answer = declared.apply(machine, function, registers)
         if answer is not None:

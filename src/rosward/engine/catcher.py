@@ -1,63 +1,89 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a running `try` collects: the states from which its handlers may start, and what is raised in it.
+"""What a running `try` or `with` collects: the exceptions that arrive there, each with its state, and where Python itself may raise one.
 
-self.t = 'a'; risky(); self.t = 'b'      the handlers see t as it was, 'a' and 'b'
+self.t = 'a'; raise Refused('x')         arrives with t = 'a', and with its data
+self.t = 'a'; risky(); self.t = 'b'      what Python may raise by itself: the handlers see t as it was, 'a' and 'b'
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.values import UNBOUND, Value
-from rosward.engine.frame import Frame
+from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.state import State, join_objects, join_registers, join_states
-from rosward.ir import ops
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
-_CANNOT_FAIL: Final = (
-    ops.Const,
-    ops.Move,
-    ops.StoreGlobal,
-    ops.StoreCell,
-    ops.StoreName,
-    ops.MakeFunction,
-    ops.Build,
-    ops.NewCell,
-    ops.Assume,
-    ops.Yield,  # notes itself
-)
+OPERATION: Final = 1
+"""Python itself may raise one of its own exceptions."""
+LIBRARY: Final = 2
+"""A library may raise anything but what the program defines."""
+ANYTHING: Final = 3
+"""Code that is not known runs with code of the program in its hands."""
+
+_MOST: Final = 12
+"""How many exceptions are kept apart in one `try`."""
 
 
 @final
 class Catcher:
-    """A `try` that is running.
+    """A `try` or `with` that is running.
 
-    `snapshot` covers every state from which its handlers may start: the one at its beginning, joined with each object that is written
-    and each change of the frame's registers since. `reached`: something in the body may fail. `raised` joins what is raised explicitly.
+    `arrivals` holds the exceptions that are known, each with the join of the states in which it comes. `snapshot` covers every state in
+    which an exception may come that is not: the one at the beginning, joined with each object that is written and each change of the
+    frame's registers since; `level` says what may raise one (0: nothing does).
     """
 
-    __slots__ = ("frame", "handles", "importing", "noted", "raised", "reached", "snapshot")
+    __slots__ = ("arrivals", "classes", "frame", "handles", "importing", "level", "noted", "snapshot")
 
-    def __init__(self, machine: Interpreter, frame: Frame, *, handles: bool = False) -> None:
+    def __init__(
+        self, machine: Interpreter, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()
+    ) -> None:
         self.frame = frame
         self.handles = handles  # it has `except`, not `finally` or `with` alone
+        self.classes = classes  # the names of builtin exceptions that its handlers surely catch
         self.snapshot = machine.snapshot(frame)
         self.noted = self.snapshot.registers[: len(frame.code.variables)]
-        self.raised: Value = UNBOUND
-        self.reached = False
+        self.arrivals: dict[Value, Snapshot] = {}
+        self.level = 0
         self.importing = False  # an import in the body may fail
 
-    def note(self) -> None:
-        """An exception may be raised here."""
-        self.reached = True
+    @property
+    def reached(self) -> bool:
+        """Whether anything may arrive."""
+        return self.level > 0 or bool(self.arrivals)
+
+    @property
+    def raised(self) -> Value:
+        """The exceptions that are known, joined; UNBOUND where there are none."""
+        return join_all(self.arrivals) if self.arrivals else UNBOUND
+
+    def note(self, level: int = OPERATION) -> None:
+        """An exception that is not known may be raised here."""
+        self.level = max(self.level, level)
         variables = self.frame.registers[: len(self.noted)]  # temporaries do not outlive a statement
         if self.noted != variables:
             self.noted = variables
             self.snapshot.registers = join_registers(self.snapshot.registers, variables)
+
+    def arrive(self, machine: Interpreter, exception: Value, state: State) -> None:
+        """An exception comes in a state (which is not used up)."""
+        for each in options(exception):
+            snapshot = Snapshot(self.frame.registers.copy(), state.copy())
+            self.arrivals[each] = join_into(machine, self.arrivals.get(each), snapshot)
+        self.arrivals = self.few(machine, _MOST)
+
+    def few(self, machine: Interpreter, most: int) -> dict[Value, Snapshot]:
+        """The exceptions that are known, each with its state; all joined where there are more than so many."""
+        if len(self.arrivals) <= most:
+            return self.arrivals
+        joined = join_snapshots(machine, list(self.arrivals.values()))
+        assert joined is not None
+        return {self.raised: joined}
 
     def wrote(self, machine: Interpreter, address: int, obj: Obj) -> None:
         """An object is written."""
@@ -69,28 +95,46 @@ class Catcher:
             state.version = machine.fresh_version()
 
     def take(self, machine: Interpreter, state: State) -> None:
-        """All of a state may arrive here."""
+        """An exception that is not known may come in all of a state."""
         self.snapshot.state = join_states(self.snapshot.state, state.copy(), machine.fresh_version)
 
     def take_over(self, machine: Interpreter, inner: Catcher) -> None:
-        """What an inner try did not surely catch arrives here."""
+        """What may be raised in an inner statement, and is not surely caught there, may arrive here."""
         self.take(machine, inner.snapshot.state)
-        self.reached = self.reached or inner.reached
+        self.level = max(self.level, inner.level)
         self.importing = self.importing or inner.importing
         if inner.frame is self.frame:
             self.snapshot.registers = join_registers(self.snapshot.registers, inner.snapshot.registers)
+        elif inner.level:
+            self.note(inner.level)
 
 
-def note(machine: Interpreter) -> None:
-    """An exception may be raised here: tell the innermost try."""
+def join_snapshots(machine: Interpreter, several: list[Snapshot]) -> Snapshot | None:
+    """Copies of snapshots of one frame, joined."""
+    joined: Snapshot | None = None
+    for each in several:
+        joined = join_into(machine, joined, Snapshot(each.registers.copy(), each.state.copy()))
+    return joined
+
+
+def note(machine: Interpreter, level: int = OPERATION) -> None:
+    """An exception that is not known may be raised here: tell the innermost try."""
     if machine.catchers:
-        machine.catchers[-1].note()
+        machine.noted = max(machine.noted, level)
+        machine.catchers[-1].note(level)
+
+
+def note_call(machine: Interpreter) -> None:
+    """Unknown code runs here: it may raise what it likes, and an import in it may fail."""
+    if machine.catchers:
+        note(machine, ANYTHING if machine.handed or machine.schedule_book.by_library else LIBRARY)
+        machine.catchers[-1].importing = True
 
 
 def note_import(machine: Interpreter) -> None:
-    """An ImportError may be raised here: of a module that is not among the sources, or by code that is not known."""
+    """An ImportError may be raised here: of a module that is not among the sources."""
     if machine.catchers:
-        machine.catchers[-1].note()
+        note(machine, LIBRARY)
         machine.catchers[-1].importing = True
 
 
@@ -99,27 +143,23 @@ def may_have_left(machine: Interpreter, frame: Frame) -> bool:
     return any(c.frame is frame and c.handles and c.reached for c in machine.catchers)
 
 
-def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
-    """Interpret a block inside a try: around each operation that may fail the state may reach the handlers."""
-    catcher = machine.catchers[-1]
-    table = machine.table
-    for op in block:
-        fails = op.__class__ not in _CANNOT_FAIL
-        if fails:
-            catcher.note()
-        if table[op.__class__](machine, op, frame) is False:
-            return False
-        if fails:
-            catcher.note()
-    return True
-
-
 def throw(machine: Interpreter, exception: Value) -> None:
-    """An exception is raised here for sure."""
+    """An exception is raised here. Where it surely is, the path ends behind; else it goes on."""
     machine.raised += 1
     if machine.catchers:
-        catcher = machine.catchers[-1]
-        catcher.note()
-        catcher.raised = join(catcher.raised, exception)
+        machine.catchers[-1].arrive(machine, exception, machine.state)
     else:
         machine.log.ends_early(machine)
+        machine.uncaught(exception)
+
+
+def rethrow(machine: Interpreter, inner: Catcher) -> None:
+    """What leaves a call by exceptions reaches the `try` around it; the machine's state is left as it is."""
+    if machine.catchers and inner.level:
+        machine.catchers[-1].take_over(machine, inner)
+        machine.noted = max(machine.noted, inner.level)
+    here = machine.state
+    for exception, snapshot in inner.arrivals.items():
+        machine.state = snapshot.state.copy()
+        throw(machine, exception)
+    machine.state = here

@@ -34,6 +34,7 @@ from rosward.engine.frame import Frame
 from rosward.engine.handed import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
+from rosward.models.exceptions import builtin_base, own_class
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -201,9 +202,11 @@ def is_enum(_machine: Interpreter, cls: Class) -> bool:
     return any(_is_enum_base(b) for b in cls.mro[1:]) and not _is_enum_base(cls)
 
 
-def new_instance(machine: Interpreter, cls: Class) -> Ref:
-    """An object of a class, before `__init__`."""
+def new_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...] | None = None) -> Ref:
+    """An object of a class, before `__init__`; an exception has its arguments by then."""
     machine.instantiated.add(cls.place)
+    if args is not None and builtin_base(cls) is not None:
+        return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}), cls.address)
     return machine.allocate(Obj("instance", cls), cls.address)
 
 
@@ -227,7 +230,7 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
             if isinstance(option, Ref) and not cls.stub:
                 _framework(machine, cls, option)
         return join_all(initialised)
-    ref = new_instance(machine, cls)
+    ref = new_instance(machine, cls, args)
     if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
         return UNBOUND
     if not cls.stub:
@@ -326,12 +329,8 @@ def _native_subclass(name: str, wanted: Value) -> bool | None:
     return None
 
 
-def exception_object(machine: Interpreter, cls: Value, args: tuple[Value, ...]) -> Value:
-    """An instance of a builtin or external exception class."""
-    return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}))
-
-
-def is_exception(name: str) -> bool:
-    """Whether a name of `builtins` is an exception class."""
-    found = getattr(builtins, name, None)
-    return isinstance(found, type) and issubclass(found, BaseException)
+def exception_object(
+    machine: Interpreter, cls: Native, args: tuple[Value, ...], keywords: dict[str, Value] | None = None
+) -> Value:
+    """An instance of a builtin exception class."""
+    return machine.allocate(Obj("instance", own_class(cls, args), attrs={"args": Tuple(args), **(keywords or {})}))

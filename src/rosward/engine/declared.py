@@ -4,12 +4,26 @@
 from __future__ import annotations
 
 import ast
-from typing import TYPE_CHECKING
+import re
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Function, Native, Tuple, Unknown, Value
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    Choice,
+    Class,
+    Const,
+    External,
+    Function,
+    Native,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
 from rosward.engine import modules
 from rosward.models.ros_effects import perform
 
@@ -23,6 +37,40 @@ MODEL_PREFIX = "models:"
 def is_model(function: Function) -> bool:
     """Whether a function belongs to a library model."""
     return function.code.file.startswith(MODEL_PREFIX)
+
+
+_QUIET: Final = (
+    "rclpy.impl.",
+    "rclpy.logging",
+    "logging",
+    "rclpy.clock",
+    "rclpy.time",
+    "rclpy.duration",
+    "contextlib",
+    "_rosward",
+    "time",
+)
+"""The modules whose functions raise nothing, for what programs give them."""
+
+
+def may_raise(function: Function, registers: list[Value]) -> bool:
+    """Whether a function of a model, which shows nothing of what it does, may raise an exception."""
+    if not is_model(function) or not (function.code.is_stub or function.effects):
+        return False
+    if function.code.name in _CREATING:
+        return not all(_fits(v) for v in registers)
+    return not function.module.name.startswith(_QUIET) and function.code.name not in ("__enter__", "__exit__")
+
+
+_CREATING: Final = ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
+_NAME: Final = re.compile(r"[~/]?[A-Za-z_{}/][A-Za-z0-9_{}/]*")
+
+
+def _fits(value: Value) -> bool:
+    """Whether an argument of a method that creates an entity is one that it surely takes."""
+    if value.__class__ is Const:
+        return not isinstance(value.value, str) or bool(_NAME.fullmatch(value.value))
+    return value.__class__ not in (Unknown, Text, Choice)
 
 
 def apply(machine: Interpreter, function: Function, registers: list[Value]) -> Value | None:

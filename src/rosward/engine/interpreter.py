@@ -7,7 +7,8 @@ A handler returns None where control goes on, and False where it does not (the p
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join
@@ -29,12 +30,15 @@ from rosward.engine import (
     calls,
     catcher,
     classes,
+    contexts,
     equality,
     escape,
+    failing,
     items,
     iteration,
     modules,
     namespaces,
+    raised,
 )
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
@@ -79,16 +83,19 @@ class Interpreter:
         self.deadline = time.process_time() + budget.seconds
         self.choosing = False  # what is being called is one of several alternatives
         self.raised = 0
+        self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
+        self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.yielded: State | None = None  # the states at the yields of the generator that was run last, joined
+        self.ended_by: Value = UNBOUND  # the exceptions by which the main body may end, joined
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, activation.Summary] = {}
         self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
         self.large: dict[int, bool] = {}  # whether a code body, by its id(), has loops
-        self.memo: dict[object, Value] = {}
+        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
         self.instantiated: set[Place] = set()
         self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
         self.entered: set[int] = set()  # id() of each code body that was run
@@ -109,7 +116,7 @@ class Interpreter:
         if self.steps > self.loop_limit:
             self.coarse = True
         if self.catchers:
-            return catcher.run_noting(self, block, frame)
+            return failing.run_noting(self, block, frame)
         table = self.table
         for op in block:
             if table[op.__class__](self, op, frame) is False:
@@ -268,7 +275,37 @@ class Interpreter:
 
     def throw(self, exception: Value) -> None:
         """An exception is raised here for sure."""
-        catcher.throw(self, exception)
+        made = raised.made(self, exception)
+        raised.chain(self, made, None)
+        catcher.throw(self, made)
+
+    @contextmanager
+    def handles(self, exception: Value, level: int) -> Iterator[None]:
+        """A handler runs for these exceptions (UNBOUND: none that is known), and where there is a level for others that are not known."""
+        self.handling.append((exception, level))
+        try:
+            yield
+        finally:
+            self.handling.pop()
+
+    @property
+    def handled(self) -> Value:
+        """The exception that is being handled; None where there is none."""
+        if not self.handling:
+            return NONE
+        known, level = self.handling[-1]
+        return known if not level else join(known, self.unknown(Cause.LIVE, "exception"))
+
+    def uncaught(self, exception: Value) -> None:
+        """Nothing around catches this exception, which is raised here."""
+        if self.schedule_book.running:
+            self.schedule_book.uncaught(self, exception)
+        else:
+            self.ended_by = join(self.ended_by, exception)
+
+    def unwind(self, exits: Sequence[Value], exception: Value) -> Value:
+        """Call the exits of a stack of context managers."""
+        return contexts.unwind(self, exits, exception)
 
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
@@ -341,16 +378,23 @@ class Interpreter:
         """A finding at the current place."""
         self.log.findings[Finding(code, message, self.place)] = None
 
-    def die(self, error: str, message: str) -> Value:
-        """This path raises here: it ends where that is what the program wants (SystemExit).
+    def die(
+        self,
+        error: str,
+        message: str,
+        args: Sequence[Value] | None = None,
+        *,
+        sure: bool = False,
+        plain: bool = False,
+    ) -> Value:
+        """This path raises here: it ends where that is what the program wants (SystemExit), or waits for.
 
         Any other failure of a builtin is taken as a value that is not known: what fails for the values that we see (a default list that
         is too short) may go well for others.
         """
         if error not in ("SystemExit", "StopIteration"):
-            catcher.note(self)
-            return self.unknown(Cause.ERROR, f"{error}: {message}")
-        catcher.throw(self, Native(f"builtins.{error}"))
+            return raised.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
+        catcher.throw(self, raised.builtin_error(self, error, args))
         return UNBOUND
 
     @property

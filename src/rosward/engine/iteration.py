@@ -27,10 +27,10 @@ from rosward.domain.values import (
 )
 from rosward.engine import activation, attributes, calls, classes
 from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import Catcher, throw
+from rosward.engine.catcher import Catcher, rethrow
 from rosward.engine.control import behind, turn, until_stable
-from rosward.engine.exceptions import may_catch
 from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.raised import may_catch
 from rosward.engine.state import EventKey, State, element, join_states
 from rosward.ir import ops
 from rosward.models import operators
@@ -216,15 +216,18 @@ def _advance(machine: Interpreter, frame: Frame, iterator: Value, *, asynchronou
     finally:
         machine.catchers = outer
     wanted = Native(f"builtins.{stop}")
-    raised = [] if catcher.raised is UNBOUND else list(options(catcher.raised))
-    others = [e for e in raised if may_catch(machine, e, wanted) is not True]
-    ended = catcher.snapshot.state.copy() if any(may_catch(machine, e, wanted) is not False for e in raised) else None
-    if outer and catcher.reached:
+    ended: State | None = None
+    others = Catcher(machine, frame)
+    for exception, snapshot in catcher.arrivals.items():
+        caught = may_catch(machine, exception, wanted)
+        if caught is not False:
+            state = snapshot.state.copy()
+            ended = state if ended is None else join_states(ended, state, machine.fresh_version)
+        if caught is not True:
+            others.arrive(machine, exception, snapshot.state)
+    if outer and catcher.level:
         outer[-1].take_over(machine, catcher)
-    if others:
-        after, machine.state = machine.state, catcher.snapshot.state
-        throw(machine, join_all(others))
-        machine.state = after
+    rethrow(machine, others)
     return item, ended
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
-from rosward.engine.catcher import note_import, throw
+from rosward.engine.catcher import note_import
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 
@@ -45,7 +45,7 @@ def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value
         return value
     note_import(machine)
     if machine.catchers and _surely_there(machine, module) and value.__class__ is Unknown:
-        throw(machine, Native("builtins.ImportError"))
+        machine.throw(Native("builtins.ImportError"))
         return UNBOUND
     return value
 

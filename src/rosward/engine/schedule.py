@@ -10,11 +10,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join, options, reasons_of, widen
+from rosward.domain.choice import join, join_all, options, reasons_of, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
 from rosward.engine.binding import ANY
 from rosward.engine.budget import LimitReachedError
+from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY
 from rosward.engine.frame import Frame
 from rosward.engine.state import State, join_states
@@ -32,6 +33,7 @@ def _fails(effect: EntityEffect) -> bool:
     return effect.address is None or Cause.ERROR in causes
 
 
+_MOST_RAISED: Final = 12
 _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 
 
@@ -58,11 +60,14 @@ class Entry:
 class Schedule:
     """All that was registered so far, by callback, arguments and event."""
 
-    __slots__ = ("_settled", "entries", "running")
+    __slots__ = ("_event", "_raised", "_settled", "by_library", "entries", "running")
 
     def __init__(self) -> None:
         self.entries: dict[object, Entry] = {}
         self.running = False
+        self.by_library = False  # something that the program handed out may be called by a library
+        self._event = ""  # of the entry that is running
+        self._raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
         self._settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
 
     def add(
@@ -76,6 +81,7 @@ class Schedule:
         """Register a callback; here, unless another place is given."""
         for option in options(callback):
             key = (option, args)
+            self.by_library = self.by_library or event in (BY_LIBRARY, BY_BASE)
             if key not in self.entries and option.__class__ is not Unknown:
                 entry = self.entries[key] = Entry(
                     option,
@@ -109,6 +115,7 @@ class Schedule:
         """What is scheduled runs under no frame and no `try` of the main body."""
         self.running = True
         catchers, machine.catchers = machine.catchers, []
+        handling, machine.handling = machine.handling, []
         frames, machine.frames = machine.frames, []
         loops, machine.loops = machine.loops, 0
         fixpoints, machine.fixpoints = machine.fixpoints, 0
@@ -118,7 +125,7 @@ class Schedule:
         finally:
             self.running = False
             machine.frames = frames
-            machine.catchers = catchers
+            machine.catchers, machine.handling = catchers, handling
             machine.loops, machine.fixpoints = loops, fixpoints
             machine.coarse, (machine.coarse_limit, machine.loop_limit) = coarse, limits
 
@@ -133,11 +140,38 @@ class Schedule:
 
     def spin(self, machine: Interpreter) -> None:
         """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be."""
-        if self.running or self._settled == (len(self.entries), machine.state.version):
+        if self.running:
             return
-        with self._alone(machine):
-            self._run(machine)
-        self._settled = (len(self.entries), machine.state.version)
+        if self._settled != (len(self.entries), machine.state.version):
+            with self._alone(machine):
+                self._run(machine)
+            self._settled = (len(self.entries), machine.state.version)
+        self._throw(machine)
+
+    def uncaught(self, machine: Interpreter, exception: Value) -> None:
+        """What runs raises an exception and does not catch it: it comes out where the program spins. That of a thread ends there."""
+        if self._event == "thread":
+            return
+        for option in options(exception):
+            known = self._raised.get(option)
+            state = machine.state.copy()
+            self._raised[option] = state if known is None else join_states(known, state, machine.fresh_version)
+        if len(self._raised) > _MOST_RAISED:
+            self._raised = {join_all(self._raised): self._joined(machine)}
+
+    def _joined(self, machine: Interpreter) -> State:
+        joined = machine.state.copy()
+        for state in self._raised.values():
+            joined = join_states(joined, state.copy(), machine.fresh_version)
+        return joined
+
+    def _throw(self, machine: Interpreter) -> None:
+        """The exceptions of callbacks may come out here."""
+        after = machine.state
+        for exception, state in self._raised.items():
+            machine.state = join_states(after.copy(), state.copy(), machine.fresh_version)
+            throw(machine, exception)
+        machine.state = after
 
     def _run(self, machine: Interpreter) -> None:
         reason = Reason(Cause.LOOP, "a callback that runs again", Place("", 0))
@@ -158,8 +192,8 @@ class Schedule:
             machine.check_time()
         machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
 
-    @staticmethod
-    def _call(machine: Interpreter, entry: Entry) -> None:
+    def _call(self, machine: Interpreter, entry: Entry) -> None:
+        self._event = entry.event
         machine.state.heap.fill(entry.state.heap)
         code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
         frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)

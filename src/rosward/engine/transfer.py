@@ -14,7 +14,19 @@ from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
-from rosward.engine import attributes, calls, catcher, classes, control, equality, exceptions, items, iteration, modules
+from rosward.engine import (
+    attributes,
+    calls,
+    catcher,
+    classes,
+    contexts,
+    control,
+    equality,
+    exceptions,
+    items,
+    iteration,
+    modules,
+)
 from rosward.engine.frame import Frame
 from rosward.engine.state import join_states
 from rosward.ir import ops
@@ -254,7 +266,7 @@ def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
     unsure = (
         frame.uncertain or frame.exits.taken or machine.raised != frame.raised or catcher.may_have_left(machine, frame)
     )
-    catcher.note(machine)
+    catcher.note(machine, catcher.ANYTHING)  # whoever holds the generator may throw into it
     if frame.yielded is None:
         frame.yielded = machine.state.copy()
     elif frame.yielded.version != machine.state.version:
@@ -311,7 +323,7 @@ HANDLERS: Final[dict[type[ops.Op], Handler]] = {
     ops.While: control.loop,
     ops.ForEach: iteration.for_each,
     ops.Try: exceptions.attempt,
-    ops.With: exceptions.with_context,
+    ops.With: contexts.with_context,
     ops.Return: control.leave,
     ops.Raise: exceptions.raise_,
     ops.Break: control.break_,

@@ -135,9 +135,8 @@ def _handler(body: Body, node: ast.ExceptHandler) -> Handler:
 
 def _raise(body: Body, node: ast.Raise) -> None:
     src = NO_REGISTER if node.exc is None else body.expression(node.exc)
-    if node.cause is not None:
-        body.expression(node.cause)
-    body.ops.append(Raise(node.lineno, node.col_offset + 1, src))
+    cause = NO_REGISTER if node.cause is None else body.expression(node.cause)
+    body.ops.append(Raise(node.lineno, node.col_offset + 1, src, cause))
 
 
 def _assert(body: Body, node: ast.Assert) -> None:

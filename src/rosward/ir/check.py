@@ -76,7 +76,7 @@ _READS: Final[Mapping[type, tuple[str, ...]]] = {
     ops.ForEach: ("iterable",),
     ops.With: ("context",),
     ops.Return: ("src",),
-    ops.Raise: ("src",),
+    ops.Raise: ("src", "cause"),
 }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import final
 
-from rosward.ir.simple import Block, Op
+from rosward.ir.simple import NO_REGISTER, Block, Op
 
 
 @final
@@ -116,13 +116,14 @@ class Return(Op):
 
 @final
 class Raise(Op):
-    """raise src (NO_REGISTER: again)."""
+    """raise src (NO_REGISTER: again), from register cause where it is not NO_REGISTER."""
 
-    __slots__ = ("src",)
+    __slots__ = ("cause", "src")
 
-    def __init__(self, line: int, column: int, src: int) -> None:
+    def __init__(self, line: int, column: int, src: int, cause: int = NO_REGISTER) -> None:
         super().__init__(line, column)
         self.src = src
+        self.cause = cause
 
 
 @final

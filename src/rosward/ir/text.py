@@ -248,7 +248,11 @@ _PRINT: Final[Mapping[type, Callable[[_Printer, Any], str | None]]] = {
     ops.Try: _try,
     ops.With: _with,
     ops.Return: lambda p, op: f"return {p.r(op.src)}",
-    ops.Raise: lambda p, op: f"raise {p.r(op.src)}" if op.src != NO_REGISTER else "raise",
+    ops.Raise: lambda p, op: (
+        "raise"
+        + (f" {p.r(op.src)}" if op.src != NO_REGISTER else "")
+        + (f" from {p.r(op.cause)}" if op.cause != NO_REGISTER else "")
+    ),
     ops.Break: lambda _p, _op: "break",
     ops.Continue: lambda _p, _op: "continue",
 }

@@ -100,7 +100,7 @@ def load(machine: Machine, ref: Ref, index: Value) -> Value:
     """dict[index]."""
     found = look_up(machine, machine.obj(ref), index)
     if found.missing and found.value is UNBOUND:
-        raise Raised("KeyError", repr(index))
+        raise Raised("KeyError", repr(index), (index,))
     return found.value
 
 
@@ -287,7 +287,7 @@ def _pop(call: NativeCall) -> Value:
     has_default = len(call.args) > 2
     obj = call.machine.obj(ref)
     if not has_default and look_up(call.machine, obj, call.args[1]).missing:
-        raise Raised("KeyError", repr(call.args[1]))
+        raise Raised("KeyError", repr(call.args[1]), (call.args[1],))
     found = take(call.machine, ref, call.args[1])
     return join(found.value, call.args[2]) if has_default and found.missing is not False else found.value
 
@@ -303,7 +303,7 @@ def _pop_item(call: NativeCall) -> Value:
         return Tuple((key, value))
     known, rest = pairs(call.machine, obj)
     if not known and rest is None:
-        raise Raised("KeyError", "popitem(): dictionary is empty")
+        raise Raised("KeyError", "popitem(): dictionary is empty", (Const("popitem(): dictionary is empty"),))
     call.machine.update(ref, obj.replace(maybe=frozenset(obj.entries)))
     return join_all((*known, *(() if rest is None else (rest,))))
 

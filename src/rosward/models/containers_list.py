@@ -119,7 +119,7 @@ def _pop(call: NativeCall) -> Value:
         return _delete_slice(machine, ref, where)
     anything = element(obj)
     if anything is None:
-        raise Raised("IndexError", "pop from empty list")
+        raise Raised("IndexError", "pop from empty list", (Const("pop from empty list"),))
     index, series = int_of(where), obj.series()
     if index is None:
         if obj.items is None:
@@ -129,7 +129,7 @@ def _pop(call: NativeCall) -> Value:
         return anything
     taken = series.at(index)
     if taken is None:
-        raise Raised("IndexError", "pop index out of range")
+        raise Raised("IndexError", "pop index out of range", (Const("pop index out of range"),))
     write_series(machine, ref, series.without_at(index))
     return with_origins(taken, origins(where))
 
@@ -148,7 +148,7 @@ def _remove(call: NativeCall) -> Value:
     items = machine.obj(ref).items
     found = None if items is None else _position(machine, items, value)
     if items is not None and found == -1:
-        raise Raised("ValueError", "list.remove(x): x not in list")
+        raise Raised("ValueError", "list.remove(x): x not in list", (Const("list.remove(x): x not in list"),))
     if items is None or found is None:
         add_to_rest(machine, ref, ())
     else:

@@ -120,7 +120,7 @@ def _discard(call: NativeCall) -> Value:
         return NONE
     left = [v for v in items if key_of(v) != key]
     if len(left) == len(items) and call.name.endswith("remove") and not _numeric(key):
-        raise Raised("KeyError", repr(call.args[1]))
+        raise Raised("KeyError", repr(call.args[1]), (call.args[1],))
     write(machine, ref, left)
     return NONE
 
@@ -137,7 +137,7 @@ def _pop(call: NativeCall) -> Value:
     obj = call.machine.obj(ref)
     found = element(obj)
     if found is None:
-        raise Raised("KeyError", "pop from an empty set")
+        raise Raised("KeyError", "pop from an empty set", (Const("pop from an empty set"),))
     if obj.items is not None and len(obj.items) == 1:
         write(call.machine, ref, ())
     else:

@@ -103,8 +103,19 @@ class Machine(Protocol):
     def report(self, code: str, message: str) -> None:
         """A finding at the current place."""
 
-    def die(self, error: str, message: str) -> Value:
-        """This path raises the builtin exception `error` here; returns `Unbound`."""
+    def die(
+        self,
+        error: str,
+        message: str,
+        args: Sequence[Value] | None = None,
+        *,
+        sure: bool = False,
+        plain: bool = False,
+    ) -> Value:
+        """This path raises the builtin exception `error` here, with these arguments where they are known.
+
+        `sure`: no operand is a mere default; `plain`: all are constants. Returns `Unbound`, or an unknown value where the path goes on.
+        """
 
     @property
     def files(self) -> Files:

@@ -80,7 +80,7 @@ def _of_object(machine: Machine, ref: Ref, index: Value) -> Value:
         number = int_of(index)
         found = obj.rest if number is None else obj.series().at(number)
         if found is None:
-            raise Raised("IndexError", "list index out of range")
+            raise Raised("IndexError", "list index out of range", (Const("list index out of range"),))
         return with_origins(found, origins(index))
     if obj.kind == "set":
         raise Raised("TypeError", "'set' object is not subscriptable")

@@ -28,18 +28,21 @@ MAX_WORK: Final = 1 << 20
 """The product of the lengths of the operands of one string operation."""
 MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
 NOT_PLAIN: Final = object()
+FILE_HINT: Final = "file"
+"""What is known of the type of an opened file of which nothing else is."""
 _FAILURES: Final = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
 
 class Raised(Exception):  # noqa: N818 - an exception of the analysed program, no error of ours
-    """The analysed program raises the builtin exception `error` here."""
+    """The analysed program raises the builtin exception `error` here; `given` are its arguments, where they are known."""
 
-    def __init__(self, error: str, message: str) -> None:
+    def __init__(self, error: str, message: str, given: tuple[Value, ...] | None = None) -> None:
         super().__init__(error, message)
         self.error = error
         self.message = message
+        self.given = given
 
 
 def native(function: Callable[[NativeCall], Value], least: int = 0) -> NativeFunction:
@@ -51,7 +54,7 @@ def native(function: Callable[[NativeCall], Value], least: int = 0) -> NativeFun
         try:
             return function(call)
         except Raised as raised:
-            return call.machine.die(raised.error, raised.message)
+            return _die(call.machine, raised, (*call.args, *call.keywords.values()))
 
     return guarded
 
@@ -63,9 +66,18 @@ def operation(function: Callable[Concatenate[Machine, _P], Value]) -> Callable[C
         try:
             return function(machine, *args, **keywords)
         except Raised as raised:
-            return machine.die(raised.error, raised.message)
+            return _die(machine, raised, args)
 
     return guarded
+
+
+def _die(machine: Machine, raised: Raised, operands: tuple[object, ...]) -> Value:
+    """The program raises for these operands: for sure, where none of them is a mere default."""
+    values = [o for o in operands if isinstance(o, Value)]
+    known = origins(*values)
+    given = None if raised.given is None else tuple(with_origins(g, known) for g in raised.given)
+    plainly = all(plain(v) is not NOT_PLAIN for v in values)
+    return machine.die(raised.error, raised.message, given, sure=all(o.settled for o in known), plain=plainly)
 
 
 def run(function: Callable[..., _R], *args: object) -> _R:
@@ -73,7 +85,9 @@ def run(function: Callable[..., _R], *args: object) -> _R:
     try:
         return function(*args)
     except _FAILURES as error:
-        raise Raised(error.__class__.__name__, str(error)) from error
+        known = all(isinstance(a, (str, int, float)) or a is None for a in error.args)
+        given = tuple(Const(a) for a in error.args) if known else None
+        raise Raised(error.__class__.__name__, str(error), given) from error
 
 
 def spread(function: Callable[..., Value], *values: Value) -> Value:

@@ -18,6 +18,7 @@ from rosward.domain.values import EMPTY, TRUE, Const, Unknown, Value
 from rosward.models.file_paths import location_of
 from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.plain import FILE_HINT
 from rosward.models.std_paths import as_text
 from rosward.models.std_support import text_of
 
@@ -46,7 +47,7 @@ def _open(call: NativeCall) -> Value:
     def one(path: Value) -> Value:
         text = _text(call, path) if mode in _READING else None
         if text is None:
-            return call.machine.unknown(Cause.FILE, pattern(path))
+            return call.machine.unknown(Cause.FILE, pattern(path), FILE_HINT)
         opened = host(call.machine).load_module("_opened")
         return call.machine.call(call.machine.load_attr(opened, "TextFile"), (text, path))
 

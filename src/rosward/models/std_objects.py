@@ -24,6 +24,7 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
+from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import class_obj, joined_elements, place, unknown_from
 
@@ -90,14 +91,22 @@ def _deep(call: NativeCall) -> Value:
     return copied(call.args[0], 0) if call.args else NONE
 
 
-def _enter(call: NativeCall) -> Value:
-    """contextlib._enter(generator): runs it to its end, gives what it yields first."""
+def _begin(call: NativeCall) -> Value:
+    """contextlib._begin(generator): runs it to its end, gives what it yields first."""
     items = call.machine.iterate(call.args[0])
     if items.known:
         return items.known[0]
     if items.rest is not None and items.rest is not UNBOUND:
         return items.rest
     return call.machine.die("RuntimeError", "generator didn't yield")
+
+
+def _unwind(call: NativeCall) -> Value:
+    """contextlib._unwind(exits, exception): what leaving a stack of context managers does, the last first."""
+    exits, exception = call.args
+    items = call.machine.iterate(exits)
+    known = items.known if items.rest is None else (*items.known, items.rest)
+    return host(call.machine).unwind(known, exception)
 
 
 def _any_of(call: NativeCall) -> Value:
@@ -147,7 +156,9 @@ def _kind_of(call: NativeCall) -> Value:
 NATIVES: Final[dict[str, NativeFunction]] = {
     "copy.copy": _shallow,
     "copy.deepcopy": _deep,
-    "contextlib._enter": _enter,
+    "contextlib._begin": _begin,
+    "contextlib._end": lambda _call: NONE,
+    "contextlib._unwind": _unwind,
     "inspect._kind_of": _kind_of,
     "queue._any": _any_of,
     "asyncio._any": _any_of,

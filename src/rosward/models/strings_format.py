@@ -17,7 +17,8 @@ from typing import Final, final
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, UNBOUND, Class, Const, Hole, Range, Ref, Text, Tuple, Unknown, Value
-from rosward.models import text_parts
+from rosward.models import exceptions, text_parts
+from rosward.models.exceptions import is_exception_object
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
     Raised,
@@ -74,6 +75,8 @@ def _piece(machine: Machine, value: Value) -> Value:
     if isinstance(value, Unknown):
         return value if value.hint in ("str", "int") else Unknown(value.reasons, "str")
     if isinstance(value, Ref) and machine.obj(value).kind == "instance":
+        if is_exception_object(machine, value) and not defines(machine, value, "__str__"):
+            return exceptions.message(machine, value)
         return _by_method(machine, value, ("__str__", "__repr__"))
     return represent(machine, value)
 
@@ -127,6 +130,8 @@ def _represent(machine: Machine, value: Value, depth: int) -> Value:
 def _object(machine: Machine, value: Ref, depth: int) -> Value:
     obj = machine.obj(value)
     if obj.kind == "instance":
+        if is_exception_object(machine, value) and not defines(machine, value, "__repr__"):
+            return exceptions.described(machine, value)
         return _by_method(machine, value, ("__repr__",))
     if obj.kind == "list" and obj.items is not None and not obj.many:
         pieces = [represent(machine, v, depth) for v in obj.items]
