@@ -38,7 +38,7 @@ from rosward.models import (
 from rosward.models.builtin_constructors import type_of
 from rosward.models.builtin_functions import is_subclass
 from rosward.models.file_paths import Files, NoFiles
-from rosward.models.native import Items, NativeCall, NativeFunction
+from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.source.location import Place
 
 NATIVES: dict[str, NativeFunction] = {
@@ -73,7 +73,7 @@ class FakeMachine:
         return value
 
     def native(self, name: str, *args: Value, **keywords: Value) -> Value:
-        return NATIVES[name](NativeCall(self, name, args, keywords))
+        return perform(NATIVES[name], NativeCall(self, name, args, keywords))
 
     def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         if isinstance(function, BoundMethod):

@@ -42,7 +42,7 @@ from rosward.models import (
     std_text,
 )
 from rosward.models.file_paths import Files, NoFiles
-from rosward.models.native import Items, NativeCall, NativeFunction
+from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.source.location import Place
 
 TABLES = (
@@ -226,7 +226,7 @@ class FakeMachine:
         table: dict[str, NativeFunction] = {}
         for one in TABLES:
             table.update(one)
-        return table[name](NativeCall(self, name, args, keywords))
+        return perform(table[name], NativeCall(self, name, args, keywords))
 
     def cls(self, name: str, attrs: Mapping[str, Value], *bases: Value, stub: bool = False) -> Class:
         """A class of the program with these attributes."""

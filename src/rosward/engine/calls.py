@@ -31,14 +31,13 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import activation, attributes, classes, declared
+from rosward.engine import activation, attributes, classes, declared, native_calls
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
 from rosward.engine.catcher import LIBRARY, note, note_call
 from rosward.engine.escape import escape, name_of
 from rosward.ir.ops import Argument
 from rosward.models.exceptions import is_exception
-from rosward.models.native import NativeCall
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -178,18 +177,9 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
 def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
     """A builtin, or a model in code."""
     native = machine.library.native(name)
-    if keywords and any(k in (LOOSE, ORDER, ANY) or k[0] == MAYBE for k in keywords):
-        loose = keywords.get(LOOSE)
-        args = args if loose is None else (*args, loose)
-        keywords = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}
     if native is not None:
-        frame = machine.frames[-1] if machine.frames else None
-        if frame is not None:
-            line, column = frame.line, frame.column
-            value = native(NativeCall(machine, name, args, keywords))
-            frame.line, frame.column = line, column
-            return value
-        return native(NativeCall(machine, name, args, keywords))
+        return native_calls.invoke(machine, native, name, args, keywords)
+    args, keywords = native_calls.flattened(args, keywords)
     short = name.removeprefix("builtins.")
     if short == "super":
         return _super(machine, args)

@@ -68,7 +68,8 @@ def _str(call: NativeCall) -> Value:
 def _number(call: NativeCall) -> Value:
     """int, float and complex."""
     name = call.name.rpartition(".")[2]
-    args = (*call.args, *call.keywords.values())
+    if call.keywords:
+        return unknown_from(call.machine, name, name, *call.args, *call.keywords.values())
 
     def one(*values: Value) -> Value:
         if any(isinstance(v, Const) and isinstance(v.value, (str, bytes)) and len(v.value) > MAX_BITS for v in values):
@@ -82,7 +83,7 @@ def _number(call: NativeCall) -> Value:
             raise Raised("TypeError", f"{name}() argument must be a string or a real number")
         return unknown_from(call.machine, name, name, *values)
 
-    return spread(one, *args) if args else from_python(call.machine, _NUMBERS[name]())
+    return spread(one, *call.args) if call.args else from_python(call.machine, _NUMBERS[name]())
 
 
 def _bool(call: NativeCall) -> Value:
@@ -91,8 +92,8 @@ def _bool(call: NativeCall) -> Value:
 
 def _bytes(call: NativeCall) -> Value:
     """bytes and bytearray."""
-    operands = [plain(v) for v in (*call.args, *call.keywords.values())]
-    if NOT_PLAIN in operands or too_much(operands):
+    operands = [plain(v) for v in call.args]
+    if NOT_PLAIN in operands or call.keywords or too_much(operands):
         return unknown_from(call.machine, call.name, "bytes", *call.args)
     return from_python(call.machine, run(bytes, *operands), origins(*call.args), "bytes")
 
@@ -125,7 +126,10 @@ def _dict(call: NativeCall) -> Value:
         for option in options(source):
             containers_dict.merge(call.machine, made, option, weak=isinstance(source, Choice))
     for name, value in call.keywords.items():
-        containers_dict.store(call.machine, made, Const(name), value)
+        containers_dict.store(call.machine, made, Const(name), value, weak=name in call.unsure)
+    if call.loose is not None:  # `dict(**unknown)`
+        key = unknown_from(call.machine, "dict", "str", call.loose)
+        containers_dict.store(call.machine, made, key, call.loose, weak=True)
     return made
 
 
@@ -150,7 +154,7 @@ def _wrapped(call: NativeCall) -> Value:
 
 def _type(call: NativeCall) -> Value:
     """type(x); a class made by type(name, bases, namespace) is not known."""
-    if len(call.args) != 1:
+    if len(call.args) != 1 and call.args:
         call.machine.report("RW203", "a class is made by type()")
         return unknown_from(call.machine, "type", "", *call.args)
     return spread(lambda v: type_of(call.machine, v), call.args[0])
@@ -203,11 +207,13 @@ def is_callable(machine: Machine, value: Value) -> bool | None:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    "builtins.str": native(_str),
-    **{f"builtins.{name}": native(_number) for name in _NUMBERS},
+    "builtins.str": native(_str, 0, "object encoding errors"),
+    "builtins.int": native(_number, 0, "_ base"),
+    "builtins.float": native(_number),
+    "builtins.complex": native(_number, 0, "real imag"),
     "builtins.bool": native(_bool),
-    "builtins.bytes": native(_bytes),
-    "builtins.bytearray": native(_bytes),
+    "builtins.bytes": native(_bytes, 0, "source encoding errors"),
+    "builtins.bytearray": native(_bytes, 0, "source encoding errors"),
     "builtins.list": native(_list),
     "builtins.tuple": native(_tuple),
     "builtins.set": native(_set),
@@ -215,7 +221,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "builtins.dict": native(_dict),
     "builtins.object": native(_object),
     "builtins.slice": native(_slice, 1),
-    "builtins.property": native(_property),
+    "builtins.property": native(_property, 0, "fget fset fdel doc"),
     "builtins.staticmethod": native(_wrapped, 1),
     "builtins.classmethod": native(_wrapped, 1),
     "builtins.type": native(_type),

@@ -35,6 +35,7 @@ _PURE: Final[dict[str, tuple[Callable[..., object], str]]] = {
     "abs": (abs, ""), "round": (round, ""), "chr": (chr, "str"), "ord": (ord, "int"),
     "bin": (bin, "str"), "hex": (hex, "str"), "oct": (oct, "str"), "pow": (pow, ""), "divmod": (divmod, ""),
 }  # fmt: skip
+_NEEDS: Final[dict[str, tuple[int, str]]] = {"round": (1, "number ndigits"), "pow": (2, "base exp mod"), "divmod": (2, "")}
 _ABSOLUTE: Final = {"int": "int", "bool": "int", "float": "float"}
 _OPAQUE: Final = {"memoryview": "", "help": ""}
 
@@ -54,7 +55,9 @@ def _pure(call: NativeCall) -> Value:
         result = unknown_from(call.machine, name, "int" if name == "round" and len(values) == 1 else kept, *values)
         return Tuple((Unknown(result.reasons), Unknown(result.reasons))) if name == "divmod" else result
 
-    return spread(one, *call.args, *call.keywords.values())
+    if call.keywords:
+        return unknown_from(call.machine, name, hint, *call.args, *call.keywords.values())
+    return spread(one, *call.args)
 
 
 def _huge(values: tuple[Value, ...]) -> bool:
@@ -182,7 +185,7 @@ def _eval(call: NativeCall) -> Value:
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
-    **{f"builtins.{name}": native(_pure, 2 if name in ("pow", "divmod") else 1) for name in _PURE},
+    **{f"builtins.{name}": native(_pure, *_NEEDS.get(name, (1, ""))) for name in _PURE},
     **{f"builtins.{name}": native(_opaque) for name in _OPAQUE},
     **{f"builtins.{name}": native(_variables) for name in ("vars", "globals", "locals")},
     "builtins.dir": native(_dir),

@@ -13,7 +13,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Range, Ref, Tuple, Value
 from rosward.models.containers_list import ITERATOR, order, write_series
-from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable
 from rosward.models.plain import (
     NOT_PLAIN,
@@ -61,6 +61,10 @@ def _enumerate(call: NativeCall) -> Value:
 
 def _zip(call: NativeCall) -> Value:
     columns = [call.machine.iterate(a) for a in call.args]
+    if call.loose is not None:  # `zip(*rows)`: rows of unknown length
+        cells = (element for c in (*columns, call.machine.iterate(call.loose)) for element in all_of(c))
+        row = join_all((*cells, unknown_from(call.machine, "zip", "", call.loose)))
+        return iterator(call.machine, Items((), listed(call.machine, "zip", (), row, cls="tuple")))
     if not columns:
         return iterator(call.machine, Items(()))
     if all(c.rest is None for c in columns):
@@ -174,9 +178,11 @@ def _sum(call: NativeCall) -> Value:
 def _extreme(call: NativeCall) -> Value:
     """min and max."""
     machine, name = call.machine, call.name.rpartition(".")[2]
-    items = machine.iterate(call.args[0]) if len(call.args) == 1 else Items(call.args)
+    items = machine.iterate(call.args[0]) if len(call.args) == 1 and call.loose is None else Items(call.args)
     default = call.keywords.get("default")
     if not items.known and items.rest is None:
+        if not call.args:
+            raise MissingArgumentError
         if default is None:
             raise Raised("ValueError", f"{name}() arg is an empty sequence")
         return default
@@ -253,7 +259,7 @@ def joined_elements(machine: Machine, value: Value) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "builtins.range": native(_range, 1),
-    "builtins.enumerate": native(_enumerate, 1),
+    "builtins.enumerate": native(_enumerate, 1, "iterable start"),
     "builtins.zip": native(_zip),
     "builtins.map": native(_map, 2),
     "builtins.filter": native(_filter, 2),
@@ -261,9 +267,9 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "builtins.reversed": native(_reversed, 1),
     "builtins.iter": native(_iter, 1),
     "builtins.next": native(_next, 1),
-    "builtins.sum": native(_sum, 1),
-    "builtins.min": native(_extreme, 1),
-    "builtins.max": native(_extreme, 1),
+    "builtins.sum": native(_sum, 1, "_ start"),
+    "builtins.min": native(_extreme),
+    "builtins.max": native(_extreme),
     "builtins.any": native(_quantified, 1),
     "builtins.all": native(_quantified, 1),
     "builtins.len": native(_len, 1),

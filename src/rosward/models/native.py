@@ -11,14 +11,15 @@ A native is a function of a `NativeCall` that returns an abstract value. It is f
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol, SupportsIndex, final, overload
 
 from rosward.domain.choice import reasons_of
+from rosward.domain.unknown import Cause
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.series import Series
-    from rosward.domain.unknown import Cause, Reason
+    from rosward.domain.unknown import Reason
     from rosward.domain.values import Ref, Unknown, Value
     from rosward.models.file_paths import Files
     from rosward.source.location import Place
@@ -126,13 +127,39 @@ class Machine(Protocol):
         """Where in the user's sources the innermost user call stands (calls inside library models are looked through)."""
 
 
+class MissingArgumentError(Exception):
+    """A native reads an argument that the call does not give: a TypeError of the program."""
+
+
+@final
+class Arguments(tuple["Value", ...]):
+    """Positional arguments. No native reads one that is not there: that ends it, and is told apart from its own faults."""
+
+    __slots__ = ()
+
+    @overload
+    def __getitem__(self, index: SupportsIndex, /) -> Value: ...
+    @overload
+    def __getitem__(self, index: slice, /) -> tuple[Value, ...]: ...
+    def __getitem__(self, index: SupportsIndex | slice, /) -> Value | tuple[Value, ...]:
+        try:
+            return tuple.__getitem__(self, index)
+        except IndexError:
+            raise MissingArgumentError from None
+
+
 class NativeCall(NamedTuple):
-    """One call of a native: its arguments bound to nothing yet (a receiver is args[0])."""
+    """One call of a native: its arguments bound to nothing yet (a receiver is args[0]).
+
+    `loose` joins further arguments, of unknown number and name (`f(*unknown)`); the keywords in `unsure` may not be there.
+    """
 
     machine: Machine
     name: str
     args: tuple[Value, ...]
     keywords: dict[str, Value]
+    loose: Value | None = None
+    unsure: frozenset[str] = frozenset()
 
     def arg(self, index: int, name: str, default: Value | None = None) -> Value | None:
         """The argument that is positional at `index` or named `name`, else default."""
@@ -146,3 +173,15 @@ class NativeCall(NamedTuple):
 
 
 NativeFunction = Callable[[NativeCall], "Value"]
+
+
+def perform(native: NativeFunction, call: NativeCall) -> Value:
+    """What a native gives; a call without an argument that it reads is a TypeError, or not known where there may be more arguments."""
+    try:
+        return native(call._replace(args=Arguments(call.args)))
+    except MissingArgumentError:
+        machine, name = call.machine, call.name.removeprefix("builtins.")
+        if call.loose is None and not call.unsure:
+            return machine.die("TypeError", f"{name}() is called with too few arguments")
+        machine.escape((*call.args, *call.keywords.values()), name)
+        return machine.unknown(Cause.CALL, name)

@@ -20,7 +20,7 @@ from rosward.domain.series import Series, joined
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
-from rosward.models.native import Items, Machine, NativeCall, NativeFunction
+from rosward.models.native import Arguments, Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 
 MAX_BITS: Final = 4096
 MAX_ITEMS: Final = 1_000
@@ -45,18 +45,34 @@ class Raised(Exception):  # noqa: N818 - an exception of the analysed program, n
         self.given = given
 
 
-def native(function: Callable[[NativeCall], Value], least: int = 0) -> NativeFunction:
-    """A native in which `Raised` ends the path; with fewer than `least` arguments its result is not known."""
+def native(function: Callable[[NativeCall], Value], least: int = 0, names: str = "") -> NativeFunction:
+    """A native in which `Raised` ends the path, and which is never entered with fewer than `least` positional arguments.
+
+    `names` are those of the parameters that may be given by name too, by position: `native(_sum, 1, "_ start")`; `_` for one that may not.
+    """
+    parameters = tuple(names.split())
 
     def guarded(call: NativeCall) -> Value:
-        if len(call.args) + len(call.keywords) < least:
-            return unknown_from(call.machine, call.name, "", *call.args)
+        if parameters and call.keywords:
+            call = _in_order(call, parameters)
+        if len(call.args) < least:
+            raise MissingArgumentError
         try:
             return function(call)
         except Raised as raised:
             return _die(call.machine, raised, (*call.args, *call.keywords.values()))
 
     return guarded
+
+
+def _in_order(call: NativeCall, parameters: tuple[str, ...]) -> NativeCall:
+    """The call with arguments by position where they were given by name, as far as no gap is before them."""
+    args, keywords = list(call.args), dict(call.keywords)
+    for name in parameters[len(args) :]:
+        if name not in keywords or name in call.unsure:
+            break
+        args.append(keywords.pop(name))
+    return call._replace(args=Arguments(args), keywords=keywords)
 
 
 def operation(function: Callable[Concatenate[Machine, _P], Value]) -> Callable[Concatenate[Machine, _P], Value]:

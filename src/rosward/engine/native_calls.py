@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How is a model in code called? With what the call surely gives; what else may be given is told apart.
+
+len()                     TypeError of the program: the model is not entered, or ends where it reads what is not there
+max(*unknown)             the model sees the unknown number of arguments as `loose`
+sorted(x, **options)      keywords that may be missing are `unsure`
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Value
+from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER
+from rosward.models.native import NativeCall, NativeFunction, perform
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_NOTHING: Final[frozenset[str]] = frozenset()
+_TAKE_LOOSE: Final = frozenset({"builtins.dict", "builtins.print", "builtins.zip"})
+"""Natives that look at `loose` themselves. Others see it as one more argument, and may give something else than what they give for that."""
+
+
+def invoke(
+    machine: Interpreter, native: NativeFunction, name: str, args: tuple[Value, ...], keywords: dict[str, Value]
+) -> Value:
+    """What the native gives for the arguments."""
+    loose, unsure, anything = keywords.get(LOOSE), _NOTHING, ANY in keywords
+    is_open = loose is not None or anything
+    if is_open or any(k[:1] == MAYBE for k in keywords):
+        unsure = frozenset(k[1:] for k in keywords if k[:1] == MAYBE)
+        keywords = flattened((), keywords)[1]
+    frame = machine.frames[-1] if machine.frames else None
+    place = (frame.line, frame.column) if frame is not None else (0, 0)
+    given = args if loose is None or name in _TAKE_LOOSE else (*args, loose)
+    if anything and loose is None:
+        loose = machine.unknown(Cause.CALLER, name)
+    value = perform(native, NativeCall(machine, name, given, keywords, loose, unsure))
+    if frame is not None:
+        frame.line, frame.column = place
+    if is_open and value is not UNBOUND and name not in _TAKE_LOOSE and not name.startswith("_rosward."):
+        return join(value, machine.unknown(Cause.CALL, name.removeprefix("builtins.")))
+    return value
+
+
+def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:
+    """All arguments in plain form, for what does not care how many there are."""
+    loose = keywords.get(LOOSE)
+    args = args if loose is None else (*args, loose)
+    return args, {k.removeprefix(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}
