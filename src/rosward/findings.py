@@ -118,6 +118,12 @@ _TABLE: Final = (
         _W,
         "The program started here is not part of the result; analyse or declare it.",
     ),
+    Rule(
+        "RW299",
+        "internal error",
+        _E,
+        "A fault of rosward, not of this file: please report it, with the file if you can. What the message names is not in the result.",
+    ),
     # System and policy
     Rule(
         "RW301",
@@ -283,6 +289,9 @@ _TABLE: Final = (
         "Give the value that is missing a default in the source, or accept the name (--allow).",
     ),
 )
+
+INTERNAL_ERROR: Final = "RW299"
+"""The code of a fault of rosward itself."""
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}
 

@@ -8,16 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
 from rosward.findings import Finding, Severity
+from rosward.guard import guarded
 from rosward.models.configuration import Configuration
 from rosward.network.collect import Process, collect
 from rosward.processes import Run, node_classes, run
 from rosward.reading import Progress, SourcesRead
 from rosward.ros.entities import Node
+from rosward.source.location import Place
 from rosward.unreached import unreached
 
 __all__ = ["Gathered", "of_sources"]
@@ -36,7 +39,8 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress) -> 
     `params` are parameter files for all of them.
     """
     findings: dict[Finding, None] = {}
-    given = parameter_files(params, read.workspace.root, findings)
+    net = read.budget.net
+    given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
     everything = _run_all(read, configuration, progress)
     findings.update(dict.fromkeys((*read.sources.findings, *read.plan.findings)))
@@ -44,11 +48,18 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress) -> 
     for each in everything:
         if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
             process = Process(each.entry.package, each.entry.executable, each.entry.label, each.done)
-            found, doubts = collect(each.log, process, read.distro)
-            nodes += found
-            findings.update(dict.fromkeys((*each.log.findings, *doubts)))
-    modules = (m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None)
-    findings.update(dict.fromkeys(unreached(everything, modules)))
+            findings.update(dict.fromkeys(each.log.findings))
+            missing = "the nodes of this program are missing"
+            made = guarded(partial(collect, each.log, process, read.distro), Place(each.entry.file), missing, net=net)
+            if isinstance(made, Finding):
+                findings[made] = None
+                continue
+            nodes += made[0]
+            findings.update(dict.fromkeys(made[1]))
+    modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
+    missing = "code that never runs is not told"
+    told = guarded(lambda: list(unreached(everything, modules)), Place("", 0), missing, net=net)
+    findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
     return Gathered(nodes, list(findings))
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 from rosward.deep_stack import with_deep_stack
@@ -22,6 +23,7 @@ from rosward.domain.series import Series
 from rosward.engine.budget import Budget
 from rosward.findings import Finding
 from rosward.gather import Gathered
+from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
@@ -101,15 +103,19 @@ def _of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, 
         for program in system.programs:
             progress("analysing", number, len(programs))
             number += 1
-            made = runs.of(program)
+            missing = "what this program makes is missing"
+            found = guarded(partial(runs.of, program), program.started.place, missing, net=outset.budget.net)
+            made = _Made((), (found,)) if isinstance(found, Finding) else found
             findings.update(dict.fromkeys(made.findings))
             processes.setdefault(program.process, []).extend(made.nodes)
             packages.add(program.package or "")
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
-    read = (m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m))
-    findings.update(dict.fromkeys(unreached(runs.all(), read)))
+    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m)]
+    missing = "code that never runs is not told"
+    told = guarded(lambda: list(unreached(runs.all(), read)), Place("", 0), missing, net=outset.budget.net)
+    findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
     return Gathered(nodes, list(findings))
 
 

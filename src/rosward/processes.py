@@ -15,10 +15,12 @@ from rosward.domain.values import UNBOUND, Class, ModuleValue, Value
 from rosward.engine import handed, modules
 from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.state import join_states
 from rosward.findings import Finding
+from rosward.guard import internal_error
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
 from rosward.source.location import Place
@@ -65,6 +67,8 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
                 place if place.file else Place(entry.file),
             )
         ] = None
+    except Exception as error:
+        log.findings[_failed(entry, error, "what the program does after this is missing", net=budget.net)] = None
     done = log.final(machine.state)
     if machine.ends is not None:
         machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
@@ -75,9 +79,30 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         handed.follow(machine)
     except LimitReachedError as limit:
         log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
+    except Exception as error:
+        log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
     return Run(
         entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated), frozenset(machine.reached)
     )
+
+
+def _failed(entry: Entry, error: Exception, missing: str, *, net: bool) -> Finding:
+    """RW299 where the program stands; without the net, the error itself."""
+    if not net:
+        raise error
+    return internal_error(error, _reached(error) or Place(entry.file), missing)
+
+
+def _reached(error: Exception) -> Place | None:
+    """Where in the analysed program the interpreter was when it failed: its own frames are gone by now, those of Python tell."""
+    found: Place | None = None
+    step = error.__traceback__
+    while step is not None:
+        frame = step.tb_frame.f_locals.get("frame")
+        if isinstance(frame, Frame) and not frame.stub:
+            found = Place(frame.code.file, frame.line, frame.column)
+        step = step.tb_next
+    return found
 
 
 def _give_words(machine: Interpreter, configuration: Configuration) -> None:

@@ -64,18 +64,19 @@ def read_sources(
     wanted = [Path(p) for p in paths] or [Path()]
     named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
     patterns = exclusions_of(exclude, map(str, wanted))
-    workspace = discover(wanted, launch_files=named, include_tests=tests, exclude=patterns)
+    bounds = budget or Budget()
+    workspace = discover(wanted, launch_files=named, include_tests=tests, exclude=patterns, net=bounds.net)
     if not (workspace.files or workspace.launch_files or request.nodes):
         raise NothingToReadError(
             f"nothing to read: no Python file and no launch file in {', '.join(map(str, wanted))} (C++ is not read)"
         )
-    sources = SourceTree(workspace, [Path(u) for u in underlays])
+    sources = SourceTree(workspace, [Path(u) for u in underlays], net=bounds.net)
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
     folders = tuple(Path(m) for m in models)
-    library = Library(sources, natives(), folders)
+    library = Library(sources, natives(), folders, net=bounds.net)
     plan = make_plan(workspace, sources, library)
-    return SourcesRead(workspace, sources, plan, library, folders, distro, budget or Budget())
+    return SourcesRead(workspace, sources, plan, library, folders, distro, bounds)
 
 
 def silent(_what: str, _done: int, _all: int) -> None:

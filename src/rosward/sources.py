@@ -10,6 +10,7 @@ from typing import Final, final
 from rosward.engine.library import Found
 from rosward.findings import Finding
 from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.source.imports import ImportResolver
 from rosward.source.installed import Installed
@@ -25,10 +26,11 @@ _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null"
 class SourceTree:
     """Implements `engine.library.Sources` for a workspace."""
 
-    def __init__(self, workspace: Workspace, underlays: Sequence[Path] = ()) -> None:
+    def __init__(self, workspace: Workspace, underlays: Sequence[Path] = (), *, net: bool = True) -> None:
         self.workspace = workspace
         self.files = Installed(workspace, underlays)
         self.findings: dict[Finding, None] = {}
+        self._net = net
         self.files_read = 0
         self.lines_read = 0
         self._resolver = ImportResolver(workspace)
@@ -51,8 +53,15 @@ class SourceTree:
         """The lowered file; None where it cannot be read."""
         if file not in self._modules:
             source = self._files.get(file) or self.files.file(file)
-            self._modules[file] = None if source is None else self._lower(source.path, file)
+            self._modules[file] = None if source is None else self._read(source.path, file)
         return self._modules[file]
+
+    def _read(self, path: Path, file: str) -> Module | None:
+        found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
+        if isinstance(found, Finding):
+            self.findings[found] = None
+            return None
+        return found
 
     def _lower(self, path: Path, file: str) -> Module | None:
         text = read_source(path, self.workspace.root)

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -28,6 +29,7 @@ from rosward.domain.values import Const, Value
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.findings import Finding
+from rosward.guard import guarded
 from rosward.models.configuration import Configuration
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
@@ -66,7 +68,7 @@ class Outset(NamedTuple):
     @classmethod
     def of(cls, read: SourcesRead) -> Outset:
         """That of sources which were read."""
-        files, declarations = WorkspaceFiles(read.sources.files), Declarations(read.models)
+        files, declarations = WorkspaceFiles(read.sources.files), Declarations(read.models, net=read.budget.net)
         return cls(read.workspace, read.library, files, declarations, read.plan.related, read.distro, read.budget)
 
     def text_at(self, path: Value) -> str | None:
@@ -78,14 +80,26 @@ class Outset(NamedTuple):
 def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Finding]]:
     """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
     findings: dict[Finding, None] = {}
-    extra = parameter_files(request.params, outset.workspace.root, findings)
+    net = outset.budget.net
+    extra = parameter_files(request.params, outset.workspace.root, findings, net=net)
     found: list[System] = []
     unread: dict[str, list[str]] = {}
     for launch, file in _launch_files(request, outset):
-        ran = _execute(file, {**dict(request.arguments), **dict(launch.arguments)}, outset, findings)
+        arguments = {**dict(request.arguments), **dict(launch.arguments)}
+        missing = "what this launch file starts is missing"
+        ran = guarded(partial(_execute, file, arguments, outset, findings), Place(file), missing, net=net)
+        if isinstance(ran, Finding):
+            findings[ran] = None
+            ran = _Ran((), ())
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
-        found.append(_system(str(launch), file, [_with_files(s, extra) for s in ran.started], outset, findings))
+        started = [_with_files(s, extra) for s in ran.started]
+        make = partial(_system, str(launch), file, started, outset, findings)
+        system = guarded(make, Place(file), "the programs that it starts are not known", net=net)
+        if isinstance(system, Finding):
+            findings[system] = None
+            system = System(str(launch), file, tuple(started), ())
+        found.append(system)
     own = {name for launch in request.launches for name, _ in launch.arguments}
     for name, files in unread.items():
         if name in own or len(files) == len(found):  # what is given to all files is for those that know it
@@ -176,7 +190,8 @@ class _Ran(NamedTuple):
 
 def _execute(file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]) -> _Ran:
     python = LaunchPython(outset.library, outset.budget)
-    execution = Execution(outset.files, python, outset.distro, {n: Const(v) for n, v in arguments.items()})
+    given = {n: Const(v) for n, v in arguments.items()}
+    execution = Execution(outset.files, python, outset.distro, given, net=outset.budget.net)
     started = execution.run(file, outset.files.place_value(file))
     findings.update(dict.fromkeys(execution.findings))
     return _Ran(started, execution.unread)

@@ -16,13 +16,14 @@ from rosward._version import __version__
 from rosward.cli import audit, check, diff, enclaves, explain, extract, launch_tree, listing, nodl, serve, snapshot
 from rosward.cli.configuration import apply, leave_open
 from rosward.cli.parser import CommandParser
-from rosward.cli.shared import COMPLETE, INTERRUPTED, told
+from rosward.cli.shared import COMPLETE, INTERNAL, INTERRUPTED, told
+from rosward.guard import where
 
 __all__ = ["command_line", "main"]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 wrong use or nothing to read."""
+    """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 wrong use or nothing to read, 3 a fault of rosward."""
     parser = command_line()
     if "_ARGCOMPLETE" in os.environ:
         from rosward.cli.completion import complete
@@ -37,6 +38,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("rosward: interrupted", file=sys.stderr)  # noqa: T201
         return INTERRUPTED
+    except Exception as error:
+        what = f"{type(error).__name__} in {where(error)}"
+        print(f"rosward: internal error ({what}). Please report this.", file=sys.stderr)  # noqa: T201
+        return INTERNAL
     return status
 
 

@@ -43,7 +43,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         help="compare the running robot with the sources",
         description="Says which running nodes and entities the sources do not explain, and which of theirs do not run. "
         "What runs is said by a snapshot, by texts of `ros2 node info`, or else by the graph itself, where rclpy is there.",
-        epilog="Exit status: 0 all that runs is explained, and all that is expected runs; 1 there are differences; 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 all that runs is explained, and all that is expected runs; 1 there are differences; 2 wrong use or nothing to read; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=refusing(_run))
     running = parser.add_argument_group("what runs (default: the graph is looked at)")

@@ -37,7 +37,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         usage="%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]",
         description="Says what the code needs and the policy lacks, and what the policy allows and no code uses. "
         "The files that end in .xml are the policies, SROS2's or permissions of DDS; the other paths are the sources.",
-        epilog="Exit status: 0 the policy is exactly right; 1 there are findings that are not in the baseline; 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 the policy is exactly right; 1 there are findings that are not in the baseline; 2 wrong use or nothing to read; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)

@@ -22,7 +22,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         usage="%(prog)s [options] OLD NEW\n       %(prog)s [options] --git REV..REV [PATH…]",
         description="Says which nodes, entities and rights came and went between two network.json files, two policies, two folders, "
         "or two commits. Of folders and commits, both are analysed with the same options. Nothing is executed, and the work tree is only read.",
-        epilog="Exit status: 0 compared; 1 there are new rights and --fail-on new-rights is given; 2 wrong use or not readable.",
+        epilog="Exit status: 0 compared; 1 there are new rights and --fail-on new-rights is given; 2 wrong use or not readable; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=told(_run))
     parser.add_argument(

@@ -41,7 +41,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "to one for all, with its price: the rights that processes would hold and do not need; then the enclaves of the chosen step, "
         "which is the last that costs nothing unless another one is asked for.",
         epilog="Exit status: 0 complete; 1 complete but for what the analysis does not know, or no step fulfils the wish; "
-        "2 wrong use or nothing to read.",
+        "2 wrong use or nothing to read; "
+        "3 a fault of rosward.",
     )
     suggest.set_defaults(run=refusing(_run))
     add_sources(suggest)

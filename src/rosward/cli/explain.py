@@ -30,7 +30,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "explain",
         help="say why a name is in the result",
         description="Says of a topic, service, action, node, enclave, finding or line where it comes from and which rule it causes.",
-        epilog="Exit status: 0 it is told; 1 nothing is called so; 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 it is told; 1 nothing is called so; 2 wrong use or nothing to read; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument(

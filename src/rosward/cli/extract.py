@@ -40,7 +40,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         help="write the graph, the policies and a report of the sources",
         description="Reads files, packages or workspaces and writes the computation graph, the SROS2 policies and a report.",
         epilog="Exit status: 0 complete; 1 extracted, but incomplete (an unknown name, an unreadable file, a limit), or as --fail-on says; "
-        "2 wrong use or nothing to read.",
+        "2 wrong use or nothing to read; 3 written, but rosward itself failed on a part of it (RW299).",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
@@ -150,6 +150,7 @@ def _write(
             scan=Scan(found.shown, options.baseline is not None, documentation()),
             background=Background(result.root, result.systems, loose),
             widened=widened,
+            failures=options.failures,
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error

@@ -47,7 +47,7 @@ _LIMIT: Final = 100_000_000
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.epilog = "Exit status: 0 complete; 1 written, but incomplete, or no nodes; 2 wrong use or nothing to read."
+    parser.epilog = "Exit status: 0 complete; 1 written, but incomplete, or no nodes; 2 wrong use or nothing to read; 3 a fault of rosward."
     parser.add_argument("POLICY_FILE_PATH", help="path of the policy xml file, which is written anew")
     add_sources(parser)
     _as_sourced(parser)

@@ -14,6 +14,7 @@ from rosward.cli.shared import (
     add_deployment,
     add_format,
     add_sources,
+    note_failures,
     reading,
     refusing,
     request_of,
@@ -29,7 +30,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "launch-tree",
         help="print what launch files start",
         description="Prints what launch files start, as a tree, with the source of each value. Nothing is executed.",
-        epilog="Exit status: 0 all of it is known; 1 something is not; 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 all of it is known; 1 something is not; 2 wrong use or nothing to read; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
@@ -48,6 +50,7 @@ def _run(options: argparse.Namespace) -> int:
         systems, findings = launched(*options.paths, **reading(options, request))
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
+    note_failures(options, findings)
     sys.stdout.write(
         launch_tree_json(systems, findings) if options.format == "json" else launch_tree_text(systems, findings)
     )

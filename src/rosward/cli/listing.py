@@ -31,7 +31,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "list",
         help="print nodes, topics, services, actions, packages or parameters as a table",
         description="Prints what there is of one kind, one line each; - stands for what there is not.",
-        epilog="Exit status: 0 the list is complete; 1 something may be missing (extract says what); 2 wrong use or nothing to read.",
+        epilog="Exit status: 0 the list is complete; 1 something may be missing (extract says what); 2 wrong use or nothing to read; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument("kind", choices=_KINDS, metavar="KIND", help=", ".join(_KINDS))

@@ -19,7 +19,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "nodl",
         help="write the interface of an executable as a NoDL document",
         description="Writes the interface of an executable of the workspace as a NoDL 2 document, one for each of its nodes.",
-        epilog="Exit status: 0 complete; 1 something of the interface is not known; 2 wrong use or no such executable.",
+        epilog="Exit status: 0 complete; 1 something of the interface is not known; 2 wrong use or no such executable; "
+        "3 a fault of rosward.",
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument("executable", metavar="PKG/EXE", help="the executable")

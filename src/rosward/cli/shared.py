@@ -10,18 +10,20 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
+from rosward.findings import INTERNAL_ERROR
 from rosward.outputs.safe import printable
 from rosward.source.exclude import PatternError, pattern_of
 
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
+    from rosward.findings import Finding
     from rosward.network.assigned import Assignment
     from rosward.pipeline import Progress, Result
     from rosward.source.exclude import Exclusion
 
 DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
 MODES: Final = ("node", "process", "launch")
-COMPLETE, INCOMPLETE, WRONG_USE, INTERRUPTED = 0, 1, 2, 130
+COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
 
 Commands = argparse._SubParsersAction
 
@@ -156,7 +158,7 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
 
     try:
         with ProgressLine(shown=shown) as progress:
-            return extract(
+            result = extract(
                 *paths,
                 **reading(options, request),
                 unknown=getattr(options, "unknown", "deny"),
@@ -165,6 +167,14 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
             )
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
+    note_failures(options, result.findings)
+    return result
+
+
+def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> None:
+    """Keep in mind which findings say that rosward itself failed: they decide the exit status, whatever is made of them."""
+    failures: list[str] = getattr(options, "failures", [])
+    failures += (f"{f.place}: {f.message}" for f in findings if f.code == INTERNAL_ERROR)
 
 
 def reading(options: argparse.Namespace, request: Request) -> _Reading:
@@ -230,14 +240,21 @@ def refusing(
 
 
 def told(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespace], int]:
-    """The same, and wrong use is told and is status 2."""
+    """The same, and wrong use is told and is status 2; where rosward itself failed, it is status 3, whatever else there is to say."""
 
     def refused(options: argparse.Namespace) -> int:
+        failures: list[str] = []
+        options.failures = failures
         try:
-            return run(options)
+            status = run(options)
         except WrongUseError as error:
             print(f"rosward: {printable(str(error))}", file=sys.stderr)  # noqa: T201
             return WRONG_USE
+        if failures and status != INTERNAL:
+            told = f"rosward: internal error (RW299), so something is missing; please report it: {failures[0]}"
+            print(printable(told), file=sys.stderr)  # noqa: T201
+            return INTERNAL
+        return status
 
     return refused
 

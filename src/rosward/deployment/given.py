@@ -7,18 +7,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.values import Const, Value
 from rosward.findings import Finding
+from rosward.guard import guarded
 from rosward.models.configuration import Configuration
+from rosward.source.location import Place
 from rosward.source.text import read_source
 
 __all__ = ["parameter_files"]
 
 
-def parameter_files(paths: Sequence[str], root: Path, findings: dict[Finding, None]) -> Configuration:
+def parameter_files(
+    paths: Sequence[str], root: Path, findings: dict[Finding, None], *, net: bool = True
+) -> Configuration:
     """The words to add, without the `--ros-args` before them; none where there are no files."""
     words: list[Value] = []
     files = {}
@@ -27,7 +32,12 @@ def parameter_files(paths: Sequence[str], root: Path, findings: dict[Finding, No
         if isinstance(text, Finding):
             findings[text] = None
             continue
-        rows, doubts = read_parameter_file(text.text, path)
+        missing = "the parameter file was not read"
+        read = guarded(partial(read_parameter_file, text.text, path), Place(path), missing, net=net)
+        if isinstance(read, Finding):
+            findings[read] = None
+            continue
+        rows, doubts = read
         findings.update(dict.fromkeys(doubts))
         words += [Const("--params-file"), Const(path)]
         files[path] = rows

@@ -21,6 +21,7 @@ class Budget(NamedTuple):
     `fixpoint`: turns after which a loop that is followed by joining must have come to rest; `widen_after`: turns before widening.
     `rounds`: rounds in which all callbacks run before widening forces an end. `items`: elements of one collection kept apart.
     `seconds`: of CPU time for one process.
+    `net`: what fails in rosward itself is a finding (RW299) and costs one piece of input; without it, it is raised.
     """
 
     steps: int = 300_000
@@ -38,6 +39,7 @@ class Budget(NamedTuple):
     rounds: int = 8
     items: int = 1_000
     seconds: float = 12.0
+    net: bool = True
 
 
 class LimitReachedError(Exception):

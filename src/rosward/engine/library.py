@@ -21,6 +21,7 @@ from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.stub_files import StubFiles
 from rosward.findings import Finding
+from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.effects import EffectLog
@@ -73,12 +74,20 @@ class Sources(Protocol):
 class Library:
     """Shared by all processes; everything in it is computed at most once."""
 
-    def __init__(self, sources: Sources, natives: Mapping[str, NativeFunction], models: tuple[Path, ...] = ()) -> None:
+    def __init__(
+        self,
+        sources: Sources,
+        natives: Mapping[str, NativeFunction],
+        models: tuple[Path, ...] = (),
+        *,
+        net: bool = True,
+    ) -> None:
         self.sources = sources
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
         self._natives = natives
-        self._stubs = StubFiles(models)
+        self._stubs = StubFiles(models, net=net)
+        self._net = net
         self._constants: dict[tuple[type, object], Const] = {}
         self._found: dict[tuple[str, int, str], Found | None] = {}
         self._lowered: dict[str, Module | None] = {}
@@ -187,6 +196,11 @@ class Library:
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
             ] = None
             loader.catchers, loader.steps = catchers, 0
+        except Exception as error:
+            if not self._net:
+                raise
+            self._stubs.findings[internal_error(error, Place(file), "this stub was read to this point only")] = None
+            loader.catchers = catchers
         parent = self._model(package) if package else None
         if parent is not None:
             above = self.load_model(parent)

@@ -14,6 +14,7 @@ from typing import Final, final
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.findings import Finding
 from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
@@ -27,7 +28,8 @@ _CODES: Final = {"python2": "RW006", "depth": "RW005"}
 class StubFiles:
     """The stubs of several folders; what is wrong with them stands in `findings`."""
 
-    def __init__(self, folders: tuple[Path, ...]) -> None:
+    def __init__(self, folders: tuple[Path, ...], *, net: bool = True) -> None:
+        self._net = net
         self._folders = (*folders, STUBS)
         self._found: dict[str, str | None] = {}
         self._modules: dict[str, Module] = {}
@@ -51,9 +53,16 @@ class StubFiles:
                     there = (folder / candidate).is_file()
                 except OSError:  # a name too long for a file
                     return None
-                if there and self._read(folder / candidate, MODEL_PREFIX + candidate):
+                if there and self._is_read(folder / candidate, MODEL_PREFIX + candidate):
                     return MODEL_PREFIX + candidate
         return None
+
+    def _is_read(self, path: Path, file: str) -> bool:
+        found = guarded(lambda: self._read(path, file), Place(file), "this stub was not read", net=self._net)
+        if isinstance(found, Finding):
+            self.findings[found] = None
+            return False
+        return found
 
     def _read(self, path: Path, file: str) -> bool:
         data = read_bytes(path, file, _LARGEST)

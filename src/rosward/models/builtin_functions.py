@@ -35,7 +35,11 @@ _PURE: Final[dict[str, tuple[Callable[..., object], str]]] = {
     "abs": (abs, ""), "round": (round, ""), "chr": (chr, "str"), "ord": (ord, "int"),
     "bin": (bin, "str"), "hex": (hex, "str"), "oct": (oct, "str"), "pow": (pow, ""), "divmod": (divmod, ""),
 }  # fmt: skip
-_NEEDS: Final[dict[str, tuple[int, str]]] = {"round": (1, "number ndigits"), "pow": (2, "base exp mod"), "divmod": (2, "")}
+_NEEDS: Final[dict[str, tuple[int, str]]] = {
+    "round": (1, "number ndigits"),
+    "pow": (2, "base exp mod"),
+    "divmod": (2, ""),
+}
 _ABSOLUTE: Final = {"int": "int", "bool": "int", "float": "float"}
 _OPAQUE: Final = {"memoryview": "", "help": ""}
 

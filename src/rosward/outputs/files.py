@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Final, NamedTuple
 
+from rosward.guard import where
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.dot import graph_dot
@@ -26,6 +27,7 @@ from rosward.reduction.widened import Widenings
 from rosward.review.judge import Judged
 
 _LONGEST_PATH: Final = 250
+_ORDER: Final = ("json", "policy", "permissions", "dot", "mermaid", "svg", "html", "sarif", "junit")
 _NO_BACKGROUND: Final = Background()
 
 
@@ -48,20 +50,29 @@ def write_outputs(
     scan: Scan | None = None,
     widened: Widenings = NOT_WIDENED,
     background: Background = _NO_BACKGROUND,
+    failures: list[str] | None = None,
 ) -> list[str]:
     """Write the chosen formats below `folder`; returns the paths written, without those of single enclaves.
 
     The formats sarif and junit need a `scan`; the report shows sources and launch files where it has a `background`. Raises OSError where that is
-    not possible.
+    not possible. A format that cannot be made for a fault of rosward is told in `failures`, and the others are written.
     """
     written: list[str] = []
     chosen = tuple(formats)
-    findings = _findings(scan, chosen) if scan is not None else ()
-    report = _report(network, chosen, unknown, background._replace(widened=widened))
-    for name, text in chain(_texts(network, chosen, unknown, system, types, widened), report, findings):
-        path = write_text(folder, name, text)
-        if "/" not in name:
-            written.append(path)
+    for one in (name for name in _ORDER if name in chosen):
+        findings = _findings(scan, (one,)) if scan is not None else ()
+        report = _report(network, (one,), unknown, background._replace(widened=widened))
+        try:
+            for name, text in chain(_texts(network, (one,), unknown, system, types, widened), report, findings):
+                path = write_text(folder, name, text)
+                if "/" not in name:
+                    written.append(path)
+        except OSError:
+            raise
+        except Exception as error:
+            if failures is None:
+                raise
+            failures.append(f"the format {one} was not written ({type(error).__name__} in {where(error)})")
     return written
 
 

@@ -12,10 +12,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
+from rosward.guard import guarded
 from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
 from rosward.source.imports import ImportResolver
@@ -43,10 +45,11 @@ def discover(
     include_tests: bool = False,
     exclude: Iterable[Exclusion] = (),
     read_setup: Callable[[str, str], Declared] = read_setup_py,
+    net: bool = True,
 ) -> Workspace:
     """What the files and folders `paths` hold, and `launch_files`, less what `exclude` means.
 
-    `read_setup` reads a `setup.py` (path, name in findings).
+    `read_setup` reads a `setup.py` (path, name in findings); `net`: see `guard.py`.
     """
     starts = list(dict.fromkeys(os.path.abspath(path) for path in paths)) or [os.path.abspath(".")]  # noqa: PTH100
     named = {os.path.abspath(path) for path in launch_files}  # noqa: PTH100
@@ -61,7 +64,7 @@ def discover(
     scripts = {path for path in named_setup if is_build_script(path)}
     tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]
 
-    described = _describe_all(tree, starts, root, read_setup)
+    described, failed = _describe_all(tree, starts, root, read_setup, net=net)
     owners = _Owners(package for package, _ in described)
     layout = Layout(excluded)
 
@@ -93,7 +96,10 @@ def discover(
             if path not in known
         ),
         findings=tuple(
-            sorted(dict.fromkeys([*findings, *doubts, *_told(tree, root)]), key=lambda f: (f.place, f.code, f.message))
+            sorted(
+                dict.fromkeys([*findings, *failed, *doubts, *_told(tree, root)]),
+                key=lambda f: (f.place, f.code, f.message),
+            )
         ),
         targets=_targets(described),
         excluded=excluded,
@@ -170,16 +176,25 @@ def _is_launch(path: str) -> bool:
 
 
 def _describe_all(
-    tree: Tree, starts: list[str], root: Path, read_setup: Callable[[str, str], Declared]
-) -> list[tuple[Package, Described]]:
+    tree: Tree, starts: list[str], root: Path, read_setup: Callable[[str, str], Declared], *, net: bool
+) -> tuple[list[tuple[Package, Described]], list[Finding]]:
     """The packages below the paths and around them."""
     folders = dict(tree.descriptions)
     for start in starts:
         above = _package_above(start)
         if above is not None:
             folders.setdefault(*above)
-    found = (describe(folder, folders[folder], root, read_setup) for folder in sorted(folders))
-    return [(each.package, each) for each in found if each is not None]
+    found: list[tuple[Package, Described]] = []
+    failed: list[Finding] = []
+    for folder, names in sorted(folders.items()):
+        place = Place(place_name(os.path.join(folder, min(names, default="")), root))  # noqa: PTH118
+        missing = "the package was not read"
+        each = guarded(partial(describe, folder, names, root, read_setup), place, missing, net=net)
+        if isinstance(each, Finding):
+            failed.append(each)
+        elif each is not None:
+            found.append((each.package, each))
+    return found, failed
 
 
 def _package_above(start: str) -> tuple[str, set[str]] | None:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Final, final
 
@@ -29,6 +30,7 @@ from rosward.domain.text import pattern
 from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
 from rosward.findings import Finding
+from rosward.guard import guarded
 from rosward.models.command_line import given_to, read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
@@ -55,7 +57,8 @@ class Declarations:
     Files are read when something asks for their package; what is wrong with them stands in `findings`.
     """
 
-    def __init__(self, folders: Sequence[Path] = ()) -> None:
+    def __init__(self, folders: Sequence[Path] = (), *, net: bool = True) -> None:
+        self._net = net
         self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
         self._places.append(("models:nodes/", MODELS))
         self._packages: dict[str, tuple[Package, ...]] = {}
@@ -92,7 +95,9 @@ class Declarations:
             if isinstance(data, Finding):
                 self.findings[Finding("RW324", data.message, data.place)] = None
                 continue
-            found, findings = read_package(data.decode("utf-8", "replace"), file, package)
+            text, missing = data.decode("utf-8", "replace"), "the declared interface was not read"
+            read = guarded(partial(read_package, text, file, package), Place(file), missing, net=self._net)
+            found, findings = (None, (read,)) if isinstance(read, Finding) else read
             self.findings |= dict.fromkeys(findings)
             if found is not None:
                 yield found

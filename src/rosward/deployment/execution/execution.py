@@ -44,7 +44,10 @@ class Execution:
         distro: Distro,
         arguments: Mapping[str, Value],
         limit: int = MAX_ACTIONS,
+        *,
+        net: bool = True,
     ) -> None:
+        self._net = net
         self._limit = limit
         self._distro = distro
         self._files = files
@@ -61,8 +64,8 @@ class Execution:
         scene.words = tuple(f"{name}:={pattern(value)}" for name, value in self._arguments.items())
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))
-        descriptions = Descriptions(self._files, self._python, self._findings)
-        system = System(scene, descriptions, Budget(self._limit))
+        descriptions = Descriptions(self._files, self._python, self._findings, net=self._net)
+        system = System(scene, descriptions, Budget(self._limit, net=self._net))
         system.run(file, path or _in_sources(file), At())
         asked = self._arguments if scene.asked_all else scene.asked
         self.unread = tuple(name for name in self._arguments if name not in asked)

@@ -19,6 +19,8 @@ from rosward.domain.choice import reasons_of
 from rosward.domain.text import parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Hole, Value
+from rosward.findings import Finding
+from rosward.guard import guarded
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -32,7 +34,8 @@ _SUFFIXES: Final = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "ya
 class Descriptions:
     """The launch files that were read."""
 
-    def __init__(self, files: LaunchFiles, python: PythonCode, findings: Findings) -> None:
+    def __init__(self, files: LaunchFiles, python: PythonCode, findings: Findings, *, net: bool = True) -> None:
+        self._net = net
         self._files = files
         self._python = python
         self._findings = findings
@@ -65,7 +68,16 @@ class Descriptions:
         key = (file, kind)
         if key not in self._read:
             self._read[key] = None  # a file that includes itself while it is read
-            self._read[key] = self._parsed(file, kind, scene)
+            read = guarded(
+                lambda: self._parsed(file, kind, scene),
+                Place(file),
+                "what this launch file starts is missing",
+                net=self._net,
+            )
+            if isinstance(read, Finding):
+                self._findings.add(read)
+            else:
+                self._read[key] = read
         return self._read[key]
 
     def _form(self, file: str, form: str) -> str:

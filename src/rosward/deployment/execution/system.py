@@ -28,6 +28,7 @@ from rosward.domain.choice import options
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Partial, Unknown, Value
+from rosward.guard import guarded
 from rosward.network.launch_tree import Inclusion
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
@@ -38,10 +39,11 @@ MAX_NESTING: Final = 90
 
 @final
 class Budget:
-    """How many actions are executed in all, whatever includes what."""
+    """How many actions are executed in all, whatever includes what; and `net`, see `guard.py`."""
 
-    def __init__(self, actions: int) -> None:
+    def __init__(self, actions: int, *, net: bool = True) -> None:
         self.left = actions
+        self.net = net
 
 
 @final
@@ -99,6 +101,12 @@ class System:
         return False
 
     def _execute(self, action: tree.Action, at: At) -> None:
+        missing = "what this starts or sets is missing"
+        failed = guarded(lambda: self._execute_kind(action, at), action.place, missing, net=self._budget.net)
+        if failed is not None:
+            self.scene.findings.add(failed)
+
+    def _execute_kind(self, action: tree.Action, at: At) -> None:
         self._agenda.executed(action, at)
         inner = at._replace(depth=at.depth + 1)
         if isinstance(action, SETTINGS):
