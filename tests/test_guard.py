@@ -22,6 +22,7 @@ from rosward.engine import native_calls
 from rosward.engine.budget import Budget
 from rosward.findings import RULES, Severity
 from rosward.launches import launched
+from rosward.models.native import perform as real_perform
 from rosward.outputs import files as output_files
 from rosward.pipeline import Result
 from rosward.source import discover as discovery
@@ -58,12 +59,11 @@ def workspace(tmp_path: Path) -> Path:
 def broken(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> type[Exception]:
     """Whoever calls `divmod` makes rosward fail."""
     error: type[Exception] = request.param
-    perform = native_calls.perform
 
     def failing(native: Any, call: Any) -> Any:
         if call.name == "builtins.divmod":
             raise error("/home/somebody/secret")
-        return perform(native, call)
+        return real_perform(native, call)
 
     monkeypatch.setattr(native_calls, "perform", failing)
     return error
@@ -173,9 +173,9 @@ def test_the_exit_status_of_a_fault_is_3(
 ) -> None:
     good = ["extract", str(workspace), "-o", str(tmp_path / "good"), "-q", "--format", "policy,json"]
     assert main(good) == 0
-    perform = native_calls.perform
+
     monkeypatch.setattr(
-        native_calls, "perform", lambda n, c: failing() if c.name == "builtins.divmod" else perform(n, c)
+        native_calls, "perform", lambda n, c: failing() if c.name == "builtins.divmod" else real_perform(n, c)
     )
     baseline = str(tmp_path / "baseline.json")
     assert main([*good, "--write-baseline", baseline]) == 3
