@@ -61,6 +61,7 @@ class FakeMachine:
     def __init__(self) -> None:
         self.heap: dict[int, Obj] = {}
         self.findings: list[str] = []
+        self.spent = 0
         self.deaths: list[str] = []
         self.escaped: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}
@@ -163,6 +164,9 @@ class FakeMachine:
 
     def variables(self, *, local: bool) -> Value:
         return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
+
+    def spend(self, steps: int) -> None:
+        self.spent += steps
 
     def report(self, code: str, message: str) -> None:  # noqa: ARG002
         self.findings.append(code)

@@ -81,6 +81,7 @@ class FakeMachine:
     def __init__(self) -> None:
         self.heap: dict[int, Obj] = {}
         self.findings: list[tuple[str, str]] = []
+        self.spent = 0
         self.deaths: list[tuple[str, str]] = []
         self.scheduled: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}
@@ -211,6 +212,9 @@ class FakeMachine:
 
     def variables(self, *, local: bool) -> Value:
         return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
+
+    def spend(self, steps: int) -> None:
+        self.spent += steps
 
     def report(self, code: str, message: str) -> None:
         self.findings.append((code, message))

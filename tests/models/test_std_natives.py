@@ -14,8 +14,8 @@ from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Partial, Range, Text, Tuple, Value
 from rosward.models.native import Machine
+from rosward.models.pattern_cost import work
 from rosward.models.std_support import from_plain, to_plain
-from rosward.models.std_text import is_cheap
 
 
 @pytest.fixture
@@ -141,15 +141,37 @@ def test_regular_expressions(machine: FakeMachine) -> None:
 
 
 @pytest.mark.parametrize(
-    "pattern", ["(a+)+b", "(a|a)*b", r"(a)\1", "(a*)*", "(?:a{1,9}){1,9}", "a*a*a*a*b", "x" * 300, "((a?)+)+"]
-)
+    "pattern",
+    [
+        "(a+)+b", "(a|a)*b", "(a*)*", "(?:a{1,9}){1,9}", "a*a*a*a*b", "((a?)+)+", "a?" * 30 + "a" * 30, "(|a)+b",
+        "(a|aa)+$", "(?:(?:a{0,50}){0,50}){0,50}b", "(?=(a+)+b)a", "(?<=aa)(a+)+b", "(.*?a){11}b", "((a?){20}){20}",
+        "(?P<q>a+)+(?P=q)b", "(a)?(?(1)(a|a)*|a)b", "x" * 2_000,
+    ],
+)  # fmt: skip
 def test_expensive_patterns_are_refused(pattern: str) -> None:
-    assert not is_cheap(pattern, 100)
+    assert work(pattern, 0, "a" * 100) is None
 
 
-@pytest.mark.parametrize("pattern", [r"^/?[a-z_]+/\d+$", "[^a-zA-Z0-9]", r"(\w+)_(\d+)", "a|b", "(a|b)?c", r"\s+"])
+@pytest.mark.parametrize(
+    "pattern",
+    [
+        r"^/?[a-z_]+/\d+$", "[^a-zA-Z0-9]", r"(\w+)_(\d+)", "a|b", "(a|b)?c", r"\s+", r"(\w+)_(\w+)_(\w+)", "(a)\\1",
+        "(?i:FRONT)_(left|right)", "x" * 300, "(?<!a)b", "(?m)^.*$",
+    ],
+)  # fmt: skip
 def test_usual_patterns_are_cheap(pattern: str) -> None:
-    assert is_cheap(pattern, 100)
+    assert work(pattern, 0, "front_left/camera_12/" * 4) is not None
+
+
+def test_what_a_pattern_costs_depends_on_the_text() -> None:
+    assert work("(a+)+b", 0, "a" * 100) is None
+    assert work("(a+)+b", 0, "front/left" * 10) is not None
+
+
+def test_ways_are_counted() -> None:
+    assert work("b", 0, "aa") == 6  # two searches at each of three positions
+    assert work("(?:a|a)b", 0, "a") == 10  # and there are two ways to the `b` behind an `a`
+    assert work("a?a?a?a?", 0, "aaaa") == 318
 
 
 def test_cheap_means_cheap(machine: FakeMachine) -> None:

@@ -63,13 +63,13 @@ def join_all(values: Iterable[Value]) -> Value:
     """The least value that covers all; UNBOUND where there are none."""
     found: dict[Value, None] = {}
     unknown: Unknown | None = None
-    consts: dict[tuple[type, object], Const] = {}
+    consts: dict[Const, Const] = {}  # by the value alone
     for value in values:
         for option in options(value):
             if option.__class__ is Unknown:
                 unknown = option if unknown is None else _join_unknown(unknown, option)
             elif option.__class__ is Const:
-                key = (option.value.__class__, option.value)
+                key = Const(option.value) if option.origins else option
                 before = consts.get(key)
                 if before is None:
                     consts[key] = option

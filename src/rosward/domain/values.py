@@ -24,6 +24,18 @@ class Value:
     __slots__ = ()
 
 
+_PLAIN_HASH: Final = 1 << 60
+
+
+def _hash_of(value: Plain) -> int:
+    """The hash of a constant. Python's own has one value for endlessly many numbers, so that a dict of such numbers would take for ever."""
+    if value.__class__ in (int, float, complex) and not -_PLAIN_HASH < abs(value) < _PLAIN_HASH:
+        return hash((value.__class__, repr(value) if value.__class__ is not int else hex(value)))
+    if value.__class__ is complex:
+        return hash((complex, repr(value)))
+    return hash((value.__class__, value))
+
+
 @final
 class Const(Value):
     """A constant of Python: None, bool, int, float, complex, str, bytes."""
@@ -33,7 +45,7 @@ class Const(Value):
     def __init__(self, value: Plain, origins: Origins = NO_ORIGINS) -> None:
         self.value = value
         self.origins = origins
-        self._hash = hash((value.__class__, value))
+        self._hash = _hash_of(value)
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
@@ -141,15 +153,42 @@ class _Record(Value):
         return tuple.__hash__(self) ^ hash(self.__class__)  # type: ignore[arg-type]
 
 
+MAX_PARTS: Final = 20_000
+
+
+class TooManyPartsError(Exception):
+    """A tuple would hold more than is kept."""
+
+
+def parts_of(value: Value) -> int:
+    """How many values are in a value, itself among them, each as often as it occurs."""
+    cls = value.__class__
+    if cls is Tuple:
+        return value.parts  # type: ignore[attr-defined,no-any-return]
+    if isinstance(value, Choice):
+        return sum(parts_of(o) for o in value.options)
+    if isinstance(value, Partial):
+        return 1 + sum(parts_of(a) for a in value.arguments)
+    if isinstance(value, BoundMethod):
+        return 1 + parts_of(value.receiver)
+    return 1
+
+
 @final
 class Tuple(Value):
-    """A tuple of known length."""
+    """A tuple of known length; `parts` counts all that is in it. One of too many parts is not made: `TooManyPartsError`.
 
-    __slots__ = ("_hash", "items")
+    t = (t, t), forty times over, is small in memory and would take for ever to compare or to print.
+    """
+
+    __slots__ = ("_hash", "items", "parts")
 
     def __init__(self, items: tuple[Value, ...]) -> None:
         self.items = items
         self._hash = hash(items)
+        self.parts = 1 + sum([parts_of(i) for i in items])
+        if self.parts > MAX_PARTS:
+            raise TooManyPartsError
 
     def __eq__(self, other: object) -> bool:
         return self is other or (other.__class__ is Tuple and self._hash == other._hash and self.items == other.items)

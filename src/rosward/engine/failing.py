@@ -28,6 +28,7 @@ from rosward.domain.values import (
     Partial,
     Ref,
     Text,
+    TooManyPartsError,
     Tuple,
     Value,
 )
@@ -155,8 +156,11 @@ def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
             level = may_fail(machine, op, frame)
             if level:
                 note(machine, level)
-        if table[cls](machine, op, frame) is False:
-            return False
+        try:
+            if table[cls](machine, op, frame) is False:
+                return False
+        except TooManyPartsError:
+            machine.give_up_value(op, frame)
     return True
 
 

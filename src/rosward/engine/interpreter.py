@@ -21,6 +21,7 @@ from rosward.domain.values import (
     UNBOUND,
     Native,
     Ref,
+    TooManyPartsError,
     Unknown,
     Value,
 )
@@ -119,9 +120,23 @@ class Interpreter:
             return failing.run_noting(self, block, frame)
         table = self.table
         for op in block:
-            if table[op.__class__](self, op, frame) is False:
-                return False
+            try:
+                if table[op.__class__](self, op, frame) is False:
+                    return False
+            except TooManyPartsError:  # noqa: PERF203 - it costs nothing where nothing is raised
+                self.give_up_value(op, frame)
         return True
+
+    def give_up_value(self, op: ops.Op, frame: Frame) -> None:
+        """What an operation makes is too large to keep: its result is not known."""
+        if hasattr(op, "dst"):
+            frame.registers[op.dst] = self.unknown(Cause.LIMIT, "parts of a tuple")
+
+    def spend(self, steps: int) -> None:
+        """Something that takes as long as this many steps: a native that computes, a join of much."""
+        self.steps += steps
+        if self.steps > self.step_limit:
+            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
 
     def begin_loop(self, op: ops.Op) -> None:
         """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""

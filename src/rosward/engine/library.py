@@ -29,6 +29,8 @@ from rosward.models.file_paths import Files
 from rosward.models.native import NativeFunction
 from rosward.source.location import Place
 
+_NUMBERS: Final = (int, float)
+_SMALL: Final = 1 << 60
 _PROCESS_ADDRESSES: Final = 10_000_000
 _MODELLED_FIRST: Final = frozenset({"rclpy", "launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common"})
 """Libraries whose models go before their sources: what they do is more than their Python says, or is asked for by name."""
@@ -106,11 +108,14 @@ class Library:
 
     def constant(self, op: ops.Const) -> Const:
         """The constant of an operation, made once."""
-        key = (op.value.__class__, op.value)
+        value = op.value
+        if value.__class__ is complex or (value.__class__ in _NUMBERS and not -_SMALL < value < _SMALL):
+            return Const(value)  # endlessly many of these have one hash
+        key = (value.__class__, value)
         found = self._constants.get(key)
         if found is None:
-            found = Const(op.value)
-            if op.value != 0:  # 0.0 and -0.0 are equal
+            found = Const(value)
+            if value != 0:  # 0.0 and -0.0 are equal
                 self._constants[key] = found
         return found
 

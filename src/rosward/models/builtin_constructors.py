@@ -37,9 +37,9 @@ from rosward.models.list_alternatives import keep_told, told
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import kind_of
 from rosward.models.plain import (
-    MAX_BITS,
     NOT_PLAIN,
     Raised,
+    affordable,
     evaluate,
     from_python,
     listed,
@@ -48,7 +48,6 @@ from rosward.models.plain import (
     plain,
     run,
     spread,
-    too_much,
     truth_const,
     unknown_from,
 )
@@ -72,9 +71,7 @@ def _number(call: NativeCall) -> Value:
         return unknown_from(call.machine, name, name, *call.args, *call.keywords.values())
 
     def one(*values: Value) -> Value:
-        if any(isinstance(v, Const) and isinstance(v.value, (str, bytes)) and len(v.value) > MAX_BITS for v in values):
-            return unknown_from(call.machine, name, name, *values)
-        known = evaluate(call.machine, name, _NUMBERS[name], values)
+        known = evaluate(call.machine, name, _NUMBERS[name], values, name)
         if known is not None:
             return known
         if isinstance(values[0], Tuple) or (
@@ -93,7 +90,7 @@ def _bool(call: NativeCall) -> Value:
 def _bytes(call: NativeCall) -> Value:
     """bytes and bytearray."""
     operands = [plain(v) for v in call.args]
-    if NOT_PLAIN in operands or call.keywords or too_much(operands):
+    if NOT_PLAIN in operands or call.keywords or not affordable(call.machine, "bytes", operands):
         return unknown_from(call.machine, call.name, "bytes", *call.args)
     return from_python(call.machine, run(bytes, *operands), origins(*call.args), "bytes")
 

@@ -18,10 +18,8 @@ from rosward.models.builtin_attributes import attribute_names
 from rosward.models.builtin_constructors import is_callable
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import (
-    MAX_BITS,
     evaluate,
     from_python,
-    int_of,
     native,
     origins,
     spread,
@@ -50,9 +48,7 @@ def _pure(call: NativeCall) -> Value:
     function, hint = _PURE[name]
 
     def one(*values: Value) -> Value:
-        if name == "pow" and _huge(values):
-            return call.machine.unknown(Cause.LIMIT, name, "int")
-        known = evaluate(call.machine, name, function, values)
+        known = evaluate(call.machine, name, function, values, hint)
         if known is not None:
             return known
         kept = _ABSOLUTE.get(values[0].hint, "") if isinstance(values[0], Unknown) and name == "abs" else hint
@@ -62,13 +58,6 @@ def _pure(call: NativeCall) -> Value:
     if call.keywords:
         return unknown_from(call.machine, name, hint, *call.args, *call.keywords.values())
     return spread(one, *call.args)
-
-
-def _huge(values: tuple[Value, ...]) -> bool:
-    base, exponent = int_of(values[0]), int_of(values[1])
-    return (
-        len(values) == 2 and base is not None and exponent is not None and base.bit_length() * abs(exponent) > MAX_BITS
-    )
 
 
 def _is_instance(call: NativeCall) -> Value:

@@ -104,6 +104,9 @@ class Machine(Protocol):
     def report(self, code: str, message: str) -> None:
         """A finding at the current place."""
 
+    def spend(self, steps: int) -> None:
+        """What is about to be computed takes as long as this many steps; raises where the budget has fewer left."""
+
     def die(
         self,
         error: str,

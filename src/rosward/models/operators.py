@@ -15,7 +15,7 @@ from typing import Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.series import Series, concatenated, joined
-from rosward.domain.text import MAX_LENGTH, concat, make, parts_of
+from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import (
     Class,
@@ -36,10 +36,10 @@ from rosward.models.native import Items, Machine
 from rosward.models.operators_compare import compare, contains, equal, kind_of
 from rosward.models.operators_items import load_item, store_item
 from rosward.models.plain import (
-    MAX_BITS,
     MAX_ITEMS,
     Fresh,
     Raised,
+    affordable,
     from_python,
     int_of,
     join_items,
@@ -140,30 +140,12 @@ def _hint(op: str, kinds: tuple[str, str]) -> str:
 
 def _constants(machine: Machine, op: str, left: Const, right: Const) -> Value:
     a, b = left.value, right.value
-    if _too_big(op, a, b):
+    wide = isinstance(a, bytes) and op == "%" and (b"*" in a or too_wide(a.decode("latin-1")))
+    if wide or not affordable(machine, op, (a, b)):
         return machine.unknown(
             Cause.LIMIT, op, a.__class__.__name__ if not isinstance(b, (str, bytes)) else b.__class__.__name__
         )
     return from_python(machine, run(_PYTHON[op], a, b), origins(left, right), op)
-
-
-def _too_big(op: str, left: object, right: object) -> bool:
-    """Whether the result of an operation may be huge."""
-    if isinstance(left, bytes) and op == "%":
-        return b"*" in left or too_wide(left.decode("latin-1"))
-    if isinstance(left, (str, bytes)) or isinstance(right, (str, bytes)):
-        return op == "*" and _length(left, right) > MAX_LENGTH
-    if not isinstance(left, int) or not isinstance(right, int):
-        return False
-    if op == "**":
-        return left.bit_length() * abs(right) > MAX_BITS and left not in (0, 1, -1)
-    return op == "<<" and right > MAX_BITS
-
-
-def _length(left: object, right: object) -> int:
-    """The length of a text repeated."""
-    text, times = (left, right) if isinstance(left, (str, bytes)) else (right, left)
-    return len(text) * times if isinstance(text, (str, bytes)) and isinstance(times, int) else 0
 
 
 def _texts(machine: Machine, left: Value, right: Value, kinds: tuple[str, str]) -> Value:

@@ -20,12 +20,11 @@ from rosward.domain.series import Series, joined
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
+from rosward.models.cost import A_STEP, MAX_WORK, work
 from rosward.models.native import Arguments, Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 
 MAX_BITS: Final = 4096
 MAX_ITEMS: Final = 1_000
-MAX_WORK: Final = 1 << 20
-"""The product of the lengths of the operands of one string operation."""
 MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
 NOT_PLAIN: Final = object()
 FILE_HINT: Final = "file"
@@ -307,20 +306,23 @@ def exact_list(machine: Machine, items: tuple[Value, ...]) -> Value:
     return listed(machine, items, items)
 
 
-def evaluate(machine: Machine, what: str, function: Callable[..., object], values: Sequence[Value]) -> Value | None:
+def affordable(machine: Machine, what: str, operands: Sequence[object]) -> bool:
+    """Whether Python may be asked; what takes longer than a step is counted."""
+    needed = work(what, operands)
+    if needed >= A_STEP:
+        if needed > MAX_WORK:
+            return False
+        machine.spend(needed // A_STEP)
+    return True
+
+
+def evaluate(
+    machine: Machine, what: str, function: Callable[..., object], values: Sequence[Value], hint: str = ""
+) -> Value | None:
     """function of Python itself on values that are all plain; None where one is not."""
     operands = [plain(v) for v in values]
     if NOT_PLAIN in operands:
         return None
+    if not affordable(machine, what, operands):
+        return machine.unknown(Cause.LIMIT, what, hint)
     return from_python(machine, run(function, *operands), origins(*values), what)
-
-
-def too_much(operands: Sequence[object]) -> bool:
-    """Whether an operation on texts of these lengths may take long."""
-    work = 1
-    for operand in operands:
-        if isinstance(operand, (str, bytes)):
-            work *= max(1, len(operand))
-        elif isinstance(operand, int) and abs(operand) > MAX_LENGTH:
-            return True
-    return work > MAX_WORK

@@ -16,9 +16,8 @@ from rosward.domain.choice import join_all
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.std_support import NotKnown, apply_plain, exact_list, int_of, joined_elements, unknown_from
+from rosward.models.std_support import apply_plain, exact_list, int_of, joined_elements, unknown_from
 
-_MAX_COUNT: Final = 1_000
 _INT_MATH: Final = ("ceil", "comb", "factorial", "floor", "gcd", "isqrt", "lcm", "perm", "trunc")
 _BOOL_MATH: Final = ("isclose", "isfinite", "isinf", "isnan")
 _FLOAT_MATH: Final = frozenset(
@@ -46,24 +45,14 @@ def _bounded(function: Callable[..., object]) -> Callable[..., object]:
     return apply
 
 
-def _counted(function: Callable[..., object]) -> Callable[..., object]:
-    def apply(*values: Any) -> object:
-        for value in values:
-            if isinstance(value, int) and abs(value) > _MAX_COUNT:
-                raise NotKnown
-        return function(*values)
-
-    return apply
-
-
 def _math(call: NativeCall) -> Value:
     name = call.name.rpartition(".")[2]
     hint = _math_hint(name)
     function = getattr(math, name, None)
     if function is None or call.keywords:  # newer than the running Python, or start=/rel_tol=
         return unknown_from(call, hint, (*call.args, *call.keywords.values()))
-    counts = name in {"comb", "factorial", "perm", "lcm", "prod", "gcd"}
-    return apply_plain(call, (_counted if counts else _bounded)(function), call.args, hint)
+    whole = name in {"comb", "factorial", "perm", "lcm", "prod", "gcd"}
+    return apply_plain(call, function if whole else _bounded(function), call.args, hint)
 
 
 _OPERATORS: Final = {

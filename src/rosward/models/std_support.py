@@ -17,6 +17,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import Class, Const, Native, Ref, Tuple, Unknown, Value
+from rosward.models.cost import A_STEP, MAX_WORK, work
 from rosward.models.native import Machine, NativeCall
 
 MAX_COMBINATIONS: Final = 64
@@ -183,6 +184,11 @@ def apply_plain(call: NativeCall, function: Callable[..., object], values: Seque
         try:
             reader = _Reader(call.machine)
             plain = [reader.read(v) for v in combination]
+            needed = work(call.name, plain)
+            if needed > MAX_WORK:
+                raise NotKnown
+            if needed >= A_STEP:
+                call.machine.spend(needed // A_STEP)
             results.append(from_plain(call.machine, function(*plain), reader.origins))
         except NotKnown:  # noqa: PERF203 - each combination fails for itself
             results.append(unknown_from(call, hint, combination))

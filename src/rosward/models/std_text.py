@@ -2,7 +2,7 @@
 """Regular expressions on constants, within bounds of time; `string.Template`, `textwrap`, `shlex`, `fnmatch`.
 
 re.sub('[^a-z]', '_', 'my robot')   Const('my_robot')
-re.sub('(a+)+b', '', text)          unknown: the pattern may take exponential time
+re.sub('(a+)+b', '', 'aaaa…')       unknown: there are too many ways to match this pattern against this text
 """
 
 from __future__ import annotations
@@ -20,69 +20,23 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Value
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.pattern_cost import work
 from rosward.models.std_support import NotKnown, apply_plain, from_plain, text_of, to_plain, unknown_from
 
-MAX_PATTERN: Final = 200
-MAX_TEXT: Final = 200
-_MAX_STEPS: Final = 200_000
-_CLASS: Final = re.compile(r"\[\^?\]?[^\]]*\]")
-_ESCAPE: Final = re.compile(r"\\.", re.DOTALL)
-_REPEAT: Final = re.compile(r"\{(\d*)(,?)(\d*)\}")
+MAX_NAME: Final = 200
+MAX_REPLACEMENT: Final = 200
+_WAYS_A_STEP: Final = 2_000
+"""How many ways through a pattern Python tries in the time of one step of the interpreter."""
 
 
-def is_cheap(pattern: str, length: int) -> bool:
-    """Whether matching takes little time: no repeat or alternative inside a repeat, no back reference, few repeats."""
-    if len(pattern) > MAX_PATTERN or length > MAX_TEXT or "(?P=" in pattern or "(?(" in pattern:
-        return False
-    if any(m.group()[1].isdigit() and m.group()[1] != "0" for m in _ESCAPE.finditer(pattern)):
-        return False
-    bare = _CLASS.sub("c", _ESCAPE.sub("e", pattern))
-    repeats, groups, at = 0, [False], 0
-    while at < len(bare):
-        char = bare[at]
-        inner: bool | None = None
-        if char == "(":
-            groups.append(False)
-            at += 3 if bare.startswith("(?P<", at) else 2 if bare.startswith("(?", at) else 1
-            continue
-        if char == ")" and len(groups) > 1:
-            inner = groups.pop()
-            groups[-1] |= inner
-        elif char == "|":
-            groups[-1] = True
-        at += 1
-        width, unbounded = _repeat_at(bare, at)
-        if width:
-            if inner and unbounded:
-                return False
-            groups[-1] = True
-            repeats += unbounded
-            at += width
-    return (length + 1) ** max(1, repeats + 1) <= _MAX_STEPS * 50 and repeats <= 3
-
-
-def _repeat_at(bare: str, at: int) -> tuple[int, bool]:
-    """The width of the quantifier that stands there (0: none), and whether it repeats more than once."""
-    if at >= len(bare):
-        return 0, False
-    if bare[at] in "*+?":
-        width, unbounded = 1, bare[at] != "?"
-    elif (match := _REPEAT.match(bare, at)) and match.group() != "{}":
-        if max((int(n) for n in match.groups() if n.isdigit()), default=0) > MAX_TEXT:
-            return match.end() - at, True
-        width, unbounded = match.end() - at, True
-    else:
-        return 0, False
-    if at + width < len(bare) and bare[at + width] in "?+":
-        width += 1
-    return width, unbounded
-
-
-def _compiled(pattern: object, flags: object, text: object) -> re.Pattern[str]:
+def _compiled(call: NativeCall, pattern: object, flags: object, text: object) -> re.Pattern[str]:
+    """The pattern, where matching it against this text takes little time."""
     if not isinstance(pattern, str) or not isinstance(text, str) or not isinstance(flags, int):
         raise NotKnown
-    if not is_cheap(pattern, len(text)):
+    cost = work(pattern, flags, text)
+    if cost is None:
         raise NotKnown
+    call.machine.spend(cost // _WAYS_A_STEP)
     try:
         return re.compile(pattern, flags)
     except (re.error, OverflowError, RecursionError) as error:
@@ -93,7 +47,7 @@ def _find(call: NativeCall) -> Value:
     """re._find(how, pattern, flags, text): None or a dict of groups by number and name; unknown may be either."""
 
     def run(how: Any, pattern: Any, flags: Any, text: Any) -> object:
-        match = getattr(_compiled(pattern, flags, text), how)(text)
+        match = getattr(_compiled(call, pattern, flags, text), how)(text)
         return None if match is None else _groups(match)
 
     found = apply_plain(call, run, call.args)
@@ -117,7 +71,7 @@ def _find_all(call: NativeCall) -> Value:
     """re._find_all(pattern, flags, text): a list of dicts of groups."""
 
     def run(pattern: Any, flags: Any, text: Any) -> object:
-        return [_groups(m) for m in _compiled(pattern, flags, text).finditer(text)]
+        return [_groups(m) for m in _compiled(call, pattern, flags, text).finditer(text)]
 
     return _list_of(call, run, call.args, "")
 
@@ -126,7 +80,7 @@ def _split(call: NativeCall) -> Value:
     """re._split(pattern, flags, text, maxsplit)."""
 
     def run(pattern: Any, flags: Any, text: Any, count: Any) -> object:
-        return _compiled(pattern, flags, text).split(text, count)
+        return _compiled(call, pattern, flags, text).split(text, count)
 
     return _list_of(call, run, call.args, "str")
 
@@ -149,9 +103,9 @@ def _sub(call: NativeCall) -> Value:
         return unknown_from(call, "str", call.args)
 
     def run(pattern: Any, flags: Any, repl: Any, text: Any, count: Any) -> object:
-        if not isinstance(repl, str) or len(repl) > MAX_TEXT:
+        if not isinstance(repl, str) or len(repl) > MAX_REPLACEMENT:
             raise NotKnown
-        return _compiled(pattern, flags, text).sub(repl, text, count)
+        return _compiled(call, pattern, flags, text).sub(repl, text, count)
 
     return apply_plain(call, _guarded(run), call.args, "str")
 
@@ -216,7 +170,7 @@ def _escape(text: Any) -> object:
 
 
 def _matches(name: Any, pattern: Any) -> object:
-    if not isinstance(name, str) or not isinstance(pattern, str) or len(name) > MAX_TEXT or pattern.count("*") > 3:
+    if not isinstance(name, str) or not isinstance(pattern, str) or len(name) > MAX_NAME or pattern.count("*") > 3:
         raise NotKnown
     return fnmatch.fnmatchcase(name, pattern)
 

@@ -20,6 +20,7 @@ from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
     NOT_PLAIN,
     Raised,
+    affordable,
     exact_list,
     from_python,
     hole_from,
@@ -31,7 +32,6 @@ from rosward.models.plain import (
     run,
     spread,
     text_of,
-    too_much,
     unknown_from,
     with_origins,
 )
@@ -71,7 +71,6 @@ _NAMES: Final = {
     "replace": ("old", "new", "count"),
 }
 _DEFAULTS: Final[dict[str, Value]] = {"sep": NONE, "encoding": Const("utf-8")}
-_WIDTHS: Final = ("zfill", "ljust", "rjust", "center", "expandtabs", "replace")
 _LEAST: Final = {
     **dict.fromkeys(
         ["partition", "rpartition", "startswith", "endswith", "find", "index", "rfind", "rindex", "count"], 2
@@ -114,7 +113,7 @@ def _apply(machine: Machine, kind: type, name: str, values: Arguments) -> Value:
     what = f"{kind.__name__}.{name}"
     operands = [plain(v) for v in values]
     if NOT_PLAIN not in operands:
-        if too_much([o for o in operands if name in _WIDTHS or not isinstance(o, int)]):
+        if not affordable(machine, what, operands):
             return machine.unknown(Cause.LIMIT, what, _HINTS.get(name, "bytes"))
         return from_python(machine, run(getattr(kind, name), *operands), origins(*values), what)
     handler = _HANDLERS.get(name) if kind is str else None
