@@ -120,6 +120,18 @@ class FakeMachine:
     def series(self, value: Value) -> Series:
         return operators.series(self, value)
 
+    def is_stepped(self, value: Value) -> bool:
+        return isinstance(value, Ref) and self.obj(value).kind == "generator"
+
+    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+        raise NotImplementedError((iterator, kind, value, default))
+
+    def close_generator(self, ref: Ref) -> None:
+        raise NotImplementedError(ref)
+
+    def load_module(self, name: str) -> Value:
+        raise NotImplementedError(name)
+
     def truth(self, value: Value) -> bool | None:
         return operators.truth(self, value)
 

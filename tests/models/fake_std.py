@@ -168,6 +168,18 @@ class FakeMachine:
             return Items(obj.items or (), obj.rest)
         return Items((), value if isinstance(value, Unknown) else self.unknown(Cause.OPERATION, "iteration"))
 
+    def is_stepped(self, value: Value) -> bool:
+        return isinstance(value, Ref) and self.obj(value).kind == "generator"
+
+    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+        raise NotImplementedError((iterator, kind, value, default))
+
+    def close_generator(self, ref: Ref) -> None:
+        raise NotImplementedError(ref)
+
+    def load_module(self, name: str) -> Value:
+        raise NotImplementedError(name)
+
     def truth(self, value: Value) -> bool | None:
         if isinstance(value, Const) and not value.origins:
             return bool(value.value)

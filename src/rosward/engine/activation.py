@@ -6,19 +6,17 @@ def walk(n): …; walk(n - 1)      four activations are followed, all deeper one
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join, join_all, widen
-from rosward.domain.heap import Obj
+from rosward.domain.choice import join, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher, note, rethrow
-from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.frame import Frame
 from rosward.engine.state import EventKey, State, join_states
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
-from rosward.models.native import Items
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -31,13 +29,12 @@ _LARGE: Final = 50
 class Summary:
     """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
 
-    __slots__ = ("after", "before", "catcher", "registers", "value", "yields")
+    __slots__ = ("after", "before", "catcher", "registers", "value")
 
     def __init__(self, registers: list[Value], before: State) -> None:
         self.registers = registers
         self.before = before
         self.value: Value = UNBOUND
-        self.yields: Value = UNBOUND  # what a generator yields, joined
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
 
@@ -45,11 +42,11 @@ class Summary:
     def seen(self) -> tuple[object, ...]:
         """What must not change any more."""
         after = self.after.version if self.after is not None else -1
-        return (tuple(self.registers), self.before.version, self.value, self.yields, after)
+        return (tuple(self.registers), self.before.version, self.value, after)
 
 
-def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
-    """Run a function body on bound registers; the value returned, and what it yields."""
+def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+    """Run a function body on bound registers; the value returned."""
     code = function.code
     depth = sum(1 for f in machine.frames if f.code is code)
     limit = machine.budget.recursion
@@ -63,21 +60,15 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
         value, level = remembered
         if level:
             note(machine, level)
-        return value, Items(())
+        return value
     raised, version, provisional = machine.raised, machine.state.version, machine.provisional
     noted, machine.noted = machine.noted, 0
-    value, items = run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
+    value = run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
     level, machine.noted = machine.noted, max(machine.noted, noted)
-    quiet = (
-        machine.state.version == version
-        and machine.raised == raised
-        and machine.provisional == provisional
-        and not items.known
-        and items.rest is None
-    )
+    quiet = machine.state.version == version and machine.raised == raised and machine.provisional == provisional
     if quiet and value is not UNBOUND and not declared.is_model(function):
         machine.memo[key] = (value, level)
-    return value, items
+    return value
 
 
 def _is_large(machine: Interpreter, function: Function) -> bool:
@@ -114,46 +105,49 @@ def _weight(block: Block) -> int:
 
 def run_body(
     machine: Interpreter, function: Function, registers: list[Value], caller: Frame | None, context: int | None = None
-) -> tuple[Value, Items]:
-    """Interpret a body in a frame of its own; the value returned, and what it yields."""
+) -> Value:
+    """Interpret a body in a frame of its own; the value returned."""
     code = function.code
     machine.entered.add(id(code))
     machine.choosing = False
     if context is None:
-        context = _context(machine, code, caller)
+        context = context_of(machine, code, caller)
     full = [*registers, *([UNBOUND] * (code.registers - len(registers)))]
     frame = Frame(code, full, (), function.module, context, declared.is_model(function))
     frame.cells = (*machine.new_cells(code, context), *function.cells)
-    frame.raised = machine.raised
     machine.frames.append(frame)
     machine.check_time()
     try:
-        if machine.run(code.ops, frame):
-            frame.exits.value = join(frame.exits.value, NONE)
-            if frame.exits.returned is None:
-                frame.exits.returned = Snapshot(frame.registers, machine.state)
-            else:
-                machine.state = join_states(frame.exits.returned.state, machine.state, machine.fresh_version)
-                frame.exits.returned = Snapshot(frame.registers, machine.state)
+        alive = machine.run(code.ops, frame)
     finally:
         machine.frames.pop()
-    rest = None if frame.yield_rest is UNBOUND else frame.yield_rest
-    items = Items(tuple(frame.yields), rest)
-    machine.yielded = frame.yielded
-    if frame.exits.returned is None:
-        return UNBOUND, items
-    machine.state = frame.exits.returned.state
-    return frame.exits.value, items
+    left = left_by(machine, frame, alive=alive)
+    if left is None:
+        return UNBOUND
+    value, machine.state = left
+    return value
 
 
-def _context(machine: Interpreter, code: Code, caller: Frame | None) -> int:
+def left_by(machine: Interpreter, frame: Frame, *, alive: bool) -> tuple[Value, State] | None:
+    """What a body returned, and the state there; `alive`: control also came out at its end. None: it does not return."""
+    exits = frame.exits
+    if alive:
+        exits.value = join(exits.value, NONE)
+        state = machine.state
+        if exits.returned is not None:
+            state = join_states(exits.returned.state, state, machine.fresh_version)
+        return exits.value, state
+    return None if exits.returned is None else (exits.value, exits.returned.state)
+
+
+def context_of(machine: Interpreter, code: Code, caller: Frame | None) -> int:
     """The context of a call: the chain of calls that led to it."""
     if machine.coarse:
         return machine.context("coarse", id(code))
     return machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
 
 
-def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> tuple[Value, Items]:
+def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
     """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
     key = (id(function.code), function.cells)
     summary = machine.summaries.get(key)
@@ -167,9 +161,9 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
         machine.provisional += 1  # what is computed from it now may not be its last word
         if summary.after is None:
-            return UNBOUND, Items(())
+            return UNBOUND
         _enter(machine, summary.after.copy())
-        return summary.value, _any_number(summary.yields)
+        return summary.value
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     done, outer = machine.state.done, machine.catchers
@@ -192,9 +186,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
         for _ in range(machine.budget.fixpoint):
             reads, seen = machine.provisional, summary.seen
             machine.state = summary.before.copy()
-            value, items = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
-            for item in (*items.known, *(() if items.rest is None else (items.rest,))):
-                summary.yields = item if summary.yields is UNBOUND else widening(summary.yields, item)
+            value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:
                 summary.value = widening(summary.value, value) if summary.value is not UNBOUND else value
                 summary.after = (
@@ -216,16 +208,15 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
     return _of_summary(machine, summary, done)
 
 
-def _of_summary(machine: Interpreter, summary: Summary, done: frozenset[EventKey]) -> tuple[Value, Items]:
+def _of_summary(machine: Interpreter, summary: Summary, done: frozenset[EventKey]) -> Value:
     """What a call gives by its summary, where `done` had surely happened before it."""
-    machine.yielded = None
     if summary.catcher is not None:
         rethrow(machine, summary.catcher)
     if summary.after is None:
-        return UNBOUND, _any_number(summary.yields)
+        return UNBOUND
     _enter(machine, summary.after.copy())
     machine.state.done |= done
-    return summary.value, _any_number(summary.yields)
+    return summary.value
 
 
 def _enter(machine: Interpreter, state: State) -> None:
@@ -233,38 +224,3 @@ def _enter(machine: Interpreter, state: State) -> None:
     machine.state = state
     if machine.catchers:
         machine.catchers[-1].take(machine, state)
-
-
-def _any_number(value: Value) -> Items:
-    """Any number of an item; none where there is none."""
-    return Items((), None if value is UNBOUND else value)
-
-
-class Suspended(NamedTuple):
-    """What running a suspended call gave: what it yields, what it returns, what it surely did before its first item (None: it has none)."""
-
-    items: Items
-    value: Value
-    begun: frozenset[EventKey] | None = None
-
-
-def run_generator(machine: Interpreter, obj: Obj) -> Suspended:
-    """Run a suspended generator or coroutine to its end. The state behind it covers those at its yields: there its consumer works."""
-    if obj.payload is None:
-        return Suspended(Items(()), NONE)
-    assert isinstance(obj.payload, tuple)
-    function, registers = obj.payload
-    value, items = invoke(machine, function, list(registers))
-    yielded = machine.take_yielded()
-    begun = None
-    if yielded is not None:
-        begun, done = yielded.done, machine.state.done
-        machine.state = join_states(machine.state, yielded, machine.fresh_version)
-        machine.state.done = done
-    if obj.many:
-        items = (
-            Items((), join_all([*items.known, *(() if items.rest is None else (items.rest,))]))
-            if items.known
-            else items
-        )
-    return Suspended(items, value, begun)

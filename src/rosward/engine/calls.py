@@ -266,9 +266,8 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
     if code.is_stub and declared.is_model(function):
         return declared.result(machine, function, registers)
     if code.is_generator or code.is_coroutine:
-        payload = (function, tuple(registers))
-        return machine.allocate(Obj("generator", NONE, payload=payload), (id(code), function.cells))
-    return activation.invoke(machine, function, registers)[0]
+        return machine.make_generator(function, registers)
+    return activation.invoke(machine, function, registers)
 
 
 def wait_for(machine: Interpreter, value: Value) -> Value:
@@ -278,7 +277,7 @@ def wait_for(machine: Interpreter, value: Value) -> Value:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "generator":
-            return activation.run_generator(machine, obj).value
+            return machine.run_out(value)[1]
         for name in ("__await__", "result"):
             method = attributes.method(machine, value, name) if obj.kind == "instance" else None
             if method is not None:

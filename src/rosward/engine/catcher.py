@@ -138,11 +138,6 @@ def note_import(machine: Interpreter) -> None:
         machine.catchers[-1].importing = True
 
 
-def may_have_left(machine: Interpreter, frame: Frame) -> bool:
-    """Whether an exception may have led to a handler of this very frame before."""
-    return any(c.frame is frame and c.handles and c.reached for c in machine.catchers)
-
-
 def throw(machine: Interpreter, exception: Value) -> None:
     """An exception is raised here. Where it surely is, the path ends behind; else it goes on."""
     machine.raised += 1

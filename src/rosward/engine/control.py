@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join, widen
+from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.catcher import note
@@ -83,7 +84,11 @@ def behind(
 
 def turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
     """One turn of a loop's body; True where a next one can follow."""
-    alive = machine.run(body, frame)
+    return end_turn(machine, frame, alive=machine.run(body, frame))
+
+
+def end_turn(machine: Interpreter, frame: Frame, *, alive: bool) -> bool:
+    """The end of a turn, which control reaches through the body (`alive`) or by `continue`."""
     continued = frame.exits.continued
     if continued is not None:
         frame.exits.continued = None
@@ -94,8 +99,10 @@ def turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
     return alive
 
 
-def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
-    """A while loop: followed while its condition is known, then to a fixpoint."""
+def loop(
+    machine: Interpreter, op: ops.While, frame: Frame, begun: tuple[int, Callable[[], bool]] | None = None
+) -> bool | None:
+    """A while loop: followed while its condition is known, then to a fixpoint. `begun`: a turn that was suspended, and how it is finished."""
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
@@ -103,9 +110,22 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number = True, 0
     machine.begin_loop(op)
+    if begun is not None:
+        number, finish = begun
+        _enter_turn(machine, op, frame, context, number)
+        alive = finish()
+        if not alive:
+            machine.end_loop(op)
+            frame.context = context
+            return behind(machine, frame, alive, saved)
+        limit += number + 1
+        number = number + 1 if 0 <= number < machine.budget.unroll else ANY_TURN
     while True:
         note(machine)
-        frame.context = machine.context(context, id(op), number)
+        _enter_turn(machine, op, frame, context, number)
+        if number == ANY_TURN:
+            alive = until_stable(machine, op, frame, None, None) and machine.run(op.orelse, frame)
+            break
         seen = (machine.state.version, frame.registers.copy())
         alive = machine.run(op.condition, frame)
         if not alive:
@@ -115,7 +135,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
             alive = machine.run(op.orelse, frame)
             break
         if decided is None or number >= limit or machine.turns >= machine.budget.turns or machine.coarse:
-            frame.context = machine.context(context, id(op), "*")
+            _enter_turn(machine, op, frame, context, ANY_TURN)
             alive = until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
             break
         alive = turn(machine, op.body, frame)
@@ -130,7 +150,7 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
                     alive = machine.run(op.orelse, frame)
                     break
             alive = False  # nothing changes any more: it never ends
-            machine.log.blocks(machine)
+            _never_ends(machine, frame)
             break
         number += 1
         machine.turns += 1
@@ -140,8 +160,21 @@ def loop(machine: Interpreter, op: ops.While, frame: Frame) -> bool | None:
     return behind(machine, frame, alive, saved)
 
 
-Feed = Callable[[], tuple[Value, Snapshot]]
-"""The next item of what a loop runs over, and where the loop ends instead."""
+def _enter_turn(machine: Interpreter, op: ops.While, frame: Frame, context: int, number: int) -> None:
+    """A turn begins: what it makes is told apart from what others make."""
+    frame.context = machine.context(context, id(op), "*" if number == ANY_TURN else number)
+    if frame.yielded is not None:
+        frame.turns[id(op)] = (number,)
+
+
+def _never_ends(machine: Interpreter, frame: Frame) -> None:
+    """A loop is not left at its end. One of a generator waits at its `yield`, which blocks nothing."""
+    if frame.yielded is None or frame.yielded.state is None:
+        machine.log.blocks(machine)
+
+
+Feed = Callable[[], tuple[Value, Snapshot | None]]
+"""The next item of what a loop runs over, and where the loop ends instead (None: it surely does not)."""
 
 
 def until_stable(
@@ -200,7 +233,7 @@ def until_stable(
     if machine.coarse:
         machine.heads[id(op)] = head
     if ended is None:
-        machine.log.blocks(machine)
+        _never_ends(machine, frame)
         return False
     ended.state.done |= done  # the heads of other times knew less
     machine.resume(frame, ended)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, External, Native, Tuple, Value
+from rosward.domain.values import UNBOUND, Class, External, Native, Tuple, Unknown, Value
 from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots, note, throw
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.groups import handle_groups
@@ -57,6 +57,15 @@ def leave_unseen(machine: Interpreter, snapshot: Snapshot, level: int, *, import
         machine.catchers[-1].take(machine, snapshot.state)
         machine.catchers[-1].importing |= importing
         note(machine, level)
+
+
+def thrown_in(machine: Interpreter, exception: Value) -> None:
+    """An exception is thrown into a generator: one that is not known is what Python itself may have raised where it is handled."""
+    if exception.__class__ is Unknown:
+        level = machine.handling[-1][1] if machine.handling else 0
+        leave_unseen(machine, Snapshot([], machine.state), max(level, 1))
+    else:
+        throw(machine, exception)
 
 
 Rest = Callable[[], bool]

@@ -291,7 +291,7 @@ def _intrinsic(_machine: Interpreter, op: ops.Intrinsic, _frame: Frame) -> bool:
 def _for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool:
     value = frame.registers[op.iterable]
     if value.__class__ is Ref:
-        return machine.obj(value).kind not in ("list", "set", "dict")
+        return machine.obj(value).kind not in ("list", "set", "dict", "generator")
     return value.__class__ is not Tuple and not _plain(value) and value.__class__.__name__ != "Range"
 
 
@@ -331,8 +331,15 @@ def _known(machine: Interpreter, value: Value) -> bool:
     return value.__class__ is Const
 
 
+def _is_generator(machine: Interpreter, arguments: list[Value]) -> bool:
+    first = arguments[0] if arguments else NONE
+    return first.__class__ is Ref and machine.obj(first).kind == "generator"
+
+
 def _native(machine: Interpreter, name: str, arguments: list[Value]) -> bool:
     head, _, method = name.rpartition(".")
+    if head == "generator" or (method == "next" and _is_generator(machine, arguments)):
+        return False  # what it raises is followed
     if (
         head in _EVALUATED
         and (method in _NUMBERS or head not in ("", "builtins"))

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Any, final
 
 from rosward.domain.choice import join
-from rosward.domain.values import UNBOUND, ModuleValue, Value
+from rosward.domain.suspended import Point
+from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
 from rosward.engine.state import Merge, State, join_registers, join_states
 from rosward.ir.program import Code
 
@@ -47,11 +48,23 @@ class Exits:
         self.returned: Snapshot | None = None
         self.value: Value = UNBOUND
 
-    @property
-    def taken(self) -> bool:
-        """Whether some way has left already, so that what follows does not surely happen."""
-        here = self.broken is not None or self.continued is not None or self.returned is not None
-        return here or (self.outer is not None and self.outer.taken)
+
+@final
+class Yielded:
+    """What advancing a generator gives, joined over the points from which it goes on: items, points, the state behind its yields.
+
+    `function` and `context` are those of the call that runs; `lineage` tells in which generators it was made.
+    """
+
+    __slots__ = ("context", "function", "item", "lineage", "points", "state")
+
+    def __init__(self, function: Function, lineage: tuple[int, ...]) -> None:
+        self.lineage = lineage
+        self.function = function
+        self.context = 0
+        self.item: Value = UNBOUND
+        self.points: dict[Point, tuple[Value, ...]] = {}
+        self.state: State | None = None
 
 
 @final
@@ -60,7 +73,8 @@ class Frame:
 
     `cells` are the heap addresses of own, then captured cells. `namespace` is the class body's heap address, or -1.
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
-    `uncertain` counts the enclosing branches of which it is not known whether they run. `yields` collects what a generator yields.
+    `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
+    gives, and `turns` holds for each loop that is running, by id() of the operation, its turn and what it keeps between two of them.
     """
 
     __slots__ = (
@@ -72,14 +86,12 @@ class Frame:
         "line",
         "module",
         "namespace",
-        "raised",
         "registers",
         "sequence",
         "stub",
+        "turns",
         "uncertain",
-        "yield_rest",
         "yielded",
-        "yields",
     )
 
     def __init__(
@@ -97,7 +109,5 @@ class Frame:
         self.column = 1
         self.sequence = 0  # how many objects the current operation has made
         self.uncertain = 0
-        self.raised = 0  # how often something had been raised when the call began
-        self.yields: list[Value] = []
-        self.yield_rest: Value = UNBOUND
-        self.yielded: State | None = None  # the states at the yields so far, joined
+        self.yielded: Yielded | None = None
+        self.turns: dict[int, tuple[Any, ...]] = {}

@@ -15,10 +15,12 @@ from rosward.domain.choice import join
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
+from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     NONE,
     UNBOUND,
+    Function,
     Native,
     Ref,
     TooManyPartsError,
@@ -35,11 +37,14 @@ from rosward.engine import (
     equality,
     escape,
     failing,
+    generators,
     items,
     iteration,
     modules,
     namespaces,
     raised,
+    stepping,
+    suspending,
 )
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame, Snapshot
@@ -90,8 +95,9 @@ class Interpreter:
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began
-        self.yielded: State | None = None  # the states at the yields of the generator that was run last, joined
         self.ended_by: Value = UNBOUND  # the exceptions by which the main body may end, joined
+        self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
+        self.ways: dict[int, dict[int, suspending.Way]] = {}  # how each body that yields leads to its yields, by id()
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, activation.Summary] = {}
         self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
@@ -158,11 +164,6 @@ class Interpreter:
                 self.coarse_limit = max(self.coarse_limit, self.steps + left)
             self.loop_limit = self.coarse_limit
             self.coarse = self.always_coarse or self.steps > self.coarse_limit
-
-    def take_yielded(self) -> State | None:
-        """The states at the yields of the generator that was run last, joined; they are given once."""
-        taken, self.yielded = self.yielded, None
-        return taken
 
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
@@ -246,10 +247,13 @@ class Interpreter:
         return address
 
     def place_at(self, key: object, obj: Obj) -> int:
-        """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
+        """Put a new object at the address that belongs to a key; a second one there makes the record stand for both.
+
+        Unless that is a generator at its end: nothing can be had from it any more, so the new one takes its place.
+        """
         address = self.place_key(key)
         old = self.state.heap.get(address)
-        if old is not None:
+        if old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
             joined = join_objects(old, obj, join)
             if not joined.many:
                 joined = joined.replace(many=True)
@@ -287,6 +291,30 @@ class Interpreter:
     def wait_for(self, value: Value) -> Value:
         """`await value`."""
         return calls.wait_for(self, value)
+
+    def make_generator(self, function: Function, registers: list[Value]) -> Ref:
+        """What a call of a generator function or coroutine gives."""
+        return generators.make(self, function, registers)
+
+    def advance(self, ref: Ref, action: stepping.Action) -> stepping.Stepped:
+        """Resume a suspended generator."""
+        return generators.advance(self, ref, action)
+
+    def run_out(self, ref: Ref) -> tuple[Items, Value]:
+        """Run a generator or coroutine to its end: what it yields, what it returns."""
+        return generators.run_out(self, ref)
+
+    def close_generator(self, ref: Ref) -> None:
+        """`generator.close()`."""
+        generators.close(self, ref)
+
+    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+        """The next item of an iterator, or the default, else StopIteration."""
+        return stepping.next_of(self, iterator, stepping.Action(kind, value), default)
+
+    def is_stepped(self, value: Value) -> bool:
+        """Whether a value is followed step by step where it is iterated over."""
+        return stepping.steps(self, stepping.made(self, value))
 
     def throw(self, exception: Value) -> None:
         """An exception is raised here for sure."""

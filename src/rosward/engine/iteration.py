@@ -3,16 +3,19 @@
 
 for n in ['a', 'b']: …           a known sequence is followed item by item, a list as it stands at each turn (it may grow meanwhile)
 for n in Names(): …              `__next__` is called before each turn, until it raises StopIteration
-for n in generator(): …          the generator runs first; the loop sees its states at the yields, joined
+for n in words(): …              a generator runs to its next `yield` before each turn: it and the loop see what the other wrote
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
 
-from rosward.domain.choice import join, join_all, options, widen
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.suspended import ANY_TURN, Suspension
+from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
     UNBOUND,
@@ -22,16 +25,15 @@ from rosward.domain.values import (
     Function,
     Native,
     Ref,
+    Tuple,
     Unknown,
     Value,
 )
-from rosward.engine import activation, attributes, calls, classes
+from rosward.engine import attributes, calls, classes, stepping
 from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import Catcher, rethrow
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
-from rosward.engine.raised import may_catch
-from rosward.engine.state import EventKey, State, element, join_states
+from rosward.engine.state import element, join_states
 from rosward.ir import ops
 from rosward.models import operators
 from rosward.models.native import Items
@@ -39,74 +41,111 @@ from rosward.models.native import Items
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
-_STEP: Final = {
-    False: ("__iter__", "__next__", "StopIteration"),
-    True: ("__aiter__", "__anext__", "StopAsyncIteration"),
-}
+
+class Begun(NamedTuple):
+    """A turn that was suspended: its number, what the loop runs over, what is ahead, and how the turn is finished."""
+
+    turn: int
+    source: Value
+    ahead: Items
+    finish: Callable[[], bool]
 
 
-def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool | None:
-    """A loop over what a value yields."""
+def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun | None = None) -> bool | None:
+    """A loop over what a value yields. `begun`: go on in a turn that was suspended."""
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
-    source = frame.registers[op.iterable]
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
-    begun: frozenset[EventKey] | None = None
     returned = frame.exits.returned
-    source = _made(machine, source, asynchronous=op.is_async)
+    if begun is None:
+        source = stepping.made(machine, frame.registers[op.iterable], asynchronous=op.is_async)
+    else:
+        source = begun.source
     machine.begin_loop(op)
     if source is UNBOUND:
         alive = False
-    elif _steps(machine, source, asynchronous=op.is_async):
-        alive = _over_iterator(machine, op, frame, context, source)
+    elif stepping.steps(machine, source, asynchronous=op.is_async):
+        source = stepping.iterator_of(machine, source, asynchronous=op.is_async)
+        alive = _over_iterator(machine, op, frame, context, source, begun)
     else:
-        known, rest, begun = _run_source(machine, source)
-        alive = _over_items(machine, op, frame, context, source, Items(known, rest))
+        found = iterate(machine, source) if begun is None else begun.ahead
+        alive = _over_items(machine, op, frame, context, source, found, begun)
     machine.end_loop(op)
     frame.context = context
+    for left in (frame.exits.broken, frame.exits.returned):
+        if left is not None and left is not returned:
+            _leave(machine, left, source)
     if alive:
         alive = machine.run(op.orelse, frame)
-    if begun is not None:
-        for left in (frame.exits.broken, frame.exits.returned):
-            if (
-                left is not None and left is not returned
-            ):  # what the generator does behind its first item may not happen
-                left.state.done &= begun
     return behind(machine, frame, alive, saved)
 
 
-def _run_source(
-    machine: Interpreter, source: Value
-) -> tuple[tuple[Value, ...], Value | None, frozenset[EventKey] | None]:
-    """What a source yields; where it is a generator also what it surely did before its first item."""
-    if isinstance(source, Ref) and machine.obj(source).kind == "generator":
-        run = activation.run_generator(machine, machine.obj(source))
-        return (*run.items, run.begun)
-    return (*iterate(machine, source), None)
+def _leave(machine: Interpreter, left: Snapshot, source: Value) -> None:
+    """Behind a loop that was left early, Python closes its generator where nothing else holds it."""
+    if isinstance(source, Ref) and may_act_when_closed(machine.state.heap.get(source.address)):
+        here, machine.state = machine.state, left.state.copy()
+        machine.close_generator(source)
+        left.state = join_states(left.state, machine.state, machine.fresh_version)
+        machine.state = here
 
 
-def _over_items(machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, source: Value, found: Items) -> bool:
+def may_act_when_closed(record: Obj | None) -> bool:
+    """Whether a generator may stand in a `try` or `with`, so that closing it runs something."""
+    suspension = None if record is None else record.payload
+    return isinstance(suspension, Suspension) and any(s.part == "body" for p in suspension.points for s in p.path)
+
+
+def _enter_turn(
+    machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
+) -> None:
+    """A turn begins: what it makes is told apart from what others make."""
+    frame.context = machine.context(context, id(op), "*" if number == ANY_TURN else number)
+    if frame.yielded is not None:
+        rest = UNBOUND if ahead.rest is None else ahead.rest
+        frame.turns[id(op)] = (number, source, Tuple(ahead.known), rest)
+
+
+def _over_items(
+    machine: Interpreter,
+    op: ops.ForEach,
+    frame: Frame,
+    context: int,
+    source: Value,
+    found: Items,
+    begun: Begun | None,
+) -> bool:
     """Item by item; any number of turns where items are too many or of unknown number."""
     known, rest = found
     live = source if isinstance(source, Ref) and _is_list(machine, source) else None
     sizes = _sizes(machine, source)
     budget = machine.budget
+    number, offset, alive = 0, 0, True
+    if begun is not None:
+        number = begun.turn
+        _enter_turn(machine, op, frame, context, number, source, found)
+        if not begun.finish():
+            return False
+        number = offset = number + 1 if number >= 0 else budget.unroll
+        if begun.turn == ANY_TURN:
+            rest = _any_of(found)
+            known = ()
+            rest = UNBOUND if rest is None else rest
     if machine.coarse or len(known) > budget.unroll or machine.turns + len(known) > budget.turns:
-        rest = join_all([*known, *(() if rest is None else (rest,))])
+        rest = _any_of(Items(known, rest))
         known = ()
-    number, alive = 0, True
-    while rest is None or number < len(known):
+    while rest is None or number - offset < len(known):
         if live is not None:  # as the list stands now: a turn may have changed it
             record = machine.obj(live)
             if record.items is None or number >= budget.unroll or machine.turns >= budget.turns:
                 rest = element(record)
                 break
-            known = record.items
-        if number >= len(known):
+            known, offset = record.items, 0
+        if number - offset >= len(known):
             break
         machine.turns += 1
-        frame.context = machine.context(context, id(op), number)
-        frame.registers[op.item] = known[number]
+        ahead = Items(() if live is not None else known[number - offset + 1 :], rest)
+        _enter_turn(machine, op, frame, context, number, source, ahead)
+        frame.registers[op.item] = known[number - offset]
         alive = turn(machine, op.body, frame)
         if not alive:
             return False
@@ -114,22 +153,28 @@ def _over_items(machine: Interpreter, op: ops.ForEach, frame: Frame, context: in
         machine.check_time()
         if machine.coarse:
             now = known if live is None else machine.obj(live).items
-            left = (*(now or ())[number:], *(() if rest is None else (rest,)))
-            if now is not None and not left:
+            left = Items((now or ())[number - offset :], rest)
+            if now is not None and _any_of(left) is None:
                 return True
-            rest, known = join_all(left) if left else rest, ()
+            rest, known = _any_of(left), ()
             break
     if rest is None and live is None and _sizes(machine, source) != sizes:
         rest = _elements_now(machine, source)
     if rest is None:
         return True
-    frame.context = machine.context(context, id(op), "*")
+    _enter_turn(machine, op, frame, context, ANY_TURN, source, Items((), rest))
     anything = rest
 
     def feed() -> tuple[Value, Snapshot]:
         return join(anything, _elements_now(machine, source)), machine.snapshot(frame)
 
     return until_stable(machine, op, frame, None, feed)
+
+
+def _any_of(items: Items) -> Value | None:
+    """Any of the items; None where there are none."""
+    found = [*items.known, *(() if items.rest is None else (items.rest,))]
+    return join_all(found) if found else None
 
 
 def _is_list(machine: Interpreter, value: Ref) -> bool:
@@ -152,37 +197,31 @@ def _elements_now(machine: Interpreter, source: Value) -> Value:
     return join_all(e for e in found if e is not None)
 
 
-# Iterators of the program's own classes
+# Iterators that are advanced
 
 
-def _made(machine: Interpreter, source: Value, *, asynchronous: bool) -> Value:
-    """What `__iter__` of an object of the program gives; any other value itself."""
-    if not isinstance(source, Ref) or machine.obj(source).kind != "instance":
-        return source
-    method = attributes.method(machine, source, _STEP[asynchronous][0])
-    return source if method is None else calls.call(machine, method, (), {})
-
-
-def _steps(machine: Interpreter, source: Value, *, asynchronous: bool) -> bool:
-    """Whether a value is an object of the program that has a `__next__`."""
-    if not isinstance(source, Ref) or machine.obj(source).kind != "instance":
-        return False
-    return attributes.method(machine, source, _STEP[asynchronous][1]) is not None
-
-
-def _over_iterator(machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, iterator: Value) -> bool:
-    """`__next__`, turn, `__next__`, turn, …: one by one while it surely gives an item, then to a fixpoint."""
-    number = 0
-    while number < machine.budget.unroll_while and machine.turns < machine.budget.turns and not machine.coarse:
-        frame.context = machine.context(context, id(op), number)
+def _over_iterator(
+    machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, iterator: Value, begun: Begun | None
+) -> bool:
+    """An item, a turn, an item, a turn, …: one by one while it surely gives an item, then to a fixpoint."""
+    nothing = Items(())
+    number, any_number = 0, False
+    if begun is not None:
+        _enter_turn(machine, op, frame, context, begun.turn, iterator, nothing)
+        if not begun.finish():
+            return False
+        number, any_number = begun.turn + 1, begun.turn == ANY_TURN or frame.uncertain > 0
+    most = machine.budget.unroll if stepping.is_generator(machine, iterator) else machine.budget.unroll_while
+    while not any_number and number < most and machine.turns < machine.budget.turns and not machine.coarse:
+        _enter_turn(machine, op, frame, context, number, iterator, nothing)
         before = machine.snapshot(frame)
-        item, ended = _advance(machine, frame, iterator, asynchronous=op.is_async)
+        item, ended, _ = stepping.step(machine, iterator, asynchronous=op.is_async)
         if item is UNBOUND:
             if ended is None:
                 return False
             machine.state = ended
             return True
-        if ended is not None or item.__class__ is Unknown:
+        if ended is not None or (item.__class__ is Unknown and not stepping.is_generator(machine, iterator)):
             machine.resume(frame, before)
             break
         frame.registers[op.item] = item
@@ -193,96 +232,16 @@ def _over_iterator(machine: Interpreter, op: ops.ForEach, frame: Frame, context:
         number += 1
         machine.turns += 1
         machine.check_time()
-    frame.context = machine.context(context, id(op), "*")
+    _enter_turn(machine, op, frame, context, ANY_TURN, iterator, nothing)
 
-    def feed() -> tuple[Value, Snapshot]:
-        start = machine.state.copy()
-        item, ended = _advance(machine, frame, iterator, asynchronous=op.is_async)
-        end = start if ended is None else join_states(start, ended, machine.fresh_version)
-        return item, Snapshot(frame.registers.copy(), end)
+    def feed() -> tuple[Value, Snapshot | None]:
+        start = None if stepping.is_generator(machine, iterator) else machine.state.copy()
+        item, ended, _ = stepping.step(machine, iterator, asynchronous=op.is_async)
+        if start is not None:  # an object of the program may end any time
+            ended = start if ended is None else join_states(start, ended, machine.fresh_version)
+        return item, None if ended is None else Snapshot(frame.registers.copy(), ended)
 
     return until_stable(machine, op, frame, None, feed)
-
-
-def _advance(machine: Interpreter, frame: Frame, iterator: Value, *, asynchronous: bool) -> tuple[Value, State | None]:
-    """The next item of an iterator (UNBOUND: surely none), and the state in which it ends instead (None: it surely does not)."""
-    _, step, stop = _STEP[asynchronous]
-    outer, catcher = machine.catchers, Catcher(machine, frame)
-    machine.catchers = [*outer, catcher]
-    try:
-        item = machine.call_method(iterator, step, ())
-        if asynchronous and item is not UNBOUND:
-            item = machine.wait_for(item)
-    finally:
-        machine.catchers = outer
-    wanted = Native(f"builtins.{stop}")
-    ended: State | None = None
-    others = Catcher(machine, frame)
-    for exception, snapshot in catcher.arrivals.items():
-        caught = may_catch(machine, exception, wanted)
-        if caught is not False:
-            state = snapshot.state.copy()
-            ended = state if ended is None else join_states(ended, state, machine.fresh_version)
-        if caught is not True:
-            others.arrive(machine, exception, snapshot.state)
-    if outer and catcher.level:
-        outer[-1].take_over(machine, catcher)
-    rethrow(machine, others)
-    return item, ended
-
-
-def _drain(machine: Interpreter, iterator: Value) -> Items:
-    """All that an iterator gives, where no loop of the program asks for it (`list(Names())`)."""
-    frame = machine.frames[-1]
-    context = frame.context
-    known: list[Value] = []
-    try:
-        while len(known) < machine.budget.unroll_while:
-            frame.context = machine.context(context, frame.line, frame.column, "next", len(known))
-            before = machine.state.copy()
-            item, ended = _advance(machine, frame, iterator, asynchronous=False)
-            if item is UNBOUND:
-                machine.state = before if ended is None else ended
-                return Items(tuple(known))
-            if ended is not None or item.__class__ is Unknown:
-                machine.state = before
-                break
-            known.append(item)
-            if machine.state.version == before.version:
-                break
-        frame.context = machine.context(context, frame.line, frame.column, "next", "*")
-        rest = _drain_rest(machine, frame, iterator)
-        return Items(tuple(known), None if rest is UNBOUND else rest)
-    finally:
-        frame.context = context
-
-
-def _drain_rest(machine: Interpreter, frame: Frame, iterator: Value) -> Value:
-    """Any number of further items, joined; leaves the machine in a state that covers each end."""
-    reason = Reason(Cause.LOOP, "", machine.place)
-
-    def widening(old: Value, new: Value) -> Value:
-        return widen(old, new, reason)
-
-    rest: Value = UNBOUND
-    head = machine.state.copy()
-    for number in range(machine.budget.fixpoint * 4):
-        machine.state = head.copy()
-        item, ended = _advance(machine, frame, iterator, asynchronous=False)
-        seen = (head.version, rest)
-        if ended is not None:
-            head = join_states(head, ended, machine.fresh_version, widening)
-        if item is UNBOUND:
-            break
-        merge = join if number < machine.budget.widen_after else widening
-        rest = item if rest is UNBOUND else merge(rest, item)
-        head = join_states(head, machine.state, machine.fresh_version, merge)
-        if seen == (head.version, rest):
-            break
-    else:
-        machine.report("RW201", "an iterator did not come to rest; what it does later may be missing")
-    machine.state = head
-    return rest
 
 
 # What a value yields
@@ -296,7 +255,7 @@ def iterate(machine: Interpreter, value: Value) -> Items:
     if cls is Ref:
         obj = machine.obj(value)  # type: ignore[arg-type]
         if obj.kind == "generator":
-            return activation.run_generator(machine, obj).items
+            return machine.run_out(value)[0]  # type: ignore[arg-type]
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
     if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
@@ -309,7 +268,7 @@ def iterate(machine: Interpreter, value: Value) -> Items:
 def series(machine: Interpreter, value: Value) -> Series:
     """What `for x in value` sees, as far as the order is known."""
     if isinstance(value, Ref) and machine.obj(value).kind == "instance":
-        iterator = _made(machine, value, asynchronous=False)
+        iterator = stepping.made(machine, value, asynchronous=False)
         if iterator is UNBOUND:
             return Series()
         if iterator != value:
@@ -346,7 +305,7 @@ def _iterate_instance(machine: Interpreter, value: Value) -> Items:
         if iterator != value:
             return machine.iterate(iterator)
     if attributes.method(machine, value, "__next__") is not None:
-        return _drain(machine, value)
+        return stepping.drain(machine, value)[0]
     method = attributes.method(machine, value, "__getitem__")
     if method is not None:
         item = calls.call(machine, method, (machine.unknown(Cause.OPERATION, "index", "int"),), {})

@@ -14,6 +14,7 @@ from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Alternatives, Obj, fields_of
 from rosward.domain.memory import Heap
 from rosward.domain.series import joined as joined_series
+from rosward.domain.suspended import Suspension, join_suspended
 from rosward.domain.values import UNBOUND, Ref, Value
 
 Merge = Callable[[Value, Value], Value]
@@ -66,23 +67,14 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     if right.many and not left.many:
         result = result.copy() if result is left else result
         result.many = True
-    if left.kind == "generator" and left.payload != right.payload:
-        result = _join_suspended(result, left, right, merge)
+    if isinstance(left.payload, Suspension) and isinstance(right.payload, Suspension):
+        suspension = join_suspended(left.payload, right.payload, merge)
+        result = result if suspension is left.payload else result.replace(payload=suspension)
     elif left.kind in ("list", "set"):
         result = _join_elements(result, left, right, merge)
     elif left.kind == "dict":
         result = _join_entries(result, left, right, merge)
     return result
-
-
-def _join_suspended(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
-    """Two suspended calls of one function: its arguments are those of either."""
-    if not isinstance(left.payload, tuple) or not isinstance(right.payload, tuple):
-        return result if left.payload is not None else result.replace(payload=right.payload)
-    function, ours = left.payload
-    known = list(ours)
-    registers = join_registers(known, list(right.payload[1]), merge)
-    return result if registers is known else result.replace(payload=(function, tuple(registers)))
 
 
 def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -> dict[str, Value]:

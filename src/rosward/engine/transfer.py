@@ -17,7 +17,6 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, S
 from rosward.engine import (
     attributes,
     calls,
-    catcher,
     classes,
     contexts,
     control,
@@ -26,9 +25,9 @@ from rosward.engine import (
     items,
     iteration,
     modules,
+    suspending,
 )
 from rosward.engine.frame import Frame
-from rosward.engine.state import join_states
 from rosward.ir import ops
 from rosward.models.strings import format_value
 
@@ -259,28 +258,6 @@ def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
     return None
 
 
-def _yield(machine: Interpreter, op: ops.Yield, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
-    value = frame.registers[op.src]
-    known, rest = ((value,), None) if not op.many else machine.iterate(value)
-    unsure = (
-        frame.uncertain or frame.exits.taken or machine.raised != frame.raised or catcher.may_have_left(machine, frame)
-    )
-    catcher.note(machine, catcher.ANYTHING)  # whoever holds the generator may throw into it
-    if frame.yielded is None:
-        frame.yielded = machine.state.copy()
-    elif frame.yielded.version != machine.state.version:
-        frame.yielded = join_states(frame.yielded, machine.state.copy(), machine.fresh_version)
-    if unsure or frame.yield_rest is not UNBOUND or len(frame.yields) > machine.budget.items:
-        for item in known:
-            frame.yield_rest = join(frame.yield_rest, item)
-    else:
-        frame.yields.extend(known)
-    if rest is not None:
-        frame.yield_rest = join(frame.yield_rest, rest)
-    frame.registers[op.dst] = machine.unknown(Cause.CALL, "send")
-
-
 def _await(machine: Interpreter, op: ops.Await, frame: Frame) -> bool | None:
     frame.line, frame.column, frame.sequence = op.line, op.column, 0
     value = calls.wait_for(machine, frame.registers[op.src])
@@ -317,7 +294,7 @@ HANDLERS: Final[dict[type[ops.Op], Handler]] = {
     ops.Unpack: _unpack,
     ops.Intrinsic: _intrinsic,
     ops.Assume: _assume,
-    ops.Yield: _yield,
+    ops.Yield: suspending.yield_,
     ops.Await: _await,
     ops.If: control.branch,
     ops.While: control.loop,

@@ -140,21 +140,13 @@ def _next_of(call: NativeCall, value: Value) -> Value:
     if obj.payload == ITERATOR and not obj.many and (series := obj.series()).head:
         write_series(machine, value, series.without(1))
         return series.head[0]
-    if obj.kind == "generator" and not obj.many:
-        return _start(call, value, machine.iterate(value))
+    if obj.kind == "generator":
+        return machine.next_of(value, "next", NONE, *call.args[1:2])
     if obj.kind == "instance":
+        if len(call.args) > 1:
+            return machine.next_of(value, "next", NONE, call.args[1])
         return machine.call(machine.load_attr(value, "__next__"), ())
     return _any_of(call, all_of(machine.iterate(value)))
-
-
-def _start(call: NativeCall, ref: Ref, items: Items) -> Value:
-    """The first `next` of a generator: its first element; from then on it may give any."""
-    if not items.known:
-        return _any_of(call, all_of(items))
-    obj = call.machine.obj(ref)
-    changed = obj.replace(kind="list", cls=_LIST, items=None, rest=join_all(all_of(items)), payload=ITERATOR)
-    call.machine.update(ref, changed)
-    return items.known[0]
 
 
 def _any_of(call: NativeCall, values: tuple[Value, ...]) -> Value:

@@ -62,6 +62,18 @@ class Machine(Protocol):
     def series(self, value: Value) -> Series:
         """The same, as far as the order is known."""
 
+    def is_stepped(self, value: Value) -> bool:
+        """Whether `for x in value` follows it step by step: a generator, or an object with `__next__`."""
+
+    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+        """Advance an iterator (`kind`: next, send or throw, with `value`): its next item; at its end the default, else StopIteration."""
+
+    def close_generator(self, ref: Ref) -> None:
+        """`generator.close()`."""
+
+    def load_module(self, name: str) -> Value:
+        """The module of a dotted name, run if it was not yet."""
+
     def truth(self, value: Value) -> bool | None:
         """The truth of a value; None where both are possible (also for constants that stem from a mere default)."""
 

@@ -92,13 +92,17 @@ def _deep(call: NativeCall) -> Value:
 
 
 def _begin(call: NativeCall) -> Value:
-    """contextlib._begin(generator): runs it to its end, gives what it yields first."""
-    items = call.machine.iterate(call.args[0])
-    if items.known:
-        return items.known[0]
-    if items.rest is not None and items.rest is not UNBOUND:
-        return items.rest
-    return call.machine.die("RuntimeError", "generator didn't yield")
+    """contextlib._begin(generator): runs it to its `yield`, gives what it yields."""
+    return call.machine.next_of(call.args[0], "next", NONE)
+
+
+def _end(call: NativeCall) -> Value:
+    """contextlib._end(generator, exception): runs it on from there. True where it swallows the exception; one that it raises goes outward."""
+    generator, exception = call.args
+    swallows = Const(exception != NONE)
+    kind = "next" if exception == NONE else "throw"
+    answer = call.machine.next_of(generator, kind, exception, swallows)
+    return answer if answer is UNBOUND else swallows
 
 
 def _unwind(call: NativeCall) -> Value:
@@ -157,7 +161,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "copy.copy": _shallow,
     "copy.deepcopy": _deep,
     "contextlib._begin": _begin,
-    "contextlib._end": lambda _call: NONE,
+    "contextlib._end": _end,
     "contextlib._unwind": _unwind,
     "inspect._kind_of": _kind_of,
     "queue._any": _any_of,
