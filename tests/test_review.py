@@ -86,9 +86,9 @@ def test_in_yaml(text: str, expected: object) -> None:
     ],
 )
 def test_hostile_text_takes_no_time(text: str, suffix: str) -> None:
-    start = time.monotonic()
+    start = time.process_time()
     ignore_comments(text, suffix)
-    assert time.monotonic() - start < 10
+    assert time.process_time() - start < 10
 
 
 def test_a_fingerprint_stays_when_lines_move_and_indentation_changes() -> None:
@@ -106,10 +106,10 @@ def test_a_fingerprint_does_not_depend_on_the_folder_that_is_analysed() -> None:
 
 
 def test_a_long_message_takes_no_time() -> None:
-    start = time.monotonic()
+    start = time.process_time()
     for text in ("a" * 200_000, "a/" * 100_000, ("a/" * 50 + ":") * 2_000, ":1" * 100_000):
         fingerprints([Finding("RW102", text, Place("a.py"))], lambda _f, _n: "")
-    assert time.monotonic() - start < 5
+    assert time.process_time() - start < 5
 
 
 def test_a_fingerprint_tells_code_file_line_message_and_occurrence_apart() -> None:

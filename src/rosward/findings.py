@@ -66,6 +66,30 @@ _TABLE: Final = (
         _N,
         "Nothing of it was read: what it creates is not in the result. See --exclude.",
     ),
+    Rule(
+        "RW012",
+        "link out of the sources",
+        _E,
+        "Name the folder that it leads to as a PATH, or follow links (--follow-links): nothing behind it is in the result.",
+    ),
+    Rule(
+        "RW013",
+        "folder marked to be ignored",
+        _N,
+        "colcon does not build what is in it, and it is not in the result. Name the folder as a PATH to analyse it.",
+    ),
+    Rule(
+        "RW014",
+        "package name used twice",
+        _W,
+        "colcon refuses two packages of one name, and the result holds both: exclude one of them (--exclude).",
+    ),
+    Rule(
+        "RW015",
+        "launch file in an ignored folder",
+        _W,
+        "colcon does not install what is beside it. Name its folder as a PATH, too, so that its programs are found.",
+    ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the value that is missing a default in the source."),
     Rule("RW102", "partly known name", _W, "Supply the missing part, or accept the wildcard in the policy."),

@@ -67,6 +67,7 @@ def launched(
     models: Sequence[SourcePath] = (),
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),
+    follow_links: bool = False,
     request: Request = EVERYTHING,
     underlays: Sequence[SourcePath] = (),
     budget: Budget | None = None,
@@ -75,7 +76,18 @@ def launched(
 
     def work() -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
         chosen = Distro(distro)
-        read = read_sources(paths, chosen, models, underlays, budget, None, request, tests=tests, exclude=exclude)
+        read = read_sources(
+            paths,
+            chosen,
+            models,
+            underlays,
+            budget,
+            None,
+            request,
+            tests=tests,
+            exclude=exclude,
+            follow_links=follow_links,
+        )
         systems, findings = systems_of(request, Outset.of(read))
         return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
 

@@ -7,6 +7,7 @@ result.network.nodes
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -45,6 +46,8 @@ class Result:
     """What the launch files start, where they were followed."""
     excluded: int = 0
     """How many files and folders were left unread because a pattern means them."""
+    ignored: int = 0
+    """How many folders were left unread because they are marked to be ignored (COLCON_IGNORE and the like)."""
     launch_files: int = 0
     """How many launch files there are."""
 
@@ -66,6 +69,7 @@ def extract(
     models: Sequence[SourcePath] = (),
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),
+    follow_links: bool = False,
     request: Request = EVERYTHING,
     underlays: Sequence[SourcePath] = (),
     enclaves: str | None = None,
@@ -82,6 +86,7 @@ def extract(
         models: folders of stub files that describe libraries, and of declared interfaces of nodes.
         tests: whether test files are read too.
         exclude: patterns, as in .gitignore, of files and folders that are not read at all.
+        follow_links: whether symbolic links are entered that lead out of `paths`.
         request: what is started; by default every executable, as `ros2 run` starts it.
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
@@ -104,7 +109,18 @@ def extract(
     tell = progress or silent
     return with_deep_stack(
         lambda: _extract(
-            read_sources(paths, chosen, models, underlays, budget, tell, request, tests=tests, exclude=exclude),
+            read_sources(
+                paths,
+                chosen,
+                models,
+                underlays,
+                budget,
+                tell,
+                request,
+                tests=tests,
+                exclude=exclude,
+                follow_links=follow_links,
+            ),
             request,
             unknown,
             _Enclaves(mode, assigned),
@@ -133,13 +149,14 @@ def _extract(
     findings = dict.fromkeys((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
-    excluded = sum(s.reason is SkipReason.EXCLUDED for s in workspace.skipped)
+    reasons = Counter(skipped.reason for skipped in workspace.skipped)
     return Result(
         _network(read, gathered, findings, unknown, wanted),
         workspace.root,
         files,
         systems,
-        excluded,
+        reasons[SkipReason.EXCLUDED],
+        reasons[SkipReason.IGNORED],
         len(workspace.launch_files),
     )
 

@@ -59,13 +59,21 @@ def read_sources(
     *,
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),
+    follow_links: bool = False,
 ) -> SourcesRead:
     """Read what is under `paths`, and the launch files that a request names by their path."""
     wanted = [Path(p) for p in paths] or [Path()]
     named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
     patterns = exclusions_of(exclude, map(str, wanted))
     bounds = budget or Budget()
-    workspace = discover(wanted, launch_files=named, include_tests=tests, exclude=patterns, net=bounds.net)
+    workspace = discover(
+        wanted,
+        launch_files=named,
+        include_tests=tests,
+        exclude=patterns,
+        follow_links=follow_links,
+        net=bounds.net,
+    )
     if not (workspace.files or workspace.launch_files or request.nodes):
         raise NothingToReadError(
             f"nothing to read: no Python file and no launch file in {', '.join(map(str, wanted))} (C++ is not read)"

@@ -78,22 +78,22 @@ YAML = {
 
 @pytest.mark.parametrize(("text", "why"), XML.values(), ids=XML)
 def test_xml_that_cannot_be_read(text: str, why: str) -> None:
-    began = time.monotonic()
+    began = time.process_time()
     description, findings = read_xml(text, "f.xml")
     assert [finding.code for finding in findings] == ["RW310"]
     assert why in findings[0].message
     assert description.actions == ()
-    assert time.monotonic() - began < 20
+    assert time.process_time() - began < 20
 
 
 @pytest.mark.parametrize(("text", "why"), YAML.values(), ids=YAML)
 def test_yaml_that_cannot_be_read(text: str, why: str) -> None:
-    began = time.monotonic()
+    began = time.process_time()
     description, findings = read_yaml(text, "f.yaml")
     assert [finding.code for finding in findings] == ["RW310"]
     assert why in findings[0].message
     assert description.actions == ()
-    assert time.monotonic() - began < 20
+    assert time.process_time() - began < 20
 
 
 def test_a_document_type_without_entities_is_harmless() -> None:

@@ -132,9 +132,9 @@ def test_refused(text: str, expected: str) -> None:
     ],
 )
 def test_hostile(text: str) -> None:
-    start = time.monotonic()
+    start = time.process_time()
     given, findings = read_parameter_file(text, "f")
-    assert time.monotonic() - start < 10
+    assert time.process_time() - start < 10
     assert [finding.code for finding in findings] in (["RW201"], ["RW317"])
     if findings[0].code == "RW201":
         assert [(row.node, row.name, isinstance(row.value, Unknown)) for row in given] == [("/**", "*", True)]

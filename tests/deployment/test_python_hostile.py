@@ -120,9 +120,9 @@ HOSTILE = {
 def test_hostile(case: str, tmp_path: Path) -> None:
     text, part = HOSTILE[case]
     files = Files(tmp_path, text)
-    start = time.monotonic()
+    start = time.process_time()
     assert part in with_deep_stack(lambda: files.shown(Launch()))
-    assert time.monotonic() - start < 20
+    assert time.process_time() - start < 20
     assert not Path("/tmp/rosward-was-here").exists()
 
 

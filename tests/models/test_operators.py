@@ -206,7 +206,7 @@ def test_iterators_are_used_up() -> None:
     ],
 )
 def test_nothing_huge_is_computed(op: str, left: Any, right: Any) -> None:
-    machine, start = FakeMachine(), time.monotonic()
+    machine, start = FakeMachine(), time.process_time()
     result = machine.binary(op, Const(left), Const(right))
     assert isinstance(result, Unknown)
     assert result.reasons[0].cause is Cause.LIMIT
@@ -216,7 +216,7 @@ def test_nothing_huge_is_computed(op: str, left: Any, right: Any) -> None:
     machine.native("builtins.eval", Const("(" * 5000))
     machine.native("builtins.bytes", Const(10**10))
     machine.native("builtins.int", Const("9" * 100_000))
-    assert time.monotonic() - start < 1
+    assert time.process_time() - start < 1
 
 
 def test_growth_is_bounded() -> None:

@@ -129,7 +129,7 @@ MERGING = "a0: &a0 {x: 1}\n" + "".join(f"a{n}: &a{n}\n  <<: [*a{n - 1}, *a{n - 1
 )
 def test_hostile_yaml(machine: FakeMachine, text: str) -> None:
     """It ends soon, and makes little."""
-    start, before = time.monotonic(), len(machine.heap)
+    start, before = time.process_time(), len(machine.heap)
     machine.native("yaml.safe_load", Const(text))
-    assert time.monotonic() - start < 5
+    assert time.process_time() - start < 5
     assert len(machine.heap) - before < 20_000

@@ -65,8 +65,8 @@ def test_covering_and_meeting_say_what_matching_says(one: str, other: str, name:
 
 
 def test_no_pattern_is_slow() -> None:
-    nasty, start = Pattern("rt/" + "*a" * 100), time.monotonic()
+    nasty, start = Pattern("rt/" + "*a" * 100), time.process_time()
     assert not nasty.matches("rt/" + "a" * 99 + "b" * 200)
     assert not nasty.covers(Pattern("rt/*" + "?" * 200))
     assert nasty.meets(Pattern("rt/*b" + "?" * 200))
-    assert time.monotonic() - start < 5
+    assert time.process_time() - start < 5

@@ -256,7 +256,7 @@ def test_each_change_is_told(made: dict[str, list[object]], data: st.DataObject)
 def test_hostile_patterns_are_refused_in_bounded_time() -> None:
     wild = [pub("/" + "a*" * 100 + str(n), resolution=Resolution.PATTERN, conditional=True) for n in range(500)]
     live = [pub("/" + "a" * 400 + f"b{n}") for n in range(500)]
-    start = time.monotonic()
+    start = time.process_time()
     with pytest.raises(UnreadableError, match="too many"):
         told([node("/n", *wild)], running(node("/n", *live)))
-    assert time.monotonic() - start < 60
+    assert time.process_time() - start < 60

@@ -173,7 +173,7 @@ def test_any_text_ends_in_nodes_or_a_refusal(text: str) -> None:
     "text", ["/a\nPublishers:\n" + "/x" * 500_000, "/a\nPublishers:\n/x: " + "a/msg/B, " * 200_000, "x\n" * 1_000_000]
 )
 def test_large_texts_take_bounded_time(text: str) -> None:
-    start = time.monotonic()
+    start = time.process_time()
     with contextlib.suppress(UnreadableError):
         assert len(read_node_info({"i.txt": "/n\n" + text}).findings) <= 20
-    assert time.monotonic() - start < 10
+    assert time.process_time() - start < 10

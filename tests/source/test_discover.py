@@ -302,12 +302,99 @@ def test_a_file_with_two_names_is_read_once_by_its_plain_one(tmp_path: Path) -> 
     assert names(discover([tmp_path])) == ["z/a.py"]
 
 
-def test_a_link_to_a_package_outside_is_followed(tmp_path: Path) -> None:
+def test_a_link_to_a_package_outside_is_told_and_followed_only_where_that_is_asked_for(tmp_path: Path) -> None:
     write(
         tmp_path, {f"store/{name}": text for name, text in python_package("demo", "talker").items()} | {"ws/src/": ""}
     )
     (tmp_path / "ws" / "src" / "demo").symlink_to(tmp_path / "store" / "demo")
-    assert names(discover([tmp_path / "ws"])) == ["src/demo/demo/__init__.py", "src/demo/demo/talker.py"]
+    left = discover([tmp_path / "ws"])
+    assert names(left) == []
+    assert codes(left) == [("RW012", "src/demo")]
+    there = ["src/demo/demo/__init__.py", "src/demo/demo/talker.py"]
+    assert names(discover([tmp_path / "ws"], follow_links=True)) == there
+    assert names(discover([tmp_path / "ws" / "src" / "demo"])) == ["demo/__init__.py", "demo/talker.py"]
+    assert codes(discover([tmp_path / "ws", tmp_path / "store"])) == []
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["talker.py", "robot.launch.xml", "Speed.msg", "package.xml", "setup.py", "CMakeLists.txt", "bringup.launch"],
+)
+def test_a_link_to_a_file_outside_is_told(tmp_path: Path, name: str) -> None:
+    write(tmp_path, {f"store/{name}": "", "ws/src/demo/a.py": ""})
+    (tmp_path / "ws" / "src" / "demo" / name).symlink_to(tmp_path / "store" / name)
+    found = discover([tmp_path / "ws"])
+    assert names(found) == ["src/demo/a.py"]
+    assert not [*found.launch_files, *found.interface_files, *found.packages]
+    assert codes(found) == [("RW012", f"src/demo/{name}")]
+
+
+def test_links_that_nothing_would_read_are_not_told(tmp_path: Path) -> None:
+    write(tmp_path, {"store/map.png": "", "store/cache/a.py": "", "ws/a.py": ""})
+    for link, target in {"map.png": "map.png", ".cache": "cache", "__pycache__": "cache"}.items():
+        (tmp_path / "ws" / link).symlink_to(tmp_path / "store" / target)
+    assert codes(discover([tmp_path / "ws"])) == []
+
+
+def test_links_within_what_is_named_are_followed(tmp_path: Path) -> None:
+    write(tmp_path, {f"ws/store/{name}": text for name, text in python_package("demo", "talker").items()})
+    (tmp_path / "ws" / "src").mkdir()
+    (tmp_path / "ws" / "src" / "demo").symlink_to("../store/demo")
+    assert codes(discover([tmp_path / "ws"])) == []
+    (tmp_path / "way").symlink_to("ws")
+    assert codes(discover([tmp_path / "way"])) == []
+
+
+def test_nothing_is_read_through_a_link_in_a_build_description(tmp_path: Path) -> None:
+    """CMake includes, scripts without a suffix, and modules that an import finds beside the files that were named."""
+    cmake = "project(demo)\ninclude(rest.cmake)\ninstall(PROGRAMS scripts/talk DESTINATION lib/demo)\n"
+    write(
+        tmp_path,
+        {
+            "store/rest.cmake": "install(PROGRAMS scripts/other DESTINATION lib/demo)",
+            "store/talk": "#!/usr/bin/env python3\nimport rclpy\n",
+            "ws/demo/package.xml": manifest("demo", build_type="ament_cmake"),
+            "ws/demo/CMakeLists.txt": cmake,
+            "ws/demo/scripts/other": "#!/usr/bin/env python3\nimport rclpy\n",
+        },
+    )
+    (tmp_path / "ws/demo/rest.cmake").symlink_to(tmp_path / "store/rest.cmake")
+    (tmp_path / "ws/demo/scripts/talk").symlink_to(tmp_path / "store/talk")
+    found = discover([tmp_path / "ws"])
+    assert names(found) == []
+    assert codes(found) == [("RW009", "demo/CMakeLists.txt:3"), ("RW012", "demo/rest.cmake")]
+    followed = discover([tmp_path / "ws"], follow_links=True)
+    assert names(followed) == ["demo/scripts/other", "demo/scripts/talk"]
+
+
+def test_folders_that_are_marked_to_be_ignored_are_told(tmp_path: Path) -> None:
+    write(tmp_path, {"attic/COLCON_IGNORE": "", "attic/a.py": "", "old/AMENT_IGNORE": "", "old/b.py": "", "c.py": ""})
+    found = discover([tmp_path])
+    assert names(found) == ["c.py"]
+    message = "2 folders are marked to be ignored (COLCON_IGNORE and the like): attic, old."
+    assert [(f.code, f.message) for f in found.findings] == [("RW013", message)]
+
+
+def test_build_output_with_the_mark_is_not_told(tmp_path: Path) -> None:
+    write(tmp_path, {"src/a.py": "", "build/COLCON_IGNORE": "", "install/COLCON_IGNORE": "", "log/COLCON_IGNORE": ""})
+    assert codes(discover([tmp_path])) == []
+
+
+def test_a_launch_file_that_is_named_and_lies_in_an_ignored_folder_is_told(tmp_path: Path) -> None:
+    write(
+        tmp_path, {"attic/COLCON_IGNORE": "", "attic/launch/old.launch.py": "def generate_launch_description(): pass"}
+    )
+    found = discover([tmp_path], launch_files=[tmp_path / "attic/launch/old.launch.py"])
+    assert codes(found) == [("RW013", ""), ("RW015", "attic/launch/old.launch.py")]
+
+
+def test_two_packages_of_one_name_are_told(tmp_path: Path) -> None:
+    write(tmp_path, {f"left/{name}": text for name, text in python_package("demo", "talker").items()})
+    write(tmp_path, {f"right/{name}": text for name, text in python_package("demo", "talker").items()})
+    found = discover([tmp_path])
+    assert [(f.code, f.message) for f in found.findings] == [
+        ("RW014", "2 packages are called demo: left/demo, right/demo.")
+    ]
 
 
 def test_things_named_like_python_files_are_told(tmp_path: Path) -> None:
@@ -315,7 +402,8 @@ def test_things_named_like_python_files_are_told(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.py")
     (tmp_path / "broken.py").symlink_to("nowhere")
     (tmp_path / "device.py").symlink_to("/dev/zero")
-    found = discover([tmp_path])
+    assert ("RW012", "device.py") in codes(discover([tmp_path]))
+    found = discover([tmp_path], follow_links=True)
     assert names(found) == ["folder.py/inner.py", "good.py"]
     assert codes(found) == [
         ("RW002", "broken.py"),

@@ -55,9 +55,9 @@ def test_what_is_no_pattern(pattern: str) -> None:
 
 
 def test_hostile_patterns_take_no_time() -> None:
-    start = time.monotonic()
+    start = time.process_time()
     for pattern in ("*a" * 400 + "b", "**/" * 300 + "b", "**/a/" * 150 + "b", "[" * 900):
         exclusions = Exclusions([Exclusion("/", pattern)])
         for path in ("/" + "a" * 200, "/a" * 1_000, "/" + "[" * 200):
             exclusions.of(path)
-    assert time.monotonic() - start < 10
+    assert time.process_time() - start < 10

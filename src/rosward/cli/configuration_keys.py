@@ -184,6 +184,7 @@ NEVER: Final[Mapping[str, str]] = {
     "write-baseline": "it would be written by every run",
     "write": "it would be written by every run",
     "json": "it is `format`",
+    "follow-links": "the file belongs to the sources, and where their links may lead is up to who runs rosward",
     **dict.fromkeys(
         ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it is about what runs at the moment"
     ),

@@ -163,9 +163,17 @@ def summarise(result: Result, found: Reviewed, written: list[str], options: argp
     """Print what was found, and what was written."""
     from rich.console import Console
 
-    from rosward.outputs.text import summary
+    from rosward.outputs.text import Unread, summary
 
     console = Console(soft_wrap=not sys.stdout.isatty())
     network = replace(result.network, findings=found.new)
     unasked = 0 if result.systems else result.launch_files
-    summary(network, console, options.verbose, written, found, options.configuration, result.excluded, unasked)
+    summary(
+        network,
+        console,
+        options.verbose,
+        written,
+        found,
+        options.configuration,
+        Unread(result.excluded, result.ignored, unasked),
+    )

@@ -33,6 +33,7 @@ class _Reading(TypedDict):
     models: list[str]
     tests: bool
     exclude: list[str | Exclusion]
+    follow_links: bool
     request: Request
     underlays: list[str]
 
@@ -84,6 +85,9 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         default=[],
         metavar="PATTERN",
         help="do not read files and folders that this means, as in .gitignore; may be repeated",
+    )
+    parser.add_argument(
+        "--follow-links", action="store_true", help="enter symbolic links that lead out of the PATHs, too"
     )
     parser.add_argument(
         "--no-config", action="store_true", help="do not read rosward.toml or pyproject.toml of what is analysed"
@@ -184,6 +188,7 @@ def reading(options: argparse.Namespace, request: Request) -> _Reading:
         "models": options.models,
         "tests": options.tests,
         "exclude": options.exclude,
+        "follow_links": options.follow_links,
         "request": request,
         "underlays": _underlays_of(options),
     }

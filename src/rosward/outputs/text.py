@@ -15,8 +15,8 @@ Where the console is no terminal it is plain text, without colours and without c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.findings import Severity
 from rosward.network.graph import Network
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.text import Text
 
-__all__ = ["summary"]
+__all__ = ["Unread", "summary"]
 
 _NOTHING_ASIDE: Final = Reviewed(())
 _SHOWN: Final = 5
@@ -40,6 +40,18 @@ _COLOURS: Final = {Severity.ERROR: "bold red", Severity.WARNING: "yellow", Sever
 _SURENESS: Final = {Resolution.PATTERN: "yellow", Resolution.UNKNOWN: "bold red"}
 
 
+class Unread(NamedTuple):
+    """How much is there and not in the network: files and folders that patterns exclude, folders that are marked to be ignored,
+    launch files that nobody asked for."""
+
+    excluded: int = 0
+    ignored: int = 0
+    launch_files: int = 0
+
+
+_ALL_READ: Final = Unread()
+
+
 def summary(
     network: Network,
     console: Console,
@@ -47,30 +59,19 @@ def summary(
     written: Sequence[str] = (),
     reviewed: Reviewed = _NOTHING_ASIDE,
     configuration: str | None = None,
-    excluded: int = 0,
-    launch_files: int = 0,
+    unread: Unread = _ALL_READ,
 ) -> None:
     """Print the summary.
 
     `verbose` lists every finding, notes too; `written` are the paths of what was written. Of `reviewed`, what is ignored or known is counted;
-    `configuration` is the file that set options, `excluded` the number of files and folders that patterns left unread,
-    `launch_files` that of the launch files that are there and that nobody asked for.
+    `configuration` is the file that set options.
     """
     counts = counts_of(network)
     _print(console, _head(network, counts))
     if configuration is not None:
         _print(console, ("  options of " + printable(configuration), "dim"))
-    if excluded:
-        _print(
-            console,
-            (
-                f"  not read: {_several(excluded, 'file or folder', 'files and folders')} excluded by a pattern (-v: which)",
-                "yellow",
-            ),
-        )
-    if launch_files:
-        files = _several(launch_files, "launch file is", "launch files are")
-        _print(console, (f"  {files} not followed: --launch FILE, or --all-launch", "dim"))
+    for line in _left_out(unread):
+        _print(console, line)
     console.print()
     _print(console, ("  ", ""), *_things(counts))
     _print(console, ("  ", ""), *_names(counts))
@@ -88,6 +89,18 @@ def _head(network: Network, counts: Counts) -> tuple[str, str]:
     read = f"{_several(network.files, 'file')} ({_several(network.lines, 'line')})"
     found = f"{_several(counts.nodes, 'node')} in {_several(network.processes, 'process', 'processes')}"
     return (f"rosward read {read} for {network.distro}: {found}.", "bold")
+
+
+def _left_out(unread: Unread) -> Iterator[tuple[str, str]]:
+    if unread.excluded:
+        things = _several(unread.excluded, "file or folder", "files and folders")
+        yield f"  not read: {things} excluded by a pattern (-v: which)", "yellow"
+    if unread.ignored:
+        folders = _several(unread.ignored, "folder")
+        yield f"  not read: {folders} marked to be ignored, as by COLCON_IGNORE (-v: which)", "yellow"
+    if unread.launch_files:
+        files = _several(unread.launch_files, "launch file is", "launch files are")
+        yield f"  {files} not followed: --launch FILE, or --all-launch", "dim"
 
 
 def _things(counts: Counts) -> list[tuple[str, str]]:

@@ -17,6 +17,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake_files import PackageFiles
 from rosward.source.cmake_install import CMakeTarget, Targets, below_share, by_option, shared
 from rosward.source.cmake_text import Argument, Command, parse_cmake
@@ -71,9 +72,9 @@ class CMakeProject(NamedTuple):
     targets: tuple[CMakeTarget, ...] = ()
 
 
-def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
+def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERYWHERE) -> CMakeProject:
     """What the CMakeLists.txt in `folder` installs for the package of that name; places are relative to `root`."""
-    reader = _Reader(folder, package, root)
+    reader = _Reader(folder, package, root, boundary)
     reader.read(folder, 0)
     reader.finish()
     return CMakeProject(
@@ -90,8 +91,9 @@ def read_cmake(folder: str, package: str, root: Path) -> CMakeProject:
 class _Reader:
     """One project in the course of being interpreted."""
 
-    def __init__(self, folder: str, package: str, root: Path) -> None:
+    def __init__(self, folder: str, package: str, root: Path, boundary: Boundary) -> None:
         self._top = folder
+        self._boundary = boundary
         self._root = root
         self._package = package
         self._folder = folder
@@ -115,6 +117,9 @@ class _Reader:
         """Interpret the description in `folder`, with its own idea of the current folder."""
         path = os.path.join(folder, name)  # noqa: PTH118  text throughout: many paths, few of them kept
         file = place_name(path, self._root)
+        if self._boundary.leads_out(path):
+            self.findings.append(Finding("RW012", "The link leads out of the sources: it is not read.", Place(file)))
+            return
         data = read_bytes(path, file, _FILE_LIMIT)
         if isinstance(data, Finding):
             self.findings.append(Finding("RW008", data.message, data.place))

@@ -18,10 +18,12 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
 from rosward.guard import guarded
+from rosward.source.boundary import Boundary
 from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
 from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
+from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
 from rosward.source.packages import Described, describe, is_build_script
 from rosward.source.setup_py import read_setup_py
@@ -35,7 +37,6 @@ if TYPE_CHECKING:
     from rosward.source.entry_points import Declared
 
 _LEVELS_ABOVE: Final = 12
-_SHOWN: Final = 5
 
 
 def discover(
@@ -44,18 +45,23 @@ def discover(
     launch_files: Sequence[Path] = (),
     include_tests: bool = False,
     exclude: Iterable[Exclusion] = (),
+    follow_links: bool = False,
     read_setup: Callable[[str, str], Declared] = read_setup_py,
     net: bool = True,
 ) -> Workspace:
     """What the files and folders `paths` hold, and `launch_files`, less what `exclude` means.
 
+    Links that lead out of all of these are entered only with `follow_links`.
     `read_setup` reads a `setup.py` (path, name in findings); `net`: see `guard.py`.
     """
     starts = list(dict.fromkeys(os.path.abspath(path) for path in paths)) or [os.path.abspath(".")]  # noqa: PTH100
     named = {os.path.abspath(path) for path in launch_files}  # noqa: PTH100
     root = _common_folder([*starts, *sorted(named)])
     excluded = Exclusions(exclude, [*starts, *sorted(named)])
-    tree = Tree(excluded)
+    around = {start: _package_above(start) for start in starts}
+    inside = [*starts, *sorted(named), *(above[0] for above in around.values() if above is not None)]
+    boundary = Boundary(inside, follow=follow_links)
+    tree = Tree(excluded, boundary)
     findings: list[Finding] = []
     chosen = _look(starts, tree, root, findings, include_tests=include_tests)
     files = sorted({*tree.python.values()} - named)
@@ -64,9 +70,10 @@ def discover(
     scripts = {path for path in named_setup if is_build_script(path)}
     tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]
 
-    described, failed = _describe_all(tree, starts, root, read_setup, net=net)
+    beside = [above for above in around.values() if above is not None]
+    described, failed = _describe_all(tree, beside, root, read_setup, net=net)
     owners = _Owners(package for package, _ in described)
-    layout = Layout(excluded)
+    layout = Layout(excluded, boundary)
 
     def record(path: str, *, module: bool) -> SourceFile:
         package = owners.of(path)
@@ -76,7 +83,7 @@ def discover(
 
     sources = [record(path, module=True) for path in files if path not in launch and path not in scripts]
     packages = tuple(sorted((package for package, _ in described), key=lambda p: (p.relative, p.name)))
-    before = Workspace(root, tuple(sources), packages=packages, excluded=excluded)
+    before = Workspace(root, tuple(sources), packages=packages, excluded=excluded, boundary=boundary)
     started, doubts = _executables(described, ImportResolver(before, layout), set(files) if chosen else None, starts)
     known = {os.fspath(file.path) for file in sources}
     for executable in started:
@@ -97,29 +104,36 @@ def discover(
         ),
         findings=tuple(
             sorted(
-                dict.fromkeys([*findings, *failed, *doubts, *_told(tree, root)]),
+                dict.fromkeys([*findings, *failed, *doubts, *left_out(tree, root, named), *_twins(packages)]),
                 key=lambda f: (f.place, f.code, f.message),
             )
         ),
         targets=_targets(described),
         excluded=excluded,
+        boundary=boundary,
     )
 
 
-def _told(tree: Tree, root: Path) -> list[Finding]:
-    """RW011 for each pattern that excludes something."""
-    by_pattern: dict[str, list[str]] = {}
-    for path, reason in tree.skipped:
-        exclusion = tree.excluded.of(path) if reason is SkipReason.EXCLUDED else None
-        if exclusion is not None:
-            by_pattern.setdefault(exclusion.pattern, []).append(place_name(path, root))
-    findings: list[Finding] = []
-    for pattern, paths in sorted(by_pattern.items()):
-        ordered = sorted(set(paths))
-        more = f" and {len(ordered) - _SHOWN} more" if len(ordered) > _SHOWN else ""
-        message = f"{pattern} excludes {', '.join(ordered[:_SHOWN])}{more}: what is in it is not in the result."
-        findings.append(Finding("RW011", message, Place("", 0)))
-    return findings
+def _twins(packages: Iterable[Package]) -> list[Finding]:
+    """RW014 for each name that several packages have."""
+    by_name: dict[str, list[Package]] = {}
+    for package in packages:
+        by_name.setdefault(package.name, []).append(package)
+    return [
+        Finding(
+            "RW014",
+            f"{len(several)} packages are called {name}: {named_few([each.relative or '.' for each in several])}.",
+            Place(_description(several[0])),
+        )
+        for name, several in sorted(by_name.items())
+        if len(several) > 1
+    ]
+
+
+def _description(package: Package) -> str:
+    """The file that gives a package its name."""
+    name = "setup.py" if package.build_type == "python" else "package.xml"
+    return f"{package.relative}/{name}" if package.relative not in ("", ".") else name
 
 
 def _targets(described: list[tuple[Package, Described]]) -> tuple[Target, ...]:
@@ -176,20 +190,18 @@ def _is_launch(path: str) -> bool:
 
 
 def _describe_all(
-    tree: Tree, starts: list[str], root: Path, read_setup: Callable[[str, str], Declared], *, net: bool
+    tree: Tree, around: list[tuple[str, set[str]]], root: Path, read_setup: Callable[[str, str], Declared], *, net: bool
 ) -> tuple[list[tuple[Package, Described]], list[Finding]]:
-    """The packages below the paths and around them."""
+    """The packages below the paths and those `around` them."""
     folders = dict(tree.descriptions)
-    for start in starts:
-        above = _package_above(start)
-        if above is not None:
-            folders.setdefault(*above)
+    for above in around:
+        folders.setdefault(*above)
     found: list[tuple[Package, Described]] = []
     failed: list[Finding] = []
     for folder, names in sorted(folders.items()):
         place = Place(place_name(os.path.join(folder, min(names, default="")), root))  # noqa: PTH118
         missing = "the package was not read"
-        each = guarded(partial(describe, folder, names, root, read_setup), place, missing, net=net)
+        each = guarded(partial(describe, folder, names, root, read_setup, tree.boundary), place, missing, net=net)
         if isinstance(each, Finding):
             failed.append(each)
         elif each is not None:

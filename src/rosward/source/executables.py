@@ -44,7 +44,7 @@ def executables(described: Described, resolver: ImportResolver) -> tuple[list[Ex
         path = os.path.normpath(os.path.join(top, script))  # noqa: PTH118
         scripts.append((os.path.basename(path), path, place))  # noqa: PTH119
     for name, path, place in scripts:
-        if not path.startswith(top + os.sep) or not os.path.isfile(path) or resolver.is_excluded(path):  # noqa: PTH113
+        if not path.startswith(top + os.sep) or not os.path.isfile(path) or resolver.is_left_out(path):  # noqa: PTH113
             findings.append(Finding("RW009", f"The script {name!r} is not among the sources.", place))
         elif is_python_script(path):
             found.append(Executable(package, name, ExecutableKind.SCRIPT, resolver.file_at(path, package), place))

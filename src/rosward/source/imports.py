@@ -59,8 +59,9 @@ class ImportResolver:
 
     def __init__(self, workspace: Workspace, layout: Layout | None = None) -> None:
         self._root = workspace.root
-        self._layout = layout or Layout(workspace.excluded)
+        self._layout = layout or Layout(workspace.excluded, workspace.boundary)
         self._excluded = workspace.excluded
+        self._boundary = workspace.boundary
         self._files = {os.fspath(file.path): file for file in workspace.files}
         self._packages = workspace.packages
         self._scripts = _installed_scripts(workspace)
@@ -102,9 +103,9 @@ class ImportResolver:
                 return found
         return self._guess(parts, package, package.path)
 
-    def is_excluded(self, path: str) -> bool:
-        """Whether the user does not want the file to be read."""
-        return self._excluded.of(path) is not None
+    def is_left_out(self, path: str) -> bool:
+        """Whether the file is not to be read: the user excludes it, or a link leads out of the sources."""
+        return self._excluded.of(path) is not None or self._boundary.leads_out(path)
 
     def file_at(self, path: str, package: Package | None) -> SourceFile:
         """The record of a file, made where an import is the first to need it."""

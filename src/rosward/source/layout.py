@@ -13,6 +13,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
+from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 
 if TYPE_CHECKING:
@@ -37,17 +38,18 @@ class Listing(NamedTuple):
 class Layout:
     """Folders as the file system has them, each listed once."""
 
-    __slots__ = ("_excluded", "_listings")
+    __slots__ = ("_boundary", "_excluded", "_listings")
 
-    def __init__(self, excluded: Exclusions | None = None) -> None:
+    def __init__(self, excluded: Exclusions | None = None, boundary: Boundary = EVERYWHERE) -> None:
         self._listings: dict[str, Listing] = {}
+        self._boundary = boundary
         self._excluded = excluded or Exclusions()
 
     def listing(self, folder: str) -> Listing:
         """What lies in `folder`; nothing, if it cannot be listed."""
         found = self._listings.get(folder)
         if found is None:
-            found = self._listings[folder] = _list(folder, self._excluded)
+            found = self._listings[folder] = _list(folder, self._excluded, self._boundary)
         return found
 
     def holds_python(self, folder: str) -> bool:
@@ -90,13 +92,15 @@ class Layout:
         return ".".join(parts)
 
 
-def _list(folder: str, excluded: Exclusions) -> Listing:
+def _list(folder: str, excluded: Exclusions, boundary: Boundary) -> Listing:
     modules: set[str] = set()
     folders: set[str] = set()
     try:
         with os.scandir(folder) as entries:
             for entry in entries:
                 if excluded and excluded.of(entry.path) is not None:
+                    continue
+                if entry.is_symlink() and boundary.leads_out(entry.path):
                     continue
                 if entry.name.endswith(".py"):
                     if entry.is_file():

@@ -13,6 +13,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake import CMakeProject, read_cmake
 from rosward.source.cmake_install import below_share
 from rosward.source.entry_points import Declared, read_pyproject, read_setup_cfg
@@ -39,7 +40,9 @@ class Described(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def describe(folder: str, names: Collection[str], root: Path, read_setup: SetupReader) -> Described | None:
+def describe(
+    folder: str, names: Collection[str], root: Path, read_setup: SetupReader, boundary: Boundary = EVERYWHERE
+) -> Described | None:
     """The package in `folder`, where the files `names` stand; `None` if they do not make one."""
 
     def file(name: str) -> tuple[str, str]:
@@ -65,7 +68,7 @@ def describe(folder: str, names: Collection[str], root: Path, read_setup: SetupR
     builds_python = manifest.build_type in {"ament_python", "python"}
     cmake = CMakeProject()
     if "CMakeLists.txt" in names and not builds_python:
-        cmake = read_cmake(folder, manifest.name, root)
+        cmake = read_cmake(folder, manifest.name, root, boundary)
     roots = [_root(folder, package, where) for package, where in declared.package_dir]
     roots += cmake.python_roots
     relative = place_name(folder, root)

@@ -15,10 +15,11 @@ import os
 import re
 from typing import Final, NamedTuple, final
 
+from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 from rosward.source.workspace import SkipReason
 
-_MARKERS: Final = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
+MARKERS: Final = frozenset({"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"})
 _OUTPUT_NAMES: Final = frozenset({"build", "install", "log", "devel", "logs"})
 _OUTPUT_MARKS: Final = frozenset(
     {
@@ -46,10 +47,13 @@ _FOLDER_LIMIT: Final = 200_000
 class Tree:
     """What a walk found: absolute paths; `python` by their real path, so that each file is there once."""
 
-    __slots__ = ("descriptions", "excluded", "interfaces", "launch", "linked", "not_files", "python", "skipped")
+    __slots__ = (
+        "boundary", "descriptions", "excluded", "interfaces", "launch", "linked", "not_files", "outside", "python", "skipped",
+    )  # fmt: skip
 
-    def __init__(self, excluded: Exclusions | None = None) -> None:
+    def __init__(self, excluded: Exclusions | None = None, boundary: Boundary = EVERYWHERE) -> None:
         self.excluded = excluded or Exclusions()
+        self.boundary = boundary
         self.python: dict[str, str] = {}
         self.linked: list[str] = []
         """Python files that are symbolic links; they count where nothing else leads to the file."""
@@ -60,6 +64,8 @@ class Tree:
         self.not_files: list[tuple[str, str]] = []
         """What is named like a Python file and is something else, and what."""
         self.skipped: list[tuple[str, SkipReason]] = []
+        self.outside: list[str] = []
+        """Links that lead out of the boundary: what is behind them is not read."""
 
 
 class _Folder(NamedTuple):
@@ -123,7 +129,8 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
         if reason is not None:
             tree.skipped.append((folder.path, reason))
             return [], []
-    descriptions = set(DESCRIPTIONS & names)
+    outside = {e.name for e in entries if e.is_symlink() and _matters(e) and tree.boundary.leads_out(e.path)}
+    descriptions = set(DESCRIPTIONS & names - outside)
     if descriptions:
         tree.descriptions[folder.path] = descriptions
     workspace = "src" in names or (folder.chosen and "__init__.py" not in names)
@@ -135,6 +142,9 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
         name = entry.name
         if tree.excluded and tree.excluded.of(entry.path) is not None:
             tree.skipped.append((entry.path, SkipReason.EXCLUDED))
+            continue
+        if name in outside:
+            tree.outside.append(entry.path)
             continue
         try:
             is_folder, is_link = entry.is_dir(), entry.is_symlink()
@@ -156,6 +166,14 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
         elif _INTERFACE.fullmatch(name):
             tree.interfaces.append(entry.path)
     return inner, links
+
+
+def _matters(entry: os.DirEntry[str]) -> bool:
+    """Whether a link would be read, or entered, if it led inside."""
+    name = entry.name
+    if name.endswith(".py") or name in DESCRIPTIONS or _LAUNCH.fullmatch(name) or _INTERFACE.fullmatch(name):
+        return True
+    return not name.startswith(".") and name != "__pycache__" and os.path.isdir(entry.path)  # noqa: PTH112  is_dir raises in a circle
 
 
 def _is_test_folder(folder: _Folder, names: set[str]) -> bool:
@@ -183,7 +201,7 @@ def _python(entry: os.DirEntry[str], folder: _Folder, tree: Tree, *, is_link: bo
 def _reason(folder: _Folder, names: set[str]) -> SkipReason | None:
     """Why the folder holds nothing to read, judged by its name and what is in it."""
     name = os.path.basename(folder.path)  # noqa: PTH119
-    if not names.isdisjoint(_MARKERS):
+    if not names.isdisjoint(MARKERS):
         return SkipReason.BUILD_OUTPUT if name in _OUTPUT_NAMES else SkipReason.IGNORED
     if "pyvenv.cfg" in names or name in _INSTALLED or name.endswith(".egg-info"):
         return SkipReason.ENVIRONMENT

@@ -13,6 +13,7 @@ import enum
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
+from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 
 if TYPE_CHECKING:
@@ -167,3 +168,5 @@ class Workspace:
     targets: tuple[Target, ...] = ()
     excluded: Exclusions = _NOTHING
     """What is not read, wherever an import or a launch file may lead."""
+    boundary: Boundary = EVERYWHERE
+    """Where links may lead."""
