@@ -47,7 +47,7 @@ def test_text_that_has_no_encoding_is_shown(page: Page, tmp_path: Path) -> None:
 
 
 def test_an_upload_that_stops_gives_its_place_to_the_next(tmp_path: Path) -> None:
-    """Two uploads are taken at a time."""
+    """Each is given up after a while."""
 
     async def story() -> list[int]:
         access = Access(PORT)

@@ -14,7 +14,11 @@ __all__ = ["encodable", "printable", "xml_attribute", "xml_comment", "xml_text"]
 
 _NOT_XML: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _SURROGATE: Final = re.compile("[\ud800-\udfff]")
-_CONTROL: Final = re.compile("[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+_CONTROL: Final = re.compile(
+    "[\x00-\x1f\x7f-\x9f\xad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ud800-\udfff"
+    "\ufe00-\ufe0f\ufeff\uffa0\ufff0-\ufffb\U000e0000-\U000e0fff]"
+)
+"""What ends a line, turns a line round, or cannot be seen (Unicode's Default_Ignorable_Code_Point), so that two names look the same."""
 
 
 def encodable(text: str) -> str:
@@ -23,7 +27,7 @@ def encodable(text: str) -> str:
 
 
 def printable(text: str) -> str:
-    """One line for a terminal or a page: control characters, line ends and direction marks become visible escapes."""
+    """One line for a terminal or a page: control characters, line ends, direction marks and what has no width become visible escapes."""
     return _CONTROL.sub(_escape, text)
 
 
@@ -46,4 +50,6 @@ def xml_comment(text: str) -> str:
 
 def _escape(match: re.Match[str]) -> str:
     code = ord(match.group())
-    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"
+    if code < 0x100:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

@@ -20,7 +20,8 @@ class Limits(NamedTuple):
     `ratio`: how much smaller than its content an entry of a zip may be. `depth`: folders within each other. `name`: bytes of a path.
     `memory`: bytes of address space of an analysis, 512 MB of which are reserved for its stack. `seconds`: time of an analysis.
     `workers`: analyses at a time. `waiting`: further ones in the queue. `results`: results that are kept. `watched`: workspaces that are watched.
-    `streams`: pages that get news at the same time. `silence`: seconds without a byte after which an upload is given up.
+    `streams`: pages that get news at the same time. `uploads`: uploads at the same time. `silence`: seconds without a byte after which a
+    request is given up. `sending`: seconds after which an upload is given up, however slowly it comes.
     """
 
     upload: int = 64 * _MEGABYTE
@@ -37,4 +38,6 @@ class Limits(NamedTuple):
     results: int = 20
     watched: int = 4
     streams: int = 24
+    uploads: int = 8
     silence: float = 30.0
+    sending: float = 600.0

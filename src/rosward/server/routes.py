@@ -12,7 +12,7 @@
     POST /api/results/ID/again            {"settings": …}                         -> {"id": …}
     POST /api/results/ID/cancel, …/delete, …/watch
 
-What is refused is answered by {"error": "…"} and status 400.
+What is refused is answered by {"error": "…"} and status 400; 503 where too much is asked at a time, 507 where there is no room.
 """
 
 from __future__ import annotations
@@ -84,6 +84,9 @@ def _refusing(answer: Answer) -> Answer:
             return await answer(request)
         except RefusedError as error:
             return JSONResponse({"error": printable(str(error))}, 400)
+        except OSError as error:  # no room on the disk, no file descriptor, a folder that somebody removed
+            reason = printable(error.strerror or str(error))
+            return JSONResponse({"error": f"this machine cannot keep it: {reason}"}, 507)
         except ClientDisconnect:
             return Response(status_code=400)  # nobody reads it
 
@@ -156,17 +159,22 @@ class _Asked(NamedTuple):
 
     async def upload(self, request: Request) -> Response:
         server = self.server
+        if server.uploading.locked():
+            return JSONResponse({"error": "too many uploads at a time: try again when one of them is done"}, 503)
         async with server.uploading:
             key, folder = server.results.new_upload()
             try:
-                came = await read_upload(request, folder, server.limits)
+                came = await asyncio.wait_for(read_upload(request, folder, server.limits), server.limits.sending)
+            except asyncio.TimeoutError as error:
+                server.results.drop_upload(key)
+                raise RefusedError(f"it took more than {server.limits.sending:g} seconds") from error
             except BaseException:
                 server.results.drop_upload(key)
                 raise
         return _started(server.open_upload(key, came.title, came.settings, zipped=came.zipped))
 
     async def workspace(self, request: Request) -> Response:
-        body = await _body(request)
+        body = await self._body(request)
         path = body.get("path")
         if not self.server.names_paths:
             raise RefusedError("this server can be reached from other machines: it opens no folders that a page names")
@@ -180,7 +188,7 @@ class _Asked(NamedTuple):
         return Response(status_code=404) if example is None else _started(self.server.open_example(example))
 
     async def again(self, request: Request) -> Response:
-        body, result = await _body(request), self._wanted(request)
+        body, result = await self._body(request), self._wanted(request)
         return _started(self.server.again(result, read_settings(body.get("settings", {}))))
 
     async def cancel(self, request: Request) -> Response:
@@ -192,7 +200,7 @@ class _Asked(NamedTuple):
         return JSONResponse({})
 
     async def watch(self, request: Request) -> Response:
-        body, result = await _body(request), self._wanted(request)
+        body, result = await self._body(request), self._wanted(request)
         if result.source.kind != "workspace":
             raise RefusedError("only a folder of this machine can be watched")
         if body.get("on") is True:
@@ -205,6 +213,14 @@ class _Asked(NamedTuple):
     def _all(self) -> list[dict[str, object]]:
         watches = self.server.watches
         return [in_short(result, watched=watches.watches(result.source)) for result in self.server.results.all()]
+
+    async def _body(self, request: Request) -> dict[str, object]:
+        """The JSON object of a request. Raises RefusedError."""
+        silence = self.server.limits.silence
+        try:
+            return await asyncio.wait_for(_read_json(request), silence)
+        except asyncio.TimeoutError as error:
+            raise RefusedError(f"the request was not whole after {silence:g} seconds") from error
 
     def _of(self, request: Request) -> Result | None:
         return self.server.results.get(request.path_params["id"])
@@ -251,7 +267,7 @@ def _read(file: Path) -> str:
     return "" if isinstance(data, Finding) else data.decode("utf-8", "replace")
 
 
-async def _body(request: Request) -> dict[str, object]:
+async def _read_json(request: Request) -> dict[str, object]:
     """The JSON object of a request. Raises RefusedError."""
     data = bytearray()
     async for part in request.stream():

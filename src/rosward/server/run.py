@@ -23,6 +23,7 @@ from typing import Final, NamedTuple
 import uvicorn
 
 from rosward.server.app import application
+from rosward.server.connections import MOST_CONNECTIONS, PatientProtocol
 from rosward.server.limits import Limits
 from rosward.server.places import RefusedError
 from rosward.server.security import Access, Hosts
@@ -89,14 +90,14 @@ def serve(serving: Serving, tell: Callable[[str], None]) -> None:
 
         config = uvicorn.Config(
             application(server, access, _hosts(serving.host, port), begin),
-            http="h11",
+            http=PatientProtocol,
             ws="none",
             lifespan="on",
             log_level="warning",
             access_log=False,
             server_header=False,
             proxy_headers=False,
-            limit_concurrency=200,
+            limit_concurrency=MOST_CONNECTIONS,
             timeout_graceful_shutdown=_SECONDS_TO_END,
         )
         with contextlib.suppress(KeyboardInterrupt):

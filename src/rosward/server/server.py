@@ -37,7 +37,7 @@ class Server:
         self.watches = Watches(self.results, self.jobs, limits, folder)
         self.pages = Pages(limits)
         self.examples: dict[str, Example] = {example.name: example for example in examples()}
-        self.uploading = asyncio.Semaphore(limits.workers)
+        self.uploading = asyncio.Semaphore(limits.uploads)
         self.streaming = asyncio.Semaphore(limits.streams)
 
     @contextlib.asynccontextmanager

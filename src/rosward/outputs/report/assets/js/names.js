@@ -2,11 +2,16 @@
 "use strict";
 // How are names of ROS shown? Control characters and direction marks become visible, long names lose their middle.
 rosward.names = (() => {
-  const HIDDEN = /[\u0000-\u001f\u007f-\u009f\u061c\u200b-\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ufeff]/g;
+  // as outputs/safe.py has it: what ends a line, turns it round, or cannot be seen
+  const HIDDEN =
+    /[\u0000-\u001f\u007f-\u009f\u00ad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ud800-\udfff\ufe00-\ufe0f\ufeff\uffa0\ufff0-\ufffb\u{e0000}-\u{e0fff}]/gu;
 
   /** Text with what a browser would hide or obey written as \uXXXX. */
   function visible(text) {
-    return String(text).replace(HIDDEN, (c) => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0"));
+    return String(text).replace(HIDDEN, (c) => {
+      const digits = c.codePointAt(0).toString(16);
+      return digits.length > 4 ? "\\U" + digits.padStart(8, "0") : "\\u" + digits.padStart(4, "0");
+    });
   }
 
   /** "/a/b/c" seen from "/a" is "b/c". */
