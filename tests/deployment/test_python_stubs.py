@@ -3,13 +3,23 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from deployment.python_tree import Files
-from rosward.domain.values import External, ModuleValue, Unknown
+from deployment.python_tree import Files, Launch
+from rosward.deployment.python.actions import Actions
+from rosward.deployment.python.inert import INERT, NOT_READ
+from rosward.deployment.python.objects import Objects
+from rosward.domain.values import Class, External, ModuleValue, Unknown
+from rosward.engine.budget import Budget
+from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.stub_files import STUBS
+from rosward.models.effects import EffectLog
 from rosward.models.tables import natives
+
+ACTION = "launch.action.Action"
 
 FOLDERS = (
     "launch",
@@ -59,3 +69,57 @@ def test_a_model_can_be_loaded(name: str, files: Files) -> None:
 def _from_models(value: object) -> bool:
     """Functions for models, and names of the standard library that no model has."""
     return isinstance(value, External) and value.name.startswith(("_rosward", "typing."))
+
+
+def test_each_action_of_a_model_is_read_or_known_to_start_nothing(files: Files) -> None:
+    """None is skipped in silence: its own class, or the nearest that it derives from, stands in exactly one table."""
+    library = Library(files.tree, natives())
+    machine = Interpreter(library, Budget(), EffectLog())
+    tables = (set(Actions(Objects(machine)).readers), set(INERT), set(NOT_READ))
+    classes: dict[str, Class] = {}
+    for name in MODULES:
+        found = library.find(name, 0, None)
+        assert found is not None
+        module = library.load_model(found)
+        assert isinstance(module, ModuleValue)
+        for value in library.at(module.address).attrs.values():
+            if isinstance(value, Class) and any(isinstance(c, Class) and c.dotted == ACTION for c in value.mro):
+                classes[value.dotted] = value
+    assert len(classes) > 40
+    skipped = []
+    for dotted, cls in classes.items():
+        if dotted == ACTION or cls.name.startswith("_"):
+            continue
+        ancestors = [c.dotted for c in cls.mro if isinstance(c, Class)]
+        nearest = next((a for a in ancestors if any(a in table for table in tables)), None)
+        if sum(nearest in table for table in tables) != 1:
+            skipped.append(dotted)
+    assert not skipped
+    assert set().union(*tables) <= set(classes)
+
+
+def test_what_stands_in_no_table_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosward.deployment.python.actions.INERT", frozenset[str]())
+    text = "def generate_launch_description(): return LaunchDescription([LogInfo(msg='x')])"
+    assert Files(tmp_path, text).shown(Launch()).strip() == "Unread why=LogInfo is no launch entity that is known"
+
+
+def test_an_action_that_derives_from_another_is_read_as_that_one(tmp_path: Path) -> None:
+    """Those of ros_gz_sim and ros_gz_bridge include launch files."""
+    text = """
+    from ros_gz_bridge.actions import RosGzBridge
+    from ros_gz_sim.actions import GzServer
+    from moveit_configs_utils.launch_utils import DeclareBooleanLaunchArg
+    from launch_testing.actions import GTest, ReadyToTest
+    from launch_testing.util import KeepAliveProc
+
+    def generate_launch_description():
+        return LaunchDescription([
+            RosGzBridge(bridge_name='b', config_file='c.yaml'), GzServer(world_sdf_file='w.sdf'),
+            DeclareBooleanLaunchArg('sim', default_value=True), KeepAliveProc(), ReadyToTest(), GTest(path='x'),
+        ])
+    """
+    lines = Files(tmp_path, text).shown(Launch()).splitlines()
+    assert [line.split()[0] for line in lines] == ["Include", "Include", "Declare", "Timer", "Inert", "Unread"]
+    assert "ros_gz_bridge.launch.py" in lines[0]
+    assert "gz_server.launch.py" in lines[1]

@@ -13,7 +13,7 @@ from __future__ import annotations
 import asyncio
 from typing import Final, final
 
-from uvicorn.protocols.http.h11_impl import H11Protocol
+from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 __all__ = ["MOST_CONNECTIONS", "PatientProtocol"]
 
@@ -44,7 +44,8 @@ class PatientProtocol(H11Protocol):
     def data_received(self, data: bytes) -> None:
         """A part of a request, which may be its last."""
         super().data_received(data)
-        if self.cycle is not None and not self.cycle.response_complete:
+        cycle: RequestResponseCycle | None = self.cycle  # which uvicorn has None before the first request
+        if cycle is not None and not cycle.response_complete:
             self._stop_waiting()
 
     def on_response_complete(self) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any, Final, final
 
 from rosward.deployment.python.events import event_of
+from rosward.deployment.python.inert import INERT, NOT_READ
 from rosward.deployment.python.nodes import Nodes
 from rosward.deployment.python.objects import Element, Objects, why_unknown
 from rosward.deployment.python.parameters import Parameters
@@ -40,7 +41,6 @@ from rosward.domain.values import NONE, Class, Const, External, Ref, Tuple, Valu
 from rosward.source.location import Place
 
 _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
-_ENTITY: Final = "launch.launch_description_entity.LaunchDescriptionEntity"
 _UNCHANGED: Final = "launch.action.Unchanged"
 _SOURCE: Final = "launch.launch_description_source.LaunchDescriptionSource"
 _FORMATS: Final = {"Python": "python", "XML": "xml", "YAML": "yaml"}
@@ -60,7 +60,7 @@ class Actions:
         self.texts = Texts(objects)
         self.parameters = Parameters(objects, self.texts)
         self._nodes = Nodes(objects, self.texts, self.parameters, self.entities)
-        self._readers: dict[str, Callable[[Ref, Given], tuple[Action, ...]]] = {
+        self.readers: dict[str, Callable[[Ref, Given], tuple[Action, ...]]] = {
             "launch_ros.actions.Node": self._node,
             "launch_ros.actions.LifecycleNode": self._node,
             "launch_ros.actions.ComposableNodeContainer": self._node,
@@ -166,14 +166,21 @@ class Actions:
         kind = objects.kind(ref)
         condition = self.texts.condition(objects.field(ref, "condition"), here)
         given: Given = {"place": here, "condition": condition, "identity": ref}
-        reader = self._readers.get(kind)
-        if reader is not None:
-            return reader(ref, given)
-        if objects.is_a(ref, _ENTITY):
-            return (Inert(kind=kind.rpartition(".")[2], **given),)
+        for each in objects.kinds(ref):  # an action that derives from another one is executed as that one is
+            reader = self.readers.get(each)
+            if reader is not None:
+                return reader(ref, given)
+            if each in INERT:
+                return (Inert(kind=kind.rpartition(".")[2], **given),)
+            if each in NOT_READ:
+                return (Unread(place=here, why=f"{kind.rpartition('.')[2]} is not followed: {NOT_READ[each]}"),)
         cls = objects.machine.obj(ref).cls
         name = cls.name if isinstance(cls, (Class, External)) else objects.machine.obj(ref).kind
         return (Unread(place=here, why=f"{name} is no launch entity that is known"),)
+
+    def _read_as(self, ref: Ref) -> str:
+        """The last part of the name of the class by which an action is read."""
+        return next(k for k in self.objects.kinds(ref) if k in self.readers).rpartition(".")[2]
 
     # One method a class
 
@@ -202,7 +209,7 @@ class Actions:
 
     def _environ(self, ref: Ref, given: Given) -> tuple[Action, ...]:
         place = given["place"]
-        how = {"S": "set", "U": "unset", "A": "append"}[self.objects.kind(ref).rpartition(".")[2][0]]
+        how = {"S": "set", "U": "unset", "A": "append"}[self._read_as(ref)[0]]
         if how == "append" and self.objects.flag(ref, "prepend", False):
             how = "prepend"
         return (
@@ -216,7 +223,7 @@ class Actions:
         )
 
     def _scope(self, ref: Ref, given: Given) -> tuple[Action, ...]:
-        name = self.objects.kind(ref).rpartition(".")[2]
+        name = self._read_as(ref)
         how = "push" if name.startswith("Push") else "pop" if name.startswith("Pop") else "reset"
         what = "environment" if name.endswith("Environment") else "configurations"
         pairs = self.texts.pairs(self.objects.field(ref, "configurations"), given["place"])
@@ -299,7 +306,7 @@ class Actions:
         values = self.objects.field(ref, "values")
         text = (values,) if isinstance(values, Const) else self.texts.template(values, given["place"])
         name = self.objects.field(ref, "name")
-        count = self.objects.kind(ref).endswith("ForLoop")
+        count = self._read_as(ref) == "ForLoop"
         index = str(name.value) if isinstance(name, Const) else ""
         function = self.objects.field(ref, "function")
         return (ForEach(values=text, count=count, function=function, index_name=index, **given),)
@@ -316,7 +323,7 @@ class Actions:
 
     def _set_parameter(self, ref: Ref, given: Given) -> tuple[Action, ...]:
         place = given["place"]
-        if self.objects.kind(ref).endswith("FromFile"):
+        if self._read_as(ref).endswith("FromFile"):
             for source in self.parameters.sources(Tuple((self.objects.field(ref, "path") or NONE,)), place):
                 return (SetParameter(parameter=source, **given),)
             return ()

@@ -61,7 +61,7 @@ class Nodes:
         field, texts = self.objects.field, self.texts
         environment = self._environment(ref, place)
         return StartNode(
-            kind=_KINDS.get(self.objects.kind(ref), NodeKind.NODE),
+            kind=next((_KINDS[k] for k in self.objects.kinds(ref) if k in _KINDS), NodeKind.NODE),
             package=texts.optional(field(ref, "package"), place),
             executable=texts.template(field(ref, "executable"), place),
             name=texts.optional(field(ref, "name"), place),

@@ -62,6 +62,11 @@ class Objects:
             return next((c.dotted for c in cls.mro if isinstance(c, Class) and c.stub), "")
         return ""
 
+    def kinds(self, ref: Ref) -> tuple[str, ...]:
+        """The dotted names of all classes in library models that an object is of, or derives from, the most particular first."""
+        cls = self.machine.obj(ref).cls
+        return tuple(c.dotted for c in cls.mro if isinstance(c, Class) and c.stub) if isinstance(cls, Class) else ()
+
     def is_a(self, value: Value, dotted: str) -> bool:
         """Whether an object is of a class (or derives from one) of that dotted name."""
         if not isinstance(value, Ref):
