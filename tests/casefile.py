@@ -15,7 +15,7 @@ An expectation has one line for each node, entity and finding, sorted: `node`, `
 `default`, `bound`, `pattern` or `unknown` where the name is not exact, and `conditional`; `finding CODE file:line`. Entities of the client
 library are left out unless a line `show system` stands among the expectations; `show findings` adds their messages.
 `options:` before the files passes arguments on (`options: distro=humble`); `known:` says what rosward still
-does otherwise than it is written.
+does otherwise than it is written; `fails:` names the exception by which the real program ends.
 """
 
 from __future__ import annotations
@@ -47,6 +47,7 @@ class Case(NamedTuple):
     expected: list[str]
     options: dict[str, str]
     known: str = ""
+    fails: str = ""
 
     @property
     def name(self) -> str:
@@ -68,7 +69,18 @@ def read_cases(file: Path) -> list[Case]:
         given = re.search(r"^options: (.*)$", body, re.MULTILINE)
         options = dict(o.split("=", 1) for o in given.group(1).split()) if given else {}
         known = re.search(r"^known: (.*)$", body, re.MULTILINE)
-        cases.append(Case(file, title.strip(), files, expected, options, known.group(1) if known else ""))
+        fails = re.search(r"^fails: (.*)$", body, re.MULTILINE)
+        cases.append(
+            Case(
+                file,
+                title.strip(),
+                files,
+                expected,
+                options,
+                known.group(1) if known else "",
+                fails.group(1) if fails else "",
+            )
+        )
     return cases
 
 

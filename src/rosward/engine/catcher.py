@@ -14,6 +14,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.state import State, join_objects, join_registers, join_states
+from rosward.models.failures import tell_uncaught
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -144,6 +145,7 @@ def throw(machine: Interpreter, exception: Value) -> None:
     if machine.catchers:
         machine.catchers[-1].arrive(machine, exception, machine.state)
     else:
+        tell_uncaught(machine, exception)
         machine.log.ends_early(machine)
         machine.uncaught(exception)
 

@@ -110,6 +110,11 @@ class Schedule:
         if machine.catchers:
             machine.catchers[-1].take(machine, machine.state)
 
+    @property
+    def was_run(self) -> bool:
+        """Whether the program was somewhere where its callbacks run."""
+        return self._settled[0] >= 0
+
     @contextmanager
     def _alone(self, machine: Interpreter) -> Iterator[None]:
         """What is scheduled runs under no frame and no `try` of the main body."""

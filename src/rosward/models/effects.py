@@ -76,6 +76,9 @@ class EffectLog:
         self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each
         self.parameters: dict[ParameterEffect, None] = {}
         self.findings: dict[Finding, None] = {}
+        self.failures: dict[
+            int, dict[Finding, None]
+        ] = {}  # what to tell of an exception of a library that nothing catches
         self.classes: dict[Class, None] = {}
         self.functions: dict[int, Code] = {}
         self.ends: list[frozenset[tuple[object, ...]]] = []

@@ -25,10 +25,12 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models.effects import EntityEffect, NodeEffect
+from rosward.models.failures import fail
 from rosward.models.given_words import context_lines, keep_line, lines_of, words_of_process
 from rosward.models.host import host, is_true, text_of
 from rosward.models.name_values import callback_name, interface_type, qos_of
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.ros_parameter_table import new_table
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -228,8 +230,7 @@ def _create_node(call: NativeCall) -> Value:
         if not isinstance(node, Ref):
             continue
         overrides = keywords.get("parameter_overrides")
-        table = machine.new_dict({})
-        machine.update(node, machine.obj(node).with_attr("__parameters__", table))
+        new_table(machine, node, keywords.get("allow_undeclared_parameters"))
         takes_global = use_global is None or machine.truth(use_global) is not False
         general = context_lines(machine, keywords.get("context")) if takes_global else (Series(),)
         lines = [(own, words) for own in lines_of(machine, keywords.get("cli_args")) for words in general]
@@ -353,6 +354,15 @@ def _report(call: NativeCall) -> Value:
     return NONE
 
 
+def _fail_unless(call: NativeCall) -> Value:
+    """`_rosward.fail_unless(condition, exception, message)`: the library raises where the condition surely does not hold."""
+    machine = host(call.machine)
+    condition, exception, message = call.args
+    if machine.truth(condition) is not False:
+        return NONE
+    return fail(machine, exception, pattern(message), (message,))
+
+
 def _get_message(call: NativeCall) -> Value:
     """`rosidl_runtime_py.utilities.get_message('pkg/msg/Name')`: the type of a constant text."""
 
@@ -384,6 +394,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.either": _either,
     "_rosward.opaque": _opaque,
     "_rosward.escape": _escape,
+    "_rosward.fail_unless": _fail_unless,
     "_rosward.report": _report,
     "rosidl_runtime_py.utilities.get_message": _get_message,
     "rosidl_runtime_py.utilities.get_service": _get_message,

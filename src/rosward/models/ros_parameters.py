@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parameters of a node: what `declare_parameter` and `get_parameter` give, and from where.
+"""Parameters of a node: what `declare_parameter` and `get_parameter` give, from where, and when they raise.
 
 self.declare_parameter('topic', '/scan')    '/scan', marked as the default of parameter topic
 self.declare_parameter('topic')             unknown, because parameter topic has no value
@@ -9,12 +9,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Origins, Reason
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.models import containers_dict
+from rosward.models import ros_parameter_table as table
 from rosward.models.command_line import ANY_NAME, given_to, type_word
 from rosward.models.effects import EffectLog, NodeEffect, ParameterEffect
+from rosward.models.failures import fail
 from rosward.models.host import host, is_true, text_of
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros_effects import mark
@@ -24,34 +27,46 @@ from rosward.ros.names import fully_qualified
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
-_TABLE: Final = "__parameters__"
-
-
-def _table(machine: Interpreter, node: Value) -> Ref | None:
-    if not isinstance(node, Ref):
-        return None
-    found = machine.obj(node).attrs.get(_TABLE)
-    return found if isinstance(found, Ref) else None
-
 
 def _declare(call: NativeCall) -> Value:
     machine = host(call.machine)
-    node, name = call.args[0], call.args[1]
+    nodes, names = options(call.args[0]), options(call.args[1])
     default = call.arg(2, "default", NONE) or NONE
     type_ = call.arg(3, "type", NONE) or NONE
     ignored = call.arg(4, "ignore_override", FALSE) or FALSE
     typed = call.arg(5, "dynamic", FALSE) in (FALSE, NONE)
+    alone = len(nodes) == len(names) == 1
     found: list[Value] = []
-    for each in options(node):
-        for key in options(name):
-            value = _initial(machine, each, key, default, _hint(machine, type_), ignored, typed=typed)
-            address = each.address if isinstance(each, Ref) else None
-            machine.log.parameters[ParameterEffect(address, key, default, value, type_, machine.place)] = None
-            table = _table(machine, each)
-            if table is not None:
-                machine.store_item(table, key, value)
+    for node in nodes:
+        for name in names:
+            failed = _refused(machine, node, name) or _given_wrongly(
+                machine, node, name, default, type_, ignored, typed
+            )
+            if failed is not None:
+                machine.raised += 1
+                if alone:
+                    return failed
+                continue
+            value = _initial(machine, node, name, default, _hint(machine, type_), ignored)
+            address = node.address if isinstance(node, Ref) else None
+            machine.log.parameters[ParameterEffect(address, name, default, value, type_, machine.place)] = None
+            table.put(machine, node, name, value, sure=alone)
             found.append(value)
-    return join_all(found)
+    return join_all(found) if found else UNBOUND
+
+
+def _refused(machine: Interpreter, node: Value, name: Value) -> Value | None:
+    """Declaring raises: the name is empty or no str, or the parameter is there already."""
+    if isinstance(name, Const) and not isinstance(name.value, str):
+        return fail(
+            machine, Native("builtins.TypeError"), f"the name of a parameter is {name.value!r}, which is no str", ()
+        )
+    if name == Const(""):
+        return table.raise_(machine, "InvalidParameterException", "the name of a parameter is empty", name)
+    if isinstance(name, Const) and table.is_declared(machine, node, name):
+        message = f"parameter {name.value!r} is declared already: ParameterAlreadyDeclaredException is raised"
+        return table.raise_(machine, "ParameterAlreadyDeclaredException", message, name)
+    return None
 
 
 _HINTS: Final = {"BOOL": "bool", "INTEGER": "int", "DOUBLE": "float", "STRING": "str"}
@@ -59,25 +74,24 @@ _HINTS: Final = {"BOOL": "bool", "INTEGER": "int", "DOUBLE": "float", "STRING": 
 
 def _hint(machine: Interpreter, type_: Value) -> str:
     """The Python type of a parameter of a declared type; '' where it is not known."""
-    if not isinstance(type_, Ref):
-        return ""
-    label = machine.obj(type_).attrs.get("name", machine.obj(type_).attrs.get("_name_"))
-    word = text_of(label)
+    word = _type_label(machine, type_)
     return "list" if word.endswith("_ARRAY") else _HINTS.get(word, "")
 
 
-def _initial(
-    machine: Interpreter, node: Value, name: Value, default: Value, hint: str, ignored: Value, *, typed: bool
-) -> Value:
+def _type_label(machine: Interpreter, type_: Value) -> str:
+    """The name of a member of Parameter.Type."""
+    attrs = machine.obj(type_).attrs if isinstance(type_, Ref) else {}
+    return text_of(attrs.get("name", attrs.get("_name_")))
+
+
+def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
     """The value of a parameter when it is declared: what the code or the command line sets, else its default.
 
     Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
-    `ignored`: whether what is set from outside does not count (ignore_override). A parameter that is not `typed` takes a value of any type.
+    `ignored`: whether what is set from outside does not count (ignore_override).
     """
     label = text_of(name, pattern(name))
     override = _override(machine, node, label) if ignored != TRUE else None
-    if override is not None and typed:
-        _check_type(machine, label, default, override)
     open_ = _open(machine, node)
     if override is not None and not open_:
         return override
@@ -91,11 +105,19 @@ def _initial(
     return join_all([*values, *(Unknown((r,), hint) for r in open_)])
 
 
-def _check_type(machine: Interpreter, label: str, default: Value, override: Value) -> None:
-    """rclpy refuses a value of another type than that of the default."""
-    declared, given = type_word(default), type_word(override)
-    if declared and given and declared != given and "not_set" not in (declared, given):
-        machine.report("RW209", f"parameter {label!r} is declared as {declared} but set to a value of type {given}")
+def _given_wrongly(
+    machine: Interpreter, node: Value, name: Value, default: Value, type_: Value, ignored: Value, typed: bool
+) -> Value | None:
+    """Declaring raises: what sets the parameter is of another type than the default. Without `typed` any type will do."""
+    label = text_of(name)
+    override = _override(machine, node, label) if ignored == FALSE and typed and label else None
+    if override is None:
+        return None
+    declared, given = type_word(default) or _type_label(machine, type_).lower(), type_word(override)
+    if not declared or not given or declared == given or "not_set" in (declared, given):
+        return None
+    message = f"parameter {label!r} is declared as {declared} but set to a value of type {given}"
+    return table.raise_(machine, "InvalidParameterTypeException", message, name, Const(declared))
 
 
 def _open(machine: Interpreter, node: Value) -> tuple[Reason, ...]:
@@ -115,20 +137,37 @@ def _override(machine: Interpreter, node: Value, name: str) -> Value | None:
     """What the node's own code sets by parameter_overrides, or its command line."""
     if not isinstance(node, Ref):
         return None
-    given = machine.obj(node).attrs.get("__overrides__")
-    if given is not None:
-        for item in machine.iterate(given).known:
-            if isinstance(item, Ref):
-                attrs = machine.obj(item).attrs
-                if name in (text_of(attrs.get("_name")), text_of(attrs.get("name"))):
-                    return attrs.get("_value", attrs.get("value"))
+    own, others = _own(machine, node)
+    if name in own:
+        return own[name]
     found: list[Value] = []
     for effect in _effects(machine, node):
         values = values_of(machine.log, effect)
         value = values.get(name, values.get(ANY_NAME))
         if value is not None:
             found.append(_on_heap(machine, name, value))
+    if others:
+        found.append(machine.unknown(Cause.PARAMETER, f"{name}, which parameter_overrides may set"))
     return join_all(found) if found else None
+
+
+def _own(machine: Interpreter, node: Value) -> tuple[dict[str, Value], bool]:
+    """What the code itself sets by parameter_overrides, by name; and whether it may set others."""
+    given = machine.obj(node).attrs.get("__overrides__") if isinstance(node, Ref) else None
+    if given is None:
+        return {}, False
+    known, rest = machine.iterate(given)
+    found: dict[str, Value] = {}
+    others = rest is not None
+    for item in known:
+        attrs = machine.obj(item).attrs if isinstance(item, Ref) else {}
+        name = text_of(attrs.get("_name", attrs.get("name")))
+        value = attrs.get("_value", attrs.get("value"))
+        if name and value is not None:
+            found[name] = value
+        else:
+            others = True
+    return found, others
 
 
 def values_of(log: EffectLog, effect: NodeEffect) -> dict[str, Value]:
@@ -165,36 +204,52 @@ def _reopened(origins: Origins, label: str) -> Origins:
 
 
 def _parameter(call: NativeCall) -> Value:
+    """The value that `get_parameter` gives; it raises for what is not declared, unless the node takes such parameters."""
     machine = host(call.machine)
+    nodes, names = options(call.args[0]), options(call.args[1])
     found: list[Value] = []
-    for node in options(call.args[0]):
-        table = _table(machine, node)
-        for name in options(call.args[1]):
+    for node in nodes:
+        undeclared = table.flag(machine, node, table.UNDECLARED)
+        for name in names:
             label = text_of(name, pattern(name))
-            record = machine.obj(table) if table is not None else None
-            value = record.entries.get(Const(label)) if record is not None and isinstance(name, Const) else None
-            if value is None and record is not None:
-                value = record.rest
-                if not isinstance(name, Const):
-                    value = join_all([*record.entries.values(), *(() if value is None else (value,))])
-            if value is None or value is UNBOUND:
-                value = _override(machine, node, label)
-            if value is None and label == "use_sim_time":
-                value = mark(machine, Const(False), Origin("parameter", label))
-            if value is None:
-                value = machine.unknown(Cause.PARAMETER, label)
-            found.append(join_all(_now(machine, v, label) for v in options(value)))
-    return join_all(found)
+            declared = table.is_declared(machine, node, name)
+            if declared is False and not undeclared:
+                failed = table.not_declared(machine, name, "get_parameter")
+                if len(nodes) == len(names) == 1:
+                    return failed
+                continue
+            value = table.value_of(machine, node, name)
+            if value is not None:
+                found += [_now(machine, v, label) for v in options(value)]
+            elif declared is not False:
+                found.append(machine.unknown(Cause.PARAMETER, label))
+            if declared is not True and undeclared and table.table_of(machine, node) is not None:
+                found.append(NONE)
+    return join_all(found) if found else UNBOUND
 
 
 def _set(call: NativeCall) -> Value:
+    """A new value; where it may be refused (by a callback, by its type) the old one stays possible."""
     machine = host(call.machine)
     node, name, value = call.args
-    for each in options(node):
-        table = _table(machine, each)
-        for key in options(name):
-            if table is not None:
-                machine.store_item(table, key, value)
+    nodes, names = options(node), options(name)
+    alone = len(nodes) == len(names) == 1
+    for each in nodes:
+        undeclared = table.flag(machine, each, table.UNDECLARED)
+        for key in names:
+            declared = table.is_declared(machine, each, key)
+            if declared is False and not undeclared:
+                failed = table.not_declared(machine, key, "set_parameters")
+                if alone:
+                    return failed
+                continue
+            old = table.value_of(machine, each, key)
+            same = old is None or (type_word(old) is not None and type_word(old) == type_word(value))
+            if value == NONE:
+                table.take(machine, each, key, sure=False)
+                continue
+            sure = alone and same and not table.flag(machine, each, table.REFUSES)
+            table.put(machine, each, key, value, sure=sure)
             if text_of(key) == "use_sim_time" and any(is_true(v) for v in options(value)):
                 clock = machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock")
                 machine.call(machine.load_attr(each, "create_subscription"), (clock, Const("/clock"), NONE, Const(1)))
@@ -202,85 +257,147 @@ def _set(call: NativeCall) -> Value:
 
 
 def _undeclare(call: NativeCall) -> Value:
-    """A parameter that is no longer declared; perhaps, where the node or the name is one of several."""
     machine = host(call.machine)
     nodes, names = options(call.args[0]), options(call.args[1])
-    sure = len(nodes) == len(names) == 1
-    for table in (t for t in (_table(machine, n) for n in nodes) if t is not None):
-        record = machine.obj(table)
-        label = names[0] if sure and isinstance(names[0], Const) else None
-        gone = {k for k in record.entries if k == label or (label is None and _may_be_named(k, names))}
-        entries = {k: v for k, v in record.entries.items() if k != label}
-        changed = record.replace(entries=entries, maybe=(record.maybe | gone) & frozenset(entries))
-        machine.update(table, changed)
+    alone = len(nodes) == len(names) == 1
+    for node in nodes:
+        for name in names:
+            if table.is_declared(machine, node, name) is False:
+                failed = table.not_declared(machine, name, "undeclare_parameter")
+                if alone:
+                    return failed
+            else:  # one that is read only stays
+                table.take(machine, node, name, sure=alone and not table.flag(machine, node, table.REFUSES))
     return NONE
 
 
-def _may_be_named(key: Value, names: tuple[Value, ...]) -> bool:
-    return any(not isinstance(n, Const) or n.value == text_of(key) for n in names)
-
-
-def _has(call: NativeCall) -> Value:
-    """Whether a parameter is declared."""
+def _needs(call: NativeCall) -> Value:
+    """`_rosward.needs_parameter(node, name, method)`: the method raises where the parameter surely is not declared."""
     machine = host(call.machine)
-    answers: set[bool | None] = set()
-    for node in options(call.args[0]):
-        table = _table(machine, node)
-        for name in options(call.args[1]):
-            record = machine.obj(table) if table is not None else None
-            if (
-                record is None
-                or not isinstance(name, Const)
-                or record.rest is not None
-                or Const(name.value) in record.maybe
-            ):
-                answers.add(None)
-            else:
-                answers.add(Const(name.value) in record.entries)
-    if len(answers) == 1 and None not in answers:
-        return TRUE if answers.pop() else FALSE
-    return machine.unknown(Cause.PARAMETER, "whether it is declared", "bool")
+    node, name = call.args[0], call.args[1]
+    if table.is_declared(machine, node, name) is False and not table.flag(machine, node, table.UNDECLARED):
+        return table.not_declared(machine, name, text_of(call.args[2]))
+    return NONE
 
 
 def _by_prefix(call: NativeCall) -> Value:
     """The declared parameters below a prefix, by the rest of their names."""
     machine = host(call.machine)
-    prefix = text_of(call.args[1])
-    entries: dict[Value, Value] = {}
-    rest: Value | None = None
+    prefix = call.args[1]
+    parts = options(prefix)
+    cls = machine.load_attr(machine.load_module("rclpy.parameter"), "Parameter")
+    result = machine.new_dict({})
     for node in options(call.args[0]):
-        table = _table(machine, node)
-        if table is None:
-            rest = machine.unknown(Cause.PARAMETER, prefix)
-            continue
-        for key, value in machine.obj(table).entries.items():
-            name = text_of(key)
-            if not prefix or name.startswith(f"{prefix}."):
-                short = name.removeprefix(f"{prefix}.") if prefix else name
-                cls = machine.load_attr(machine.load_module("rclpy.parameter"), "Parameter")
-                entries[Const(short)] = machine.call(cls, (key, NONE, value))
-        rest = rest or machine.obj(table).rest
-    return machine.new_dict(entries, rest)
+        known = table.table_of(machine, node)
+        rest = machine.obj(known).rest if known is not None else None
+        any_ = known is None or (table.flag(machine, node, table.UNDECLARED) and table.may_be_set(machine))
+        for part in parts:
+            text = text_of(part)
+            if not isinstance(part, Const):
+                any_ = True
+                continue
+            for key in table.labels(machine, node):
+                name = text_of(key)
+                if not text or name.startswith(f"{text}."):
+                    short = Const(name.removeprefix(f"{text}.") if text else name)
+                    value = table.value_of(machine, node, key)
+                    sure = len(parts) == 1 and table.is_declared(machine, node, key) is True
+                    each = machine.call(cls, (key, NONE, NONE if value is None else value))
+                    containers_dict.store(machine, result, short, each, weak=not sure)
+        if rest is not None or any_:
+            any_name = machine.unknown(Cause.PARAMETER, f"{pattern(prefix)}.*", "str")
+            each = machine.call(cls, (any_name, NONE, Unknown(any_name.reasons)))
+            containers_dict.store(machine, result, any_name, each, weak=True)
+    return result
 
 
 def _declare_given(call: NativeCall) -> Value:
-    """Every parameter that the command line sets becomes one of the node (automatically_declare_parameters_from_overrides)."""
+    """Every parameter that somebody sets becomes one of the node (automatically_declare_parameters_from_overrides).
+
+    That is what the code gives by parameter_overrides, and what command line and parameter files give. Where it is not known who starts
+    the process, it may be any.
+    """
     machine = host(call.machine)
     for node in options(call.args[0]):
-        table = _table(machine, node)
-        for effect in _effects(machine, node):
+        own, others = _own(machine, node)
+        open_ = _open(machine, node)
+        if machine.log.configuration is None or open_:
+            table.put_any(machine, node, "set from outside")
+        effects = _effects(machine, node)
+        given: dict[str, list[Value]] = {}
+        for effect in effects:
             for label, value in values_of(machine.log, effect).items():
-                if table is not None:
-                    machine.store_item(table, Const(label), _on_heap(machine, label, value))
+                given.setdefault(label, []).append(_on_heap(machine, label, value))
+        for label, values in given.items():
+            if label == ANY_NAME:
+                table.put_any(machine, node, "set from outside")
+            else:
+                value = join_all([*values, *(Unknown((r,)) for r in open_)])
+                _declared_by(machine, node, label, value, sure=len(values) == len(effects))
+        for label, value in own.items():
+            _declared_by(machine, node, label, value, sure=True)
+        if others:
+            table.put_any(machine, node, "set by parameter_overrides")
+    return NONE
+
+
+def _declared_by(machine: Interpreter, node: Value, label: str, value: Value, *, sure: bool) -> None:
+    address = node.address if isinstance(node, Ref) else None
+    effect = ParameterEffect(address, Const(label), NONE, value, NONE, machine.place)
+    machine.log.parameters[effect] = None
+    table.put(machine, node, Const(label), value, sure=sure)
+
+
+def _declare_own(call: NativeCall) -> Value:
+    """What the client library declares for every node: use_sim_time, and in most distros start_type_description_service."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        for label, default, sure in (("use_sim_time", FALSE, True), ("start_type_description_service", TRUE, False)):
+            if table.is_declared(machine, node, Const(label)) is not True:
+                value = _initial(machine, node, Const(label), default, "bool", FALSE)
+                old = table.value_of(machine, node, Const(label))
+                table.put(machine, node, Const(label), value if old is None else join(value, old), sure=sure)
+    return NONE
+
+
+def _unset(call: NativeCall) -> Value:
+    """`_rosward.is_unset(value)`: whether a parameter has no value."""
+    machine = host(call.machine)
+    answer = table.is_unset(call.args[0])
+    if answer is None:
+        return machine.unknown(Cause.PARAMETER, "whether it has a value", "bool")
+    return TRUE if answer else FALSE
+
+
+def _lacks(call: NativeCall) -> Value:
+    """`_rosward.may_lack(node)`: each parameter that is there may be declared anew by an override."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        for label in table.labels(machine, node):
+            table.take(machine, node, label, sure=False)
+    return NONE
+
+
+def _refuses(call: NativeCall) -> Value:
+    """`_rosward.may_refuse(node)`: from here on something may refuse a new value of a parameter."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        if isinstance(node, Ref):
+            machine.update(node, machine.obj(node).with_attr(table.REFUSES, TRUE))
     return NONE
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.declare_given": _declare_given,
+    "_rosward.declare_own": _declare_own,
     "_rosward.declare_parameter": _declare,
+    "_rosward.is_unset": _unset,
+    "_rosward.may_lack": _lacks,
+    "_rosward.may_refuse": _refuses,
+    "_rosward.needs_parameter": _needs,
     "_rosward.parameter": _parameter,
-    "rclpy.node.Node.has_parameter": _has,
-    "rclpy.node.Node.get_parameters_by_prefix": _by_prefix,
     "_rosward.set_parameter": _set,
-    "rclpy.node.Node.undeclare_parameter": _undeclare,
+    "_rosward.undeclare_parameter": _undeclare,
+    "rclpy.node.Node.get_parameters_by_prefix": _by_prefix,
+    "rclpy.node.Node.has_parameter": _has,
 }

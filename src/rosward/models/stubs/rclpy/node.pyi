@@ -10,10 +10,16 @@ from _rosward import (
     create_node,
     creates,
     declare_given,
+    declare_own,
     declare_parameter,
     default,
+    fail_unless,
+    is_unset,
+    may_lack,
+    may_refuse,
     message,
     native,
+    needs_parameter,
     node_fqn,
     node_name,
     node_namespace,
@@ -23,6 +29,7 @@ from _rosward import (
     resolve_name,
     schedule,
     set_parameter,
+    undeclare_parameter,
     unknown,
 )
 from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterEvent, SetParametersResult
@@ -126,10 +133,12 @@ class Node:
             )
         if automatically_declare_parameters_from_overrides:
             declare_given(self)
-            given = self.get_parameters_by_prefix("")
-            descriptor = ParameterDescriptor()
-            entries = [(name, each.value, descriptor) for name, each in given.items()]
-            ask(self, "declare_parameters", "", entries, ignore_override=True)
+            if overridden(self, "declare_parameters"):
+                given = self.get_parameters_by_prefix("")
+                descriptor = ParameterDescriptor()
+                entries = [(name, each.value, descriptor) for name, each in given.items()]
+                may_lack(self)
+                ask(self, "declare_parameters", "", entries, ignore_override=True)
         if asked:
             self._time_source = TimeSource(node=self)
             if start_parameter_services:
@@ -137,6 +146,7 @@ class Node:
             if enable_logger_service:
                 self._logger_service = LoggingService(self)
             self._type_description_service = TypeDescriptionService(self)
+        declare_own(self)
         if overridden(self, "destroy_node"):
             (get_default_context() if context is None else context).track_node(self)
 
@@ -214,21 +224,28 @@ class Node:
 
     def _declare(self, name, value, descriptor, ignore_override):
         dynamic = descriptor is not None and descriptor.dynamic_typing
+        if descriptor is not None:
+            may_refuse(self)
         if isinstance(value, Parameter.Type):
-            return Parameter(name, value, declare_parameter(self, name, None, value, ignore_override, dynamic))
-        return Parameter(name, None, declare_parameter(self, name, value, None, ignore_override, dynamic))
+            fail_unless(value != Parameter.Type.NOT_SET, ValueError, f"parameter {name!r} is declared of type NOT_SET: ValueError")
+            return Parameter(name, None, declare_parameter(self, name, None, value, ignore_override, dynamic))
+        fail_unless(
+            _can_be_value(value), TypeError, f"the default of parameter {name!r} is of no type that a parameter has: TypeError"
+        )
+        return Parameter(name, None, declare_parameter(self, name, value, None, ignore_override, dynamic or value is None))
 
     def declare_parameters(self, namespace, parameters, ignore_override=False):
         declared = []
         for entry in parameters:
+            fail_unless(0 < len(entry) < 4, TypeError, "a parameter is declared by a tuple of one to three elements: TypeError")
             name = f"{namespace}.{entry[0]}" if namespace else entry[0]
             value = entry[1] if len(entry) > 1 else None
             descriptor = entry[2] if len(entry) > 2 else None
             declared.append(self._declare(name, value, descriptor, ignore_override))
         return declared
 
-    @native
-    def undeclare_parameter(self, name) -> None: ...
+    def undeclare_parameter(self, name):
+        undeclare_parameter(self, name)
 
     @native
     def has_parameter(self, name) -> bool: ...
@@ -238,7 +255,8 @@ class Node:
 
     def get_parameter_type(self, name):
         ask(self, "has_parameter", name)
-        return Node.get_parameter(self, name).type_
+        needs_parameter(self, name, "get_parameter_type")
+        return Parameter(name, None, parameter(self, name)).type_
 
     def get_parameters(self, names):
         return [self.get_parameter(name) for name in names]
@@ -249,7 +267,9 @@ class Node:
 
     def get_parameter_or(self, name, alternative_value=None):
         if self.has_parameter(name):
-            return Node.get_parameter(self, name)
+            value = parameter(self, name)
+            if not is_unset(value):
+                return Parameter(name, None, value)
         if alternative_value is None:
             return Parameter(name, Parameter.Type.NOT_SET, None)
         return Parameter(
@@ -281,9 +301,11 @@ class Node:
     def list_parameters(self, prefixes, depth) -> ListParametersResult: ...
 
     def add_pre_set_parameters_callback(self, callback):
+        may_refuse(self)
         schedule(callback, _new_parameters(), event="parameters")
 
     def add_on_set_parameters_callback(self, callback):
+        may_refuse(self)
         schedule(callback, _new_parameters(), event="parameters")
 
     def add_post_set_parameters_callback(self, callback):
@@ -292,7 +314,9 @@ class Node:
     def remove_pre_set_parameters_callback(self, callback) -> None: ...
     def remove_on_set_parameters_callback(self, callback) -> None: ...
     def remove_post_set_parameters_callback(self, callback) -> None: ...
-    def describe_parameter(self, name) -> ParameterDescriptor: ...
+    def describe_parameter(self, name):
+        needs_parameter(self, name, "describe_parameter")
+        return message(ParameterDescriptor, "descriptor")
 
     def describe_parameters(self, names):
         return [self.describe_parameter(name) for name in names]
@@ -300,6 +324,8 @@ class Node:
     def set_descriptor(self, name, descriptor, alternative_value=None):
         ask(self, "has_parameter", name)
         ask(self, "describe_parameter", name)
+        needs_parameter(self, name, "set_descriptor")
+        may_refuse(self)
         return self.get_parameter(name).get_parameter_value()
 
     # Entities
@@ -465,6 +491,11 @@ _ASKED = (
 def _ring():
     """The callback of a rate's timer."""
     return None
+
+
+def _can_be_value(value):
+    """Whether a parameter can have the value, by its type."""
+    return not isinstance(value, (dict, set, frozenset, bytes, bytearray, complex))
 
 
 def _new_parameters():

@@ -4,9 +4,10 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
+from array import array
 from enum import IntEnum
 
-from _rosward import unknown
+from _rosward import fail_unless, unknown
 from rcl_interfaces.msg import Parameter as ParameterMsg
 
 PARAMETER_SEPARATOR_STRING = "."
@@ -64,9 +65,22 @@ class Parameter:
                     return Parameter.Type.STRING_ARRAY
             return Parameter.Type.BYTE_ARRAY
 
-        def check(self, parameter_value) -> bool: ...
+        def check(self, parameter_value):
+            if self == Parameter.Type.NOT_SET:
+                return parameter_value is None
+            if self == Parameter.Type.BOOL:
+                return isinstance(parameter_value, bool)
+            if self == Parameter.Type.INTEGER:
+                return isinstance(parameter_value, int)
+            if self == Parameter.Type.DOUBLE:
+                return isinstance(parameter_value, float)
+            if self == Parameter.Type.STRING:
+                return isinstance(parameter_value, str)
+            return isinstance(parameter_value, (list, tuple, array))
 
     def __init__(self, name, type_=None, value=None):
+        if isinstance(type_, Parameter.Type):
+            fail_unless(type_.check(value), ValueError, f"parameter {name!r} is of type {type_.name}, its value is not: ValueError")
         self._name = name
         self._type = type_
         self._value = value

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does a library raise for sure, and what is told of it?
+
+self.get_parameter('rate')      never declared: ParameterNotDeclaredException is raised here, and RW209 says so where nothing catches it
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import options
+from rosward.domain.values import UNBOUND, Ref, Value
+from rosward.findings import Finding
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def fail(machine: Interpreter, cls: Value, message: str, args: tuple[Value, ...]) -> Value:
+    """The library raises `cls(*args)` here; returns `UNBOUND`, since nothing follows on this path."""
+    exception = machine.call(cls, args)
+    finding = Finding("RW209", message, machine.place)
+    for each in options(exception):
+        if isinstance(each, Ref):
+            machine.log.failures.setdefault(each.address, {})[finding] = None
+    machine.throw(exception)
+    return UNBOUND
+
+
+def tell_uncaught(machine: Interpreter, exception: Value) -> None:
+    """An exception leaves the program, or a callback: where a library raised it, that is told."""
+    for each in options(exception):
+        if isinstance(each, Ref):
+            machine.log.findings.update(machine.log.failures.get(each.address, {}))
