@@ -165,7 +165,7 @@ class FakeMachine:
     def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
         return Unknown((Reason(cause, subject, self.place),), hint)
 
-    def escape(self, values: Iterable[Value], library: str) -> None:  # noqa: ARG002
+    def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:  # noqa: ARG002
         self.escaped.extend(values)
 
     def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:

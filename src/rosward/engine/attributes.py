@@ -379,7 +379,7 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
             record = machine.state.heap.get(address) or Obj("instance", NONE)
             machine.put(address, record.with_attr(name, value))
         elif option.__class__ in (External, Unknown):
-            machine.escape((value,), name_of(option))
+            machine.escape((value,), name_of(option), option)
     return True
 
 

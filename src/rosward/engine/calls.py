@@ -128,7 +128,7 @@ def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywo
         note_call(machine)
         if lost_behaviour(function):
             machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
-        escape(machine, (*args, *keywords.values()), name_of(function))
+        escape(machine, (*args, *keywords.values()), name_of(function), function)
         return Unknown(function.reasons)  # type: ignore[attr-defined]
     escape(machine, (*args, *keywords.values()), name_of(function))
     return machine.unknown(Cause.ERROR, "call of something that is not callable")
@@ -166,7 +166,7 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
     if machine.library.native(function.name):
         return call_native(machine, function.name, args, keywords)
     note_call(machine)
-    escape(machine, (*args, *keywords.values()), function.name)
+    escape(machine, (*args, *keywords.values()), function.name, function)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
         return args[
             0
@@ -190,7 +190,7 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
         return _object_method(machine, short, args)
     if short.startswith("descriptor."):
         return _descriptor(args, short)
-    escape(machine, (*args, *keywords.values()), short)
+    escape(machine, (*args, *keywords.values()), short, Native(name))
     return machine.unknown(Cause.CALL, short)
 
 

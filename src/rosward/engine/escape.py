@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What reaches code that is not known: it may call what is callable, and use any node that it can get hold of.
+"""What reaches code that is not known: it may call what is callable, change what can be changed, and use any node that it can get hold of.
 
 lib.on_key(self.stop)         stop may be called from now on, with anything
+lib.fill(self.buf)            self.buf holds what it held or something unknown (havoc.py)
 lib.run(self)                 RW202: on this node the library may create what it likes
 lib.run(App(node=self))       RW202 too: it has the node by an attribute
 lib.serve(Handler)            it may make a Handler, and call what nothing else calls of it
@@ -13,9 +14,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.heap import Obj
 from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Tuple, Unknown, Value
 from rosward.engine import declared
+from rosward.engine.havoc import change, contents, holds_node
+from rosward.models.readers import only_reads
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -26,15 +28,19 @@ BY_BASE: Final = "call by the base class"
 
 _DEPTH: Final = 4
 """How many containers deep callables and nodes are looked for."""
-_ATTRIBUTES: Final = 2
-"""How many objects deep a node is looked for by attributes."""
 
 
-def escape(machine: Interpreter, values: Iterable[Value], library: str) -> None:
-    """Values reach `library`: callables may be called with anything, later, any number of times; a node may get entities."""
+def escape(machine: Interpreter, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
+    """Values reach `library`: callables may be called with anything, later, any number of times; a node may get entities.
+
+    What can be changed may come back changed, unless it is known of `callee` that it only reads.
+    """
     seen: set[int] = set()
+    reads = callee is not None and only_reads(callee)
     for value in values:
         _reach(machine, value, library, 0, seen)
+        if not reads:
+            change(machine, value, library)
 
 
 def name_of(value: Value) -> str:
@@ -76,31 +82,10 @@ def _reach_object(machine: Interpreter, ref: Ref, library: str, depth: int, seen
         machine.handed.setdefault(ref, machine.place)
         if machine.log.is_node(ref.address):
             machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
-        elif _holds_node(machine, obj, _ATTRIBUTES, {ref.address}):
+        elif holds_node(machine, ref):
             machine.report(
                 "RW202", f"an object that holds a node is handed to {library}, of which it is not known what it creates"
             )
     elif depth < _DEPTH:
-        for item in _contents(obj):
+        for item in contents(obj):
             _reach(machine, item, library, depth + 1, seen)
-
-
-def _contents(obj: Obj) -> list[Value]:
-    """The elements of a list, set or dict."""
-    return [*(obj.items or ()), *obj.entries.values(), *([obj.rest] if obj.rest is not None else [])]
-
-
-def _holds_node(machine: Interpreter, obj: Obj, depth: int, seen: set[int]) -> bool:
-    """Whether a node is among the attributes of an object, or in what they hold."""
-    work = list(obj.attrs.values()) if obj.kind == "instance" else _contents(obj)
-    for value in work:
-        for option in options(value):
-            if isinstance(option, Tuple):
-                work.extend(option.items)
-            elif isinstance(option, Ref) and option.address not in seen:
-                seen.add(option.address)
-                if machine.log.is_node(option.address):
-                    return True
-                if depth > 0 and _holds_node(machine, machine.obj(option), depth - 1, seen):
-                    return True
-    return False

@@ -398,9 +398,9 @@ class Interpreter:
         """An unknown that arises here."""
         return Unknown((Reason(cause, subject, self.place),), hint)
 
-    def escape(self, values: Iterable[Value], library: str) -> None:
+    def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """Values reach unknown code."""
-        escape.escape(self, values, library)
+        escape.escape(self, values, library, callee)
 
     def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
         """A callback may run from now on."""

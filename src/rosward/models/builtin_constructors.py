@@ -87,8 +87,12 @@ def _bool(call: NativeCall) -> Value:
     return spread(lambda v: truth_const(call.machine, v), call.args[0]) if call.args else FALSE
 
 
+def _byte_array(call: NativeCall) -> Value:
+    """bytearray(…): what it holds can be changed at any time, so it is not known."""
+    return unknown_from(call.machine, call.name, "bytearray", *call.args)
+
+
 def _bytes(call: NativeCall) -> Value:
-    """bytes and bytearray."""
     operands = [plain(v) for v in call.args]
     if NOT_PLAIN in operands or call.keywords or not affordable(call.machine, "bytes", operands):
         return unknown_from(call.machine, call.name, "bytes", *call.args)
@@ -210,7 +214,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "builtins.complex": native(_number, 0, "real imag"),
     "builtins.bool": native(_bool),
     "builtins.bytes": native(_bytes, 0, "source encoding errors"),
-    "builtins.bytearray": native(_bytes, 0, "source encoding errors"),
+    "builtins.bytearray": native(_byte_array, 0, "source encoding errors"),
     "builtins.list": native(_list),
     "builtins.tuple": native(_tuple),
     "builtins.set": native(_set),

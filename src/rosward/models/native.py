@@ -101,8 +101,8 @@ class Machine(Protocol):
     def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
         """An unknown that arises here."""
 
-    def escape(self, values: Iterable[Value], library: str) -> None:
-        """The values reach code that is not known: callables among them may be called, nodes may get entities (a finding)."""
+    def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
+        """The values reach code that is not known: callables may be called, contents change, nodes may get entities (a finding)."""
 
     def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
         """Something (a timer, a message, a thread) may call `callback` from now on, any number of times."""

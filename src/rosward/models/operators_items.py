@@ -182,7 +182,7 @@ def store_item(machine: Machine, target: Value, index: Value, value: Value, weak
                 for where in options(index):
                     _store_element(machine, option, where, value, several or isinstance(index, Choice))
         elif isinstance(option, (Unknown, External)):
-            machine.escape((value,), "an item of something unknown")
+            machine.escape((value,), "an item of something unknown", option)
 
 
 def _store_element(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool) -> None:

@@ -125,6 +125,12 @@ def new_table(machine: Interpreter, node: Ref, undeclared: Value | None) -> None
     machine.update(node, obj.with_attr(UNDECLARED, undeclared or FALSE))
 
 
+def may_name(machine: Interpreter, node: Value, name: Value) -> bool:
+    """Whether a parameter of this name may be among those whose names are known."""
+    table, key = table_of(machine, node), containers_dict.key_of(name)
+    return table is None or key is None or key in machine.obj(table).entries
+
+
 def labels(machine: Interpreter, node: Value) -> list[Const]:
     """The names that a node has or may have, as far as they are known."""
     table = table_of(machine, node)

@@ -256,6 +256,30 @@ def _set(call: NativeCall) -> Value:
     return NONE
 
 
+def _has(call: NativeCall) -> Value:
+    """Whether a parameter is declared."""
+    machine = host(call.machine)
+    answers = {table.is_declared(machine, n, k) for n in options(call.args[0]) for k in options(call.args[1])}
+    if len(answers) == 1 and None not in answers:
+        return TRUE if answers.pop() else FALSE
+    return machine.unknown(Cause.PARAMETER, "whether it is declared", "bool")
+
+
+def _is_given(call: NativeCall) -> Value:
+    """`_rosward.is_given(node, name)`: whether it is declared, as far as code and configuration say.
+
+    What nobody here knows to be set is for `get_parameter_or` as for a parameter with a default: the default stands for all that may be.
+    """
+    machine = host(call.machine)
+    node, name = call.args
+    if machine.log.configuration is None and not _own(machine, node)[1]:
+        if all(
+            table.is_declared(machine, node, n) is None and not table.may_name(machine, node, n) for n in options(name)
+        ):
+            return FALSE
+    return _has(call)
+
+
 def _undeclare(call: NativeCall) -> Value:
     machine = host(call.machine)
     nodes, names = options(call.args[0]), options(call.args[1])
@@ -391,6 +415,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.declare_given": _declare_given,
     "_rosward.declare_own": _declare_own,
     "_rosward.declare_parameter": _declare,
+    "_rosward.is_given": _is_given,
     "_rosward.is_unset": _unset,
     "_rosward.may_lack": _lacks,
     "_rosward.may_refuse": _refuses,

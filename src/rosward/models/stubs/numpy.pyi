@@ -31,6 +31,13 @@ class ndarray:
     def __setitem__(self, index, value):
         self._items = unknown('operation', 'item of an array', 'list')
     def __contains__(self, value) -> bool: ...
+    def _changed(self):
+        self._items = unknown('operation', 'items of an array', 'list')
+        return self
+    def fill(self, value): self._changed()
+    def put(self, indices, values, mode='raise'): self._changed()
+    def sort(self, axis=-1, kind=None, order=None): self._changed()
+    def itemset(self, *args): self._changed()
     def tolist(self):
         return self._items
     def copy(self, order='C'):
@@ -39,16 +46,16 @@ class ndarray:
         return self
     def __add__(self, other): return _unknown()
     def __radd__(self, other): return _unknown()
-    def __iadd__(self, other): return _unknown()
+    def __iadd__(self, other): return self._changed()
     def __sub__(self, other): return _unknown()
     def __rsub__(self, other): return _unknown()
-    def __isub__(self, other): return _unknown()
+    def __isub__(self, other): return self._changed()
     def __mul__(self, other): return _unknown()
     def __rmul__(self, other): return _unknown()
-    def __imul__(self, other): return _unknown()
+    def __imul__(self, other): return self._changed()
     def __truediv__(self, other): return _unknown()
     def __rtruediv__(self, other): return _unknown()
-    def __itruediv__(self, other): return _unknown()
+    def __itruediv__(self, other): return self._changed()
     def __floordiv__(self, other): return _unknown()
     def __mod__(self, other): return _unknown()
     def __pow__(self, other): return _unknown()

@@ -14,6 +14,7 @@ from _rosward import (
     declare_parameter,
     default,
     fail_unless,
+    is_given,
     is_unset,
     may_lack,
     may_refuse,
@@ -266,7 +267,8 @@ class Node:
         return Parameter(name, None, parameter(self, name))
 
     def get_parameter_or(self, name, alternative_value=None):
-        if self.has_parameter(name):
+        ask(self, "has_parameter", name)
+        if is_given(self, name):
             value = parameter(self, name)
             if not is_unset(value):
                 return Parameter(name, None, value)

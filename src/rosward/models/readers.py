@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which libraries without a model are known to change no list, dict or object that they are given?
+
+cv2.imshow('image', frame)       reads
+random.shuffle(self.names)       changes: the exceptions have names of their own
+bus.readinto(self.buf)           not known, so it may change
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.unknown import Cause
+from rosward.domain.values import External, Native, Unknown, Value
+
+_READ: Final = frozenset(
+    (
+        *("builtins", "numpy", "scipy", "cv2", "PIL", "matplotlib", "mpl_toolkits", "pandas", "sklearn", "skimage"),
+        *("tensorflow", "keras", "torch", "torchvision", "onnxruntime", "mathutils", "transforms3d", "open3d", "sympy"),
+        *(
+            "requests",
+            "urllib",
+            "http",
+            "struct",
+            "random",
+            "statistics",
+            "hashlib",
+            "base64",
+            "binascii",
+            "uuid",
+            "secrets",
+        ),
+        *("locale", "textwrap", "unicodedata", "zlib", "gzip", "shutil", "tempfile", "pprint", "termcolor", "colorama"),
+    )
+)
+"""Libraries whose functions and objects only read what they are given, as they are documented."""
+
+_WRITE: Final = frozenset(
+    {"shuffle", "copyto", "put", "putmask", "place", "fill_diagonal", "put_along_axis", "unpack_to"}
+)
+"""The last words of the names of those that change it all the same."""
+
+
+def only_reads(callee: Value) -> bool:
+    """Whether it is known of what is called that it changes nothing: what a message holds is plain data, so nothing of it does."""
+    if isinstance(callee, Unknown) and callee.reasons and all(r.cause is Cause.MESSAGE for r in callee.reasons):
+        return True
+    name = _dotted(callee)
+    last = name.rpartition(".")[2]
+    return name.partition(".")[0] in _READ and last not in _WRITE and not last.endswith("_into")
+
+
+def _dotted(callee: Value) -> str:
+    if isinstance(callee, (External, Native)):
+        return callee.name
+    if isinstance(callee, Unknown) and len(callee.reasons) == 1 and callee.reasons[0].cause is Cause.CALL:
+        return callee.reasons[0].subject
+    return ""
