@@ -212,7 +212,7 @@ class FakeMachine:
     def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
         return Unknown((Reason(cause, subject, self.place),), hint)
 
-    def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
+    def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:  # noqa: ARG002
         self.scheduled.extend(v for v in values if isinstance(v, Function) and library)
 
     def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
