@@ -100,7 +100,7 @@ def _reached(error: Exception) -> Place | None:
     while step is not None:
         frame = step.tb_frame.f_locals.get("frame")
         if isinstance(frame, Frame) and not frame.stub:
-            found = Place(frame.code.file, frame.line, frame.column)
+            found = frame.place
         step = step.tb_next
     return found
 

@@ -106,17 +106,5 @@ def _all_ops(block: ops.Block) -> Iterator[ops.Op]:
         yield op
         if isinstance(op, ops.MakeClass):
             yield from _all_ops(op.code.ops)
-        for inner in _blocks(op):
+        for inner in op.blocks:
             yield from _all_ops(inner)
-
-
-def _blocks(op: ops.Op) -> tuple[ops.Block, ...]:
-    if isinstance(op, ops.If):
-        return (op.then, op.orelse)
-    if isinstance(op, ops.While):
-        return (op.condition, op.body, op.orelse)
-    if isinstance(op, ops.ForEach):
-        return (op.body, op.orelse)
-    if isinstance(op, ops.Try):
-        return (op.body, *(h.body for h in op.handlers), op.orelse, op.final)
-    return (op.body,) if isinstance(op, ops.With) else ()

@@ -141,10 +141,12 @@ def left_by(machine: Interpreter, frame: Frame, *, alive: bool) -> tuple[Value, 
 
 
 def context_of(machine: Interpreter, code: Code, caller: Frame | None) -> int:
-    """The context of a call: the chain of calls that led to it."""
+    """The context of a call: the chain of calls that led to it. What one operation calls (`map`, `sum`) is told apart by its turn."""
     if machine.coarse:
-        return machine.context("coarse", id(code))
-    return machine.context(caller.context, caller.code.file, caller.line, caller.column, id(code)) if caller else 0
+        return machine.context("coarse", code.key)
+    if caller is None:
+        return 0
+    return machine.context(caller.context, caller.code.key, caller.op.number, caller.next(), code.key)
 
 
 def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
@@ -181,7 +183,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
     if machine.coarse:
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]
-    context = machine.context("summary", id(function.code))
+    context = machine.context("summary", function.code.key)
     try:
         for _ in range(machine.budget.fixpoint):
             reads, seen = machine.provisional, summary.seen

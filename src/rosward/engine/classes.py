@@ -84,9 +84,7 @@ def _make(
     code = op.code
     place = Place(code.file, op.line, op.column)
     # A class is one object for each place, chain of calls and bases; the module's own classes are there once.
-    address = machine.place_at(
-        ("class", frame.context, code.file, op.line, op.column, bases), Obj("class", Native("builtins.type"))
-    )
+    address = machine.place_at(("class", frame.context, code.key, bases), Obj("class", Native("builtins.type")))
     record = machine.at(address)
     if record.many and frame.code.kind is CodeKind.MODULE:
         machine.put(address, Obj("class", Native("builtins.type")))
@@ -94,7 +92,7 @@ def _make(
     body = Frame(code, [UNBOUND] * code.registers, (), frame.module, frame.context, frame.stub)
     captured = tuple([frame.cells[c] for c in op.captures])
     body.cells = (
-        *machine.new_cells(code, machine.context(frame.context, op.line, op.column, "class", bases)),
+        *machine.new_cells(code, machine.context(frame.context, frame.code.key, op.number, "class", bases)),
         *captured,
     )
     body.namespace = address

@@ -30,7 +30,7 @@ _NAMES: Final = (("__enter__", "__exit__"), ("__aenter__", "__aexit__"))
 
 def with_context(machine: Interpreter, op: ops.With, frame: Frame, *, body: Rest | None = None) -> bool | None:
     """The statement, with one item. `body`: what is left of it; then it was entered before."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     context = frame.registers[op.context]
     if body is None and not _enter(machine, op, frame, context):
         return False
@@ -77,7 +77,7 @@ def _swallowed(machine: Interpreter, context: Value) -> tuple[str, ...]:
 
 def _exit(machine: Interpreter, op: ops.With, frame: Frame, context: Value, arguments: Sequence[Value]) -> Value:
     """What `__exit__` gives."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     if _is_file(context):
         return NONE
     answer = machine.call_method(context, _NAMES[op.is_async][1], tuple(arguments))

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 def branch(machine: Interpreter, op: ops.If, frame: Frame) -> bool | None:
     """Follow the way that the test decides, or both."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     decided = truth(machine, frame.registers[op.test])
     if decided is not None:
         return machine.run(op.then if decided else op.orelse, frame) or False
@@ -103,7 +103,7 @@ def loop(
     machine: Interpreter, op: ops.While, frame: Frame, begun: tuple[int, Callable[[], bool]] | None = None
 ) -> bool | None:
     """A while loop: followed while its condition is known, then to a fixpoint. `begun`: a turn that was suspended, and how it is finished."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
@@ -162,7 +162,7 @@ def loop(
 
 def _enter_turn(machine: Interpreter, op: ops.While, frame: Frame, context: int, number: int) -> None:
     """A turn begins: what it makes is told apart from what others make."""
-    frame.context = machine.context(context, id(op), "*" if number == ANY_TURN else number)
+    frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
         frame.turns[id(op)] = (number,)
 

@@ -30,7 +30,7 @@ APART: Final = 4
 
 def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
     """The raise statement."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     if op.src == ops.NO_REGISTER:
         again(machine)
         return False

@@ -3,16 +3,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import join
 from rosward.domain.suspended import Point
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
 from rosward.engine.state import Merge, State, join_registers, join_states
 from rosward.ir.program import Code
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+
+_MOST: Final = 64
+"""How many calls and objects of one operation are told apart."""
 
 
 @final
@@ -73,6 +77,7 @@ class Frame:
 
     `cells` are the heap addresses of own, then captured cells. `namespace` is the class body's heap address, or -1.
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
+    `op` is the operation that is running.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
     gives, and `turns` holds for each loop that is running, by id() of the operation, its turn and what it keeps between two of them.
     """
@@ -80,12 +85,11 @@ class Frame:
     __slots__ = (
         "cells",
         "code",
-        "column",
         "context",
         "exits",
-        "line",
         "module",
         "namespace",
+        "op",
         "registers",
         "sequence",
         "stub",
@@ -105,9 +109,20 @@ class Frame:
         self.namespace = -1
         self.stub = stub  # True where the code belongs to a library model
         self.exits = Exits()
-        self.line = code.line
-        self.column = 1
-        self.sequence = 0  # how many objects the current operation has made
+        self.op = code.entry
+        self.sequence = 0  # how many calls and objects the current operation has made
         self.uncertain = 0
         self.yielded: Yielded | None = None
         self.turns: dict[int, tuple[Any, ...]] = {}
+
+    def next(self) -> int:
+        """Which call or object of the current operation this is. They are finitely many: where there are too many, the last stands for all."""
+        number = self.sequence
+        if number < _MOST:
+            self.sequence = number + 1
+        return number
+
+    @property
+    def place(self) -> Place:
+        """Where the operation stands that is running."""
+        return Place(self.code.file, self.op.line, self.op.column)

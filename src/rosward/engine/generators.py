@@ -42,15 +42,15 @@ def make(machine: Interpreter, function: Function, registers: list[Value]) -> Re
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
     shared = lineage.count(id(code)) >= (1 if machine.coarse else machine.budget.recursion)
     if shared:  # made inside one another without end: all of them are one
-        context = machine.context("summary", id(code))
+        context = machine.context("summary", code.key)
     else:
         lineage = (*lineage, id(code))
         context = activation.context_of(machine, code, caller)
     points = {Point(function, context, (), ()): tuple(registers)}
     record = Obj("generator", NONE, payload=Suspension(points, lineage=lineage, shared=shared))
     if shared:
-        return Ref(machine.place_at(("generator", id(code), function.cells), record))
-    return machine.allocate(record, (id(code), function.cells))
+        return Ref(machine.place_at(("generator", code.key, function.cells), record))
+    return machine.allocate(record, (code.key, function.cells))
 
 
 @final

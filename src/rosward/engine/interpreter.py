@@ -62,7 +62,6 @@ if TYPE_CHECKING:
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
-_MAX_SEQUENCE: Final = 6
 _LONGEST_PATH: Final = 12
 
 
@@ -233,10 +232,7 @@ class Interpreter:
         frame = self.frames[-1] if self.frames else None
         if frame is None:
             return Ref(self.place_at((obj.kind, site), obj))
-        # One operation may make several objects, but finitely many: it makes one for each alternative of its operands, and they come round.
-        number = min(frame.sequence, _MAX_SEQUENCE)
-        key = (frame.context, frame.code.file, frame.line, frame.column, number, site, obj.kind, obj.cls)
-        frame.sequence += 1
+        key = (frame.context, frame.code.key, frame.op.number, frame.next(), site, obj.kind, obj.cls)
         return Ref(self.place_at(key, obj))
 
     def place_key(self, key: object) -> int:
@@ -352,7 +348,7 @@ class Interpreter:
 
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
-        return [self.place_at(("cell", context, id(code), n), Obj("cell", NONE)) for n in range(len(code.cells))]
+        return [self.place_at(("cell", context, code.key, n), Obj("cell", NONE)) for n in range(len(code.cells))]
 
     def load_attr(self, value: Value, name: str) -> Value:
         """value.name."""
@@ -445,14 +441,14 @@ class Interpreter:
         """The innermost place in the user's code."""
         for frame in reversed(self.frames):
             if not frame.stub:
-                return Place(frame.code.file, frame.line, frame.column)
+                return frame.place
         return Place("", 0)
 
     @property
     def path(self) -> tuple[Place, ...]:
         """The calls in the user's code that lead here, outermost first; of a longer chain the innermost."""
         own = [frame for frame in self.frames if not frame.stub][-_LONGEST_PATH:]
-        return tuple(Place(frame.code.file, frame.line, frame.column) for frame in own)
+        return tuple(frame.place for frame in own)
 
     @property
     def files(self) -> Files:

@@ -53,7 +53,7 @@ class Begun(NamedTuple):
 
 def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun | None = None) -> bool | None:
     """A loop over what a value yields. `begun`: go on in a turn that was suspended."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
     returned = frame.exits.returned
@@ -99,7 +99,7 @@ def _enter_turn(
     machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
 ) -> None:
     """A turn begins: what it makes is told apart from what others make."""
-    frame.context = machine.context(context, id(op), "*" if number == ANY_TURN else number)
+    frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
         rest = UNBOUND if ahead.rest is None else ahead.rest
         frame.turns[id(op)] = (number, source, Tuple(ahead.known), rest)

@@ -34,13 +34,13 @@ def invoke(
         unsure = frozenset(k[1:] for k in keywords if k[:1] == MAYBE)
         keywords = flattened((), keywords)[1]
     frame = machine.frames[-1] if machine.frames else None
-    place = (frame.line, frame.column) if frame is not None else (0, 0)
+    op = frame.op if frame is not None else None
     given = args if loose is None or name in _TAKE_LOOSE else (*args, loose)
     if anything and loose is None:
         loose = machine.unknown(Cause.CALLER, name)
     value = perform(native, NativeCall(machine, name, given, keywords, loose, unsure))
-    if frame is not None:
-        frame.line, frame.column = place
+    if frame is not None and op is not None:
+        frame.op = op
     if is_open and value is not UNBOUND and name not in _TAKE_LOOSE and not name.startswith("_rosward."):
         return join(value, machine.unknown(Cause.CALL, name.removeprefix("builtins.")))
     return value

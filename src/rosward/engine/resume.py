@@ -42,7 +42,7 @@ def _behind(
     machine: Interpreter, op: ops.Yield, frame: Frame, turn: int, kept: list[Value], action: Action
 ) -> bool | None:
     """At the yield itself."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     if op.many:
         source, ahead, rest = kept
         if stepping.steps(machine, source):

@@ -19,6 +19,7 @@ from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY
 from rosward.engine.frame import Frame
 from rosward.engine.state import State, join_states
+from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
 
@@ -140,7 +141,7 @@ class Schedule:
             return machine.context("callback", len(self.entries))
         while callback.__class__ in (BoundMethod, Partial):
             callback = callback.function
-        code = id(callback.code) if callback.__class__ is Function else 0
+        code = callback.code.key if callback.__class__ is Function else ""
         return machine.context("later callback", code, event, machine.place)
 
     def spin(self, machine: Interpreter) -> None:
@@ -202,7 +203,7 @@ class Schedule:
         machine.state.heap.fill(entry.state.heap)
         code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
         frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)
-        frame.line, frame.column = entry.place.line, entry.place.column
+        frame.op = Op(entry.place.line, entry.place.column)
         frame.uncertain = 1
         machine.frames.append(frame)
         machine.loops = machine.fixpoints = 0

@@ -195,7 +195,7 @@ def drain(machine: Interpreter, iterator: Value, *, asynchronous: bool = False) 
     most = machine.budget.unroll_while if not is_generator(machine, iterator) else machine.budget.unroll
     try:
         while len(known) < most and not machine.coarse:
-            frame.context = machine.context(context, frame.line, frame.column, "next", len(known))
+            frame.context = machine.context(context, frame.code.key, frame.op.number, "next", len(known))
             before = machine.state.copy()
             item, ended, value = step(machine, iterator, asynchronous=asynchronous)
             if item is UNBOUND:
@@ -208,7 +208,7 @@ def drain(machine: Interpreter, iterator: Value, *, asynchronous: bool = False) 
             if machine.state.version == before.version:
                 break
             machine.check_time()
-        frame.context = machine.context(context, frame.line, frame.column, "next", "*")
+        frame.context = machine.context(context, frame.code.key, frame.op.number, "next", "*")
         rest, value = _drain_rest(machine, iterator, asynchronous=asynchronous)
         return Items(tuple(known), None if rest is UNBOUND else rest), value
     finally:

@@ -63,7 +63,7 @@ def _find(block: ops.Block, before: Way, found: dict[int, Way]) -> None:
 
 def yield_(machine: Interpreter, op: ops.Yield, frame: Frame) -> bool | None:
     """The handler of `yield` and `yield from`."""
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     source = frame.registers[op.src]
     if not op.many:
         _suspend(machine, op, frame, source)
@@ -83,7 +83,7 @@ def delegate(
 ) -> bool | None:
     """`yield from` an iterator that is advanced: its next item; behind its end this call goes on. A generator counts its turns itself."""
     context = frame.context
-    frame.context = machine.context(context, id(op), turn)
+    frame.context = machine.context(context, frame.code.key, op.number, turn)
     item, ended, value = stepping.step(machine, iterator, action)
     frame.context = context
     if item is not UNBOUND:

@@ -50,7 +50,7 @@ def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None
     record = machine.at(frame.module.address)
     found = record.attrs.get(op.name)
     if found is None or found is UNBOUND:
-        frame.line, frame.column, frame.sequence = op.line, op.column, 0
+        frame.op, frame.sequence = op, 0
         found = modules.load_global(machine, frame.module, op.name)
     elif record.partial and op.name in record.partial and hasattr(builtins, op.name):
         found = join(found, modules.load_global(machine, frame.module, op.name))
@@ -68,7 +68,7 @@ def _load_name(machine: Interpreter, op: ops.LoadName, frame: Frame) -> None:
     if found is None or found is UNBOUND:
         found = machine.at(frame.module.address).attrs.get(op.name)
     if found is None or found is UNBOUND:
-        frame.line, frame.column, frame.sequence = op.line, op.column, 0
+        frame.op, frame.sequence = op, 0
         found = modules.load_global(machine, frame.module, op.name)
     frame.registers[op.dst] = found
 
@@ -80,7 +80,7 @@ def _store_name(machine: Interpreter, op: ops.StoreName, frame: Frame) -> None:
 def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> None:
     found = machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND)
     if found is UNBOUND:
-        frame.line, frame.column, frame.sequence = op.line, op.column, 0
+        frame.op, frame.sequence = op, 0
         found = machine.unknown(Cause.ERROR, "variable without a value")
     frame.registers[op.dst] = found
 
@@ -91,7 +91,7 @@ def _store_cell(machine: Interpreter, op: ops.StoreCell, frame: Frame) -> None:
 
 
 def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     cell = machine.allocate(Obj("cell", NONE), op.cell)
     cells = list(frame.cells)
     cells[op.cell] = cell.address
@@ -99,7 +99,7 @@ def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
 
 
 def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     if op.name in attributes.CREATING:
         machine.reached.add(id(op))
     value = attributes.load(machine, frame.registers[op.obj], op.name)
@@ -108,7 +108,7 @@ def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | N
 
 
 def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     if op.narrowing:
         attributes.narrow(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
         return None
@@ -117,19 +117,19 @@ def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool |
 
 
 def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     value = items.load(machine, frame.registers[op.obj], frame.registers[op.index])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     items.store(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
 
 
 def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     if op.kind == "local":
         frame.registers[op.obj] = UNBOUND
     elif op.kind == "global":
@@ -143,15 +143,14 @@ def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
 
 
 def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     value = equality.unary(machine, op.operator, frame.registers[op.src])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
-    # All links of a chain `a + b + c` begin at one place: what each makes is told apart by its register.
-    frame.line, frame.column, frame.sequence = op.line, op.column, -8 * op.dst
+    frame.op, frame.sequence = op, 0
     registers = frame.registers
     value = equality.binary(machine, op.operator, registers[op.left], registers[op.right], inplace=op.inplace)
     frame.registers[op.dst] = value
@@ -159,32 +158,32 @@ def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
 
 
 def _compare(machine: Interpreter, op: ops.Compare, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     value = equality.compare(machine, op.operator, frame.registers[op.left], frame.registers[op.right])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     registers = frame.registers
     function = registers[op.func]
     if op.simple is not None:
         value = calls.call(machine, function, tuple([registers[r] for r in op.simple]), {})
     else:
         value = calls.call_with(machine, function, op.arguments, registers)
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _build(machine: Interpreter, op: ops.Build, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     frame.registers[op.dst] = items.build(machine, op, frame)
 
 
 def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     registers = frame.registers
     known: list[Value] = []
     for part in op.parts:
@@ -210,34 +209,34 @@ def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> 
 
 
 def _make_class(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     frame.registers[op.dst] = classes.make(machine, op, frame)
 
 
 def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     frame.registers[op.dst] = modules.import_module(machine, op, frame)
 
 
 def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     value = modules.import_from(machine, op, frame)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
 def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     modules.import_star(machine, op, frame)
 
 
 def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     items.unpack(machine, op, frame)
 
 
 def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     arguments = [frame.registers[r] for r in op.arguments]
     if op.name == "slice":
         frame.registers[op.dst] = Slice(arguments[0], arguments[1], arguments[2])
@@ -259,7 +258,7 @@ def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
 
 
 def _await(machine: Interpreter, op: ops.Await, frame: Frame) -> bool | None:
-    frame.line, frame.column, frame.sequence = op.line, op.column, 0
+    frame.op, frame.sequence = op, 0
     value = calls.wait_for(machine, frame.registers[op.src])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None

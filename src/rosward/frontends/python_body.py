@@ -79,7 +79,7 @@ def misplaced(node: Located, message: str) -> FrontendError:
 class Unit:
     """What the bodies of one file share."""
 
-    __slots__ = ("expressions", "file", "has_main", "imports", "statements", "symbols")
+    __slots__ = ("bodies", "expressions", "file", "has_main", "imports", "statements", "symbols")
 
     def __init__(
         self,
@@ -94,6 +94,7 @@ class Unit:
         self.statements = statements
         self.imports: set[str] = set()
         self.has_main = False
+        self.bodies = 0  # how many code bodies there are so far
 
 
 @final

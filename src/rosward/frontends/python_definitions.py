@@ -44,6 +44,8 @@ def lower_code(
     doc: str | None = None,
 ) -> Code:
     """Lower one body."""
+    index = unit.bodies
+    unit.bodies += 1
     body = Body(unit, scope, qualname, is_coroutine=is_coroutine)
     names = parameters.names
     registers = scope.registers
@@ -78,6 +80,7 @@ def lower_code(
         annotations=annotations,
         returns=returns,
         doc=doc,
+        index=index,
     )
 
 

@@ -20,6 +20,11 @@ class If(Op):
         self.then = then
         self.orelse = orelse
 
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.then, self.orelse)
+
 
 @final
 class While(Op):
@@ -33,6 +38,11 @@ class While(Op):
         self.test = test
         self.body = body
         self.orelse = orelse
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.condition, self.body, self.orelse)
 
 
 @final
@@ -50,6 +60,11 @@ class ForEach(Op):
         self.body = body
         self.orelse = orelse
         self.is_async = is_async
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.body, self.orelse)
 
 
 @final
@@ -88,6 +103,11 @@ class Try(Op):
         self.orelse = orelse
         self.final = final_
 
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.body, *(b for h in self.handlers for b in (h.match, h.body)), self.orelse, self.final)
+
 
 @final
 class With(Op):
@@ -101,6 +121,11 @@ class With(Op):
         self.bind = bind
         self.body = body
         self.is_async = is_async
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks that it holds, in the order in which they stand."""
+        return (self.body,)
 
 
 @final

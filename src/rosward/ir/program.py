@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 from typing import final
 
-from rosward.ir.ops import Block
+from rosward.ir.simple import Block, Op
 
 
 class CodeKind(enum.Enum):
@@ -56,6 +56,7 @@ class Code:
     `free` are the names captured from outside, in the order of `captures` of the operation that makes the function or class.
     Cell numbers count `cells` first, then `free`. `__class__` is a free cell of each method in which `super()` without
     arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.
+    `key` names the body for good: its file and which one of that file it is (`index`). `entry` is where it begins, before its first operation.
     `annotations` and `returns` keep annotations as source text, `doc` the docstring. `is_stub`: the body is `...` alone.
     """
 
@@ -63,11 +64,13 @@ class Code:
         "annotations",
         "cells",
         "doc",
+        "entry",
         "file",
         "free",
         "is_coroutine",
         "is_generator",
         "is_stub",
+        "key",
         "kind",
         "line",
         "name",
@@ -99,7 +102,10 @@ class Code:
         annotations: dict[str, str] | None = None,
         returns: str | None = None,
         doc: str | None = None,
+        index: int = 0,
     ) -> None:
+        self.key = f"{file}#{index}"
+        self.entry = Op(line, 1)
         self.kind = kind
         self.name = name
         self.qualname = qualname
@@ -117,6 +123,17 @@ class Code:
         self.annotations = annotations or {}
         self.returns = returns
         self.doc = doc
+        _number(ops)
+
+
+def _number(block: Block, last: int = 0) -> int:
+    """Number the operations of a body, those inside of others included; the last number given."""
+    for op in block:
+        last += 1
+        op.number = last
+        for inner in op.blocks:
+            last = _number(inner, last)
+    return last
 
 
 @final

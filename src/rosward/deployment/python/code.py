@@ -45,6 +45,7 @@ from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.findings import Finding
 from rosward.frontends.python_module import lower_module
+from rosward.ir.ops import Op
 from rosward.models.effects import EffectLog
 from rosward.source.location import Place
 
@@ -222,7 +223,7 @@ class LaunchPython:
             self._roots[place.file] = lower_module("", place.file).code
         context = machine.context("launch", self._turns)
         root = Frame(self._roots[place.file], [], (), machine.library.nowhere, context, stub=False)
-        root.line, root.column = place.line, place.column
+        root.op = Op(place.line, place.column)
         frames, catchers = machine.frames, machine.catchers
         machine.frames, machine.catchers = [*frames, root], []
         self._context.performers.append(performer)

@@ -66,7 +66,7 @@ class Expressions:
     def _run(self, code: Code, module: ModuleValue, turn: int) -> Value:
         machine = self._machine
         machine.put(module.address, Obj("module", Native("builtins.module"), attrs={}))
-        context = machine.context("expression", turn, id(code))
+        context = machine.context("expression", turn, module.address)
         frame = Frame(code, [UNBOUND] * code.registers, (), module, context, stub=True)
         frame.cells = tuple(machine.new_cells(code, context))
         frames = machine.frames
