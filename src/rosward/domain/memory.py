@@ -61,6 +61,14 @@ class Heap:
         assert page is not None
         page[address & MASK] = obj
 
+    def restore(self, before: Heap) -> None:
+        """Take back what was written to the objects that an earlier copy has; what is new stays."""
+        for number, theirs in before.pages.items():
+            if self.pages[number] is not theirs:
+                for offset, obj in enumerate(theirs):
+                    if obj is not None and self.pages[number][offset] is not obj:
+                        self[(number << SHIFT) + offset] = obj
+
     def items(self) -> Iterator[tuple[int, Obj]]:
         """All objects with their addresses."""
         for number, page in self.pages.items():

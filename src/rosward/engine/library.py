@@ -19,6 +19,7 @@ from rosward.engine import modules
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.interpreter import Interpreter
+from rosward.engine.model_units import absolute, units
 from rosward.engine.stub_files import StubFiles
 from rosward.findings import Finding
 from rosward.guard import internal_error
@@ -94,6 +95,9 @@ class Library:
         self._found: dict[tuple[str, int, str], Found | None] = {}
         self._lowered: dict[str, Module | None] = {}
         self._models: dict[str, ModuleValue] = {}
+        self._waiting: set[str] = set()  # models of the units that are being loaded, which have not begun to run
+        self._running: set[str] = set()  # models that have begun to run, and have not ended
+        self._awaited: list[tuple[ModuleValue, ModuleValue, str, Value]] = []  # importer, module, name, its stand-in
         self._function_addresses: dict[Function, int] = {}
         self._node: Class | None = None
         self._loader = Interpreter(self, Budget(steps=200_000, seconds=3600.0), EffectLog())
@@ -161,7 +165,7 @@ class Library:
     def _look_up(self, name: str, level: int, importer: ModuleValue | None) -> Found | None:
         file = importer.file if importer is not None else ""
         if importer is not None and self.is_model_file(file):
-            return self._model(_absolute(name, level, importer))
+            return self._model(absolute(name, level, importer.name, importer.file))
         top = name.partition(".")[0]
         found = self.sources.find(name, level, file)
         if level:
@@ -184,18 +188,48 @@ class Library:
         return file.startswith(MODEL_PREFIX)
 
     def load_model(self, found: Found) -> ModuleValue:
-        """The module value of a model, run once."""
+        """The module value of a model, run once: with all that it needs, in an order that does not depend on who asks."""
         known = self._models.get(found.name)
         if known is not None:
             return known
+        if found.name in self._waiting:  # it is imported by one that it needs itself
+            return self._run_model(found.name)
+        for unit in units(self._stubs, found.name):
+            if unit[0] not in self._models:
+                self._load_unit(unit)
+        return self._models[found.name]
+
+    def _load_unit(self, unit: tuple[str, ...]) -> None:
+        """Run models that need each other. They change nothing of those that were there before."""
         loader = self._loader
-        package, _, leaf = found.name.rpartition(".")
-        file = found.file or self._stubs.find(found.name) or ""
-        address = loader.place_key(("module", found.name))
-        module = self._models[found.name] = ModuleValue(address, found.name, file)
+        frames, catchers, steps = loader.frames, loader.catchers, loader.steps
+        loader.frames, loader.catchers, loader.steps = [], [], 0
+        before = loader.state.heap.copy()
+        self._waiting.update(unit)
+        for name in unit:
+            if name in self._waiting:
+                self._run_model(name)
+        self._give_awaited(unit)
+        loader.state.heap.restore(before)
+        loader.state.version = loader.fresh_version()
+        loader.frames, loader.catchers, loader.steps = frames, catchers, steps
+
+    def _run_model(self, name: str) -> ModuleValue:
+        """Run one model of a unit; the package around it goes first."""
+        self._waiting.discard(name)
+        package, _, leaf = name.rpartition(".")
+        parent = self._model(package) if package else None
+        above = None if parent is None else self.load_model(parent)
+        known = self._models.get(name)
+        if known is not None:  # the package has imported it
+            return known
+        loader = self._loader
+        module = ModuleValue(loader.place_key(("module", name)), name, self._stubs.find(name) or "")
+        self._models[name] = module
+        self._running.add(name)
         catchers = loader.catchers
         try:
-            modules.run_module(loader, module, found.name)
+            modules.run_module(loader, module, name)
         except LimitReachedError as limit:
             self._stubs.findings[
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
@@ -204,13 +238,30 @@ class Library:
         except Exception as error:
             if not self._net:
                 raise
-            self._stubs.findings[internal_error(error, Place(file), "this stub was read to this point only")] = None
+            place = Place(module.file)
+            self._stubs.findings[internal_error(error, place, "this stub was read to this point only")] = None
             loader.catchers = catchers
-        parent = self._model(package) if package else None
-        if parent is not None:
-            above = self.load_model(parent)
+        self._running.discard(name)
+        if above is not None and leaf not in loader.at(above.address).attrs:
             loader.put(above.address, loader.at(above.address).with_attr(leaf, module))
         return module
+
+    def expect(self, importer: ModuleValue, module: ModuleValue, name: str, stand_in: Value) -> None:
+        """A model imports a name from one that is still running and does not have it yet: it is looked up when both are complete."""
+        if module.name in self._running:
+            self._awaited.append((importer, module, name, stand_in))
+
+    def _give_awaited(self, unit: tuple[str, ...]) -> None:
+        """Put what was imported too early in the place of what stood in for it."""
+        awaited, self._awaited = self._awaited, []
+        for importer, module, name, stand_in in awaited:
+            if importer.name not in unit:
+                self._awaited.append((importer, module, name, stand_in))
+                continue
+            value = modules.attribute(self._loader, module, name)
+            record = self._loader.at(importer.address)
+            attrs: dict[str, Value] = {n: value if v == stand_in else v for n, v in record.attrs.items()}
+            self._loader.put(importer.address, record.replace(attrs=attrs))
 
     def module(self, file: str) -> Module | None:
         """The lowered file of a module."""
@@ -232,12 +283,3 @@ class Library:
 
 
 _NOTHING: Final = Obj("instance", Const(None))
-
-
-def _absolute(name: str, level: int, importer: ModuleValue) -> str:
-    """The absolute form of a relative import in a model."""
-    if not level:
-        return name
-    parts = importer.name.split(".")
-    keep = len(parts) - level + (1 if importer.file.endswith("__init__.pyi") else 0)
-    return ".".join([*parts[:keep], *([name] if name else [])])

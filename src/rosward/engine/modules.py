@@ -43,6 +43,8 @@ def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value
     defined = machine.at(module.address).attrs.get(op.name, UNBOUND) is not UNBOUND
     if _surely_there(machine, module) and (defined or value.__class__ is ModuleValue):
         return value
+    if value.__class__ is External:
+        machine.library.expect(frame.module, module, op.name, value)
     note_import(machine)
     if machine.catchers and _surely_there(machine, module) and value.__class__ is Unknown:
         machine.throw(Native("builtins.ImportError"))
