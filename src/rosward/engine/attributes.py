@@ -326,23 +326,38 @@ def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
     receiver = value.receiver
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
     mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()
-    behind = mro[mro.index(value.after) + 1 :] if value.after in mro else ()
-    for base in behind:
+    if name == "__class__":
+        return Native("builtins.super")
+    perhaps: Value = UNBOUND
+    for base in mro[mro.index(value.after) + 1 :] if value.after in mro else ():
         if base.__class__ is Class:
-            found = machine.at(base.address).attrs.get(name)
+            record = machine.at(base.address)
+            found = record.attrs.get(name)
             if found is not None and found is not UNBOUND:
-                if receiver.__class__ is Class and found.__class__ is Function:
-                    return BoundMethod(receiver, found) if name in ("__new__", "__init_subclass__") else found
-                return bind(machine, found, receiver, cls)
+                bound = _through_super(machine, found, receiver, cls, name)
+                if name not in record.partial:
+                    return join(perhaps, bound)
+                perhaps = join(perhaps, bound)  # where this class has none, that of the next one
         elif base.__class__ is External:
-            return Partial(External(f"{base.name}.{name}"), (), ())
+            return join(perhaps, Partial(External(f"{base.name}.{name}"), (), ()))
+        elif base.__class__ is Unknown:
+            return join(perhaps, Unknown(base.reasons))
         elif base.__class__ is Native:
             inherited = _of_native_class(machine, base.name, name)
             if inherited is not None:
-                return inherited if name == "__new__" else BoundMethod(receiver, inherited)
+                return join(perhaps, inherited if name == "__new__" else BoundMethod(receiver, inherited))
     if name == "__new__":
-        return Native("object.__new__")
-    return BoundMethod(receiver, Native(f"object.{name}"))
+        return join(perhaps, Native("object.__new__"))
+    return join(perhaps, BoundMethod(receiver, Native(f"object.{name}")))
+
+
+def _through_super(machine: Interpreter, found: Value, receiver: Value, cls: Value, name: str) -> Value:
+    """What an attribute of a base becomes when it is read through `super()`."""
+    if name == "__new__":  # a static method, without being called one
+        return found.getter if found.__class__ is Descriptor else found
+    if receiver.__class__ is Class and found.__class__ is Function:
+        return found
+    return bind(machine, found, receiver, cls)
 
 
 def _of_function(machine: Interpreter, function: Function, name: str) -> Value:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import join_all, lost_behaviour, options
+from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
@@ -40,6 +40,7 @@ from rosward.ir.ops import Argument
 from rosward.models.exceptions import is_exception
 
 if TYPE_CHECKING:
+    from rosward.engine.frame import Frame
     from rosward.engine.interpreter import Interpreter
 
 Arguments = tuple[Value, ...]
@@ -224,18 +225,40 @@ def _descriptor(args: Arguments, name: str) -> Value:
 def _super(machine: Interpreter, args: Arguments) -> Value:
     """`super()` in any of its forms."""
     if len(args) >= 2:
-        return Super(args[0], args[1])
+        return join_all(_super_of(machine, args[0], receiver) for receiver in options(args[1]))
     for frame in reversed(machine.frames):
         code = frame.code
         if "__class__" in code.free and frame.registers:
             cell = frame.cells[len(code.cells) + code.free.index("__class__")]
             cls = machine.at(cell).attrs.get("value", UNBOUND)
-            receiver = frame.registers[0]
-            if cls is not UNBOUND:
-                return Super(cls, receiver)
+            receiver = _first_argument(machine, frame)
+            if cls is not UNBOUND and receiver is not UNBOUND:
+                return join_all(_super_of(machine, cls, each) for each in options(receiver))
         if not frame.stub:
             break
     return machine.unknown(Cause.ERROR, "super() outside of a method")
+
+
+def _first_argument(machine: Interpreter, frame: Frame) -> Value:
+    """The first parameter of a function, also where an inner function shares it."""
+    code = frame.code
+    names = code.parameters.names
+    if names and names[0] in code.cells:
+        return machine.at(frame.cells[code.cells.index(names[0])]).attrs.get("value", UNBOUND)
+    return frame.registers[0]
+
+
+def _super_of(machine: Interpreter, after: Value, receiver: Value) -> Value:
+    """`super(after, receiver)`: where `after` is one of several classes, those that the receiver has. Python refuses the others."""
+    cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
+    order: Arguments = cls.mro if cls.__class__ is Class else ()
+    fitting = [Super(each, receiver) for each in options(after) if each in order]
+    if fitting:
+        return join_all(fitting)
+    open_ = [each for each in (*options(after), *order, cls) if each.__class__ in (Unknown, External)]
+    if open_:  # what stands behind the class is not known
+        return Unknown(reasons_of(open_[0]) or machine.unknown(Cause.CALL, name_of(open_[0])).reasons)
+    return machine.unknown(Cause.ERROR, "super(): the object is not of that class")
 
 
 def call_method(machine: Interpreter, value: Value, name: str, args: Arguments) -> Value:
