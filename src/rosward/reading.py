@@ -20,6 +20,7 @@ from rosward.plan import Plan, make_plan
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.exclude import Exclusion, exclusions_of
+from rosward.source.surroundings import surroundings
 from rosward.source.workspace import Workspace
 from rosward.sources import SourceTree
 
@@ -82,7 +83,7 @@ def read_sources(
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
     folders = tuple(Path(m) for m in models)
-    library = Library(sources, natives(), folders, net=bounds.net)
+    library = Library(sources, natives(), folders, surroundings(distro.value), net=bounds.net)
     plan = make_plan(workspace, sources, library)
     return SourcesRead(workspace, sources, plan, library, folders, distro, bounds)
 

@@ -18,6 +18,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple
 
+from rosward.source.surroundings import surroundings
+
 Fact = tuple[str, str, str, str]
 
 
@@ -61,7 +63,7 @@ class RealRclpy:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
-            env={**os.environ, "PYTHONPATH": str(tests), "PYTHONDONTWRITEBYTECODE": "1"},
+            env={**os.environ, **surroundings("kilted"), "PYTHONPATH": str(tests), "PYTHONDONTWRITEBYTECODE": "1"},
         )
 
     def __enter__(self) -> RealRclpy:

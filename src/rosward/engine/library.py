@@ -29,6 +29,7 @@ from rosward.models.effects import EffectLog
 from rosward.models.file_paths import Files
 from rosward.models.native import NativeFunction
 from rosward.source.location import Place
+from rosward.source.surroundings import ROS_2
 
 _NUMBERS: Final = (int, float)
 _SMALL: Final = 1 << 60
@@ -82,10 +83,12 @@ class Library:
         sources: Sources,
         natives: Mapping[str, NativeFunction],
         models: tuple[Path, ...] = (),
+        environment: Mapping[str, str] = ROS_2,
         *,
         net: bool = True,
     ) -> None:
         self.sources = sources
+        self.environment = environment  # what is set in the environment of every process
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
         self._natives = natives

@@ -279,9 +279,12 @@ def _remove_ros_args(call: NativeCall) -> Value:
 
 
 def _environment(call: NativeCall) -> Value:
-    """`_rosward.environment(name)`: a variable that the deployment sets, None where it sets none."""
-    configuration = host(call.machine).log.configuration
-    found = configuration.environment.get(text_of(call.args[0])) if configuration is not None else None
+    """`_rosward.environment(name)`: a variable that the deployment sets, or every ROS 2; None where nothing does."""
+    machine, name = host(call.machine), text_of(call.args[0])
+    configuration = machine.log.configuration
+    found = configuration.environment.get(name) if configuration is not None else None
+    if found is None and isinstance(call.args[0], Const) and name in machine.library.environment:
+        return Const(machine.library.environment[name])
     return found if found is not None else NONE
 
 

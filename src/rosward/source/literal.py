@@ -17,6 +17,8 @@ import string
 from collections.abc import Callable
 from typing import Any, Final, final
 
+from rosward.source.surroundings import ROS_2
+
 _SIZE_LIMIT: Final = 10_000
 """Longest list."""
 
@@ -129,6 +131,8 @@ def _evaluate(node: ast.expr | None, scope: Scope) -> Any:
             return _binary(op, evaluate(left, scope), evaluate(right, scope))
         case ast.Subscript(value=value, slice=index):
             base, key = evaluate(value, scope), evaluate(index, scope)
+            if _dotted(value) == "os.environ" and isinstance(key, str):
+                return ROS_2.get(key, UNKNOWN)
             return UNKNOWN if UNKNOWN in (base, key) else base[key]
         case ast.ListComp() | ast.GeneratorExp() | ast.SetComp():
             found: list[Any] = []
@@ -291,6 +295,10 @@ def _call(node: ast.Call, scope: Scope) -> Any:
     dotted = _dotted(node.func)
     if dotted == "dict" and not arguments:
         return keywords
+    if dotted in {"os.getenv", "os.environ.get"} and arguments and isinstance(arguments[0], str):
+        return ROS_2.get(arguments[0], UNKNOWN)
+    if dotted == "int" and len(arguments) == 1 and isinstance(arguments[0], str | int):
+        return int(arguments[0])
     if dotted == "str" and len(arguments) == 1 and isinstance(arguments[0], str | int):
         return str(arguments[0])
     if dotted in {"list", "tuple", "sorted"} and len(arguments) == 1 and isinstance(arguments[0], list | tuple):

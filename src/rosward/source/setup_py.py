@@ -14,6 +14,7 @@ import ast
 import os
 import sys
 import warnings
+from collections import Counter
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.findings import Finding
@@ -58,9 +59,13 @@ class _Script:
         self._scope = Scope({"__name__": "__main__"}, glob=self._glob)
         self._lines: dict[str, int] = {}
         self._findings: list[Finding] = []
+        self._stores: Counter[str] = Counter()
+        """How often each name is assigned."""
 
     def read(self, tree: ast.Module) -> Declared:
         for node in ast.walk(tree):
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+                self._stores[node.id] += 1
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 self._lines.setdefault(node.value, node.lineno)
                 if "=" in node.value:  # 'talker = ' + package + '.talker:main'
@@ -99,7 +104,11 @@ class _Script:
                     for item in items[:1000] if isinstance(items, list | tuple) else [UNKNOWN]:
                         bind(target, item, self._scope)
                         yield from self._calls(inner)
-                case ast.If() | ast.While():
+                case ast.If(test=test):
+                    decided = self._decided(test)
+                    yield from self._calls([] if decided is False else statement.body)
+                    yield from self._calls([] if decided is True else statement.orelse)
+                case ast.While():
                     yield from self._calls([*statement.body, *statement.orelse])
                 case ast.Try():
                     yield from self._calls([*statement.body, *statement.orelse, *statement.finalbody])
@@ -107,6 +116,18 @@ class _Script:
                     yield from self._calls(statement.body)
                 case _:
                     pass
+
+    def _decided(self, test: ast.expr) -> bool | None:
+        """Whether a test is surely true: on plain values that no other statement may have changed. None: both ways are read."""
+        value = evaluate(test, self._scope)
+        if not isinstance(value, str | int | float | None):
+            return None
+        for node in ast.walk(test):
+            if isinstance(node, ast.Name) and self._stores[node.id]:
+                plain = isinstance(evaluate(node, self._scope), str | int | float | None)
+                if not plain or self._stores[node.id] > 1:
+                    return None
+        return bool(value)
 
     def _assign(self, target: ast.expr, value: Any) -> None:
         if isinstance(target, ast.Subscript):

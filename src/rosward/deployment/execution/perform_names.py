@@ -17,6 +17,7 @@ from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_
 from rosward.domain.text import concat, make, pattern
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
+from rosward.source.surroundings import surroundings
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
@@ -74,6 +75,9 @@ def _variable(scene: Scene, name: Value, substitution: Substitution) -> Value:
     plain = plain_text(name)
     shown = pattern(name)
     held = scene.context.variable(shown) if plain is not None else None
+    given = surroundings(scene.distro.value).get(shown) if held is None else None
+    if given is not None:
+        return Const(given)
     if held is not None and held.sure and held.value is not None:
         return held.value
     if held is not None and held.sure:  # launch removed it
