@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 import re
+import sys
 import warnings
 from collections.abc import Callable, Mapping
 from typing import Any, Final
@@ -24,6 +25,7 @@ from rosward.frontends import (
 )
 from rosward.frontends.python_body import Body, FrontendError, Unit, misplaced
 from rosward.frontends.python_definitions import lower_code
+from rosward.frontends.python_newer import older
 from rosward.frontends.python_scopes import link, unresolved_nonlocal
 from rosward.frontends.python_symbols import collect
 from rosward.ir.ops import Const, StoreGlobal
@@ -111,11 +113,25 @@ def _parse(text: str) -> ast.Module:
             warnings.simplefilter("ignore")
             return ast.parse(text)
     except SyntaxError as error:
+        tree = _of_newer(text)
+        if tree is not None:
+            return tree
         raise _unreadable(error, text) from error
     except (RecursionError, MemoryError) as error:
         raise FrontendError("depth", "the code is nested too deep to be parsed", 1, 1) from error
     except ValueError as error:  # lone surrogates, numbers with too many digits
         raise FrontendError("syntax", str(error), 1, 1) from error
+
+
+def _of_newer(text: str) -> ast.Module | None:
+    """What a text says in the syntax of a Python that is newer than the running one; None where that is not it."""
+    rewritten = older(text)
+    if rewritten is None:
+        return None
+    try:
+        return ast.parse(rewritten)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
 
 
 def _unreadable(error: SyntaxError, text: str) -> FrontendError:
@@ -131,4 +147,6 @@ def _unreadable(error: SyntaxError, text: str) -> FrontendError:
         line = lines[number - 1] if 0 < number <= len(lines) else ""
         if _PYTHON_2_LINE.match(line):
             kind = "python2"
+    if kind == "syntax" and message.startswith("f-string") and sys.version_info < (3, 12):
+        message += " (this f-string may need Python 3.12: run rosward with it)"
     return FrontendError(kind, message, number, max(column, 1))
