@@ -113,6 +113,28 @@ def test_python_packages(tmp_path: Path) -> None:
     assert project(tmp_path, text).python_roots == (str(tmp_path), str(tmp_path / "src" / "lib"))
 
 
+SCRIPTS = "[options.entry_points]\nconsole_scripts =\n    talker = demo.talker:main\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("ament_python_install_package(demo SCRIPTS_DESTINATION lib/${PROJECT_NAME})", ["talker"]),
+        ("ament_python_install_package(demo PACKAGE_DIR src/demo SCRIPTS_DESTINATION lib/demo)", ["driver"]),
+        ("ament_python_install_package(demo SETUP_CFG src/demo/setup.cfg SCRIPTS_DESTINATION lib/demo)", ["driver"]),
+        ("ament_python_install_package(demo)", []),
+        ("ament_python_install_package(demo SCRIPTS_DESTINATION)", []),
+        ("ament_python_install_package(gone SCRIPTS_DESTINATION lib/demo)", []),
+        ("ament_python_install_package(demo SETUP_CFG ../../etc/setup.cfg SCRIPTS_DESTINATION lib/demo)", []),
+    ],
+)
+def test_scripts_of_a_python_package_within(tmp_path: Path, text: str, found: list[str]) -> None:
+    """ament_cmake_python installs what the setup.cfg in the folder of the module declares, where it is told a destination."""
+    driver = SCRIPTS.replace("talker", "driver")
+    result = project(tmp_path, text, **{"demo/setup.cfg": SCRIPTS, "src/demo/setup.cfg": driver})
+    assert [entry.name for entry in result.entry_points] == found
+
+
 def test_a_program_outside_is_told_and_not_read(tmp_path: Path) -> None:
     result = project(tmp_path, "install(PROGRAMS ../../etc/passwd /etc/passwd DESTINATION lib/demo)")
     assert result.scripts == ()

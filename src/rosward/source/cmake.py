@@ -21,6 +21,7 @@ from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake_files import PackageFiles
 from rosward.source.cmake_install import CMakeTarget, Targets, below_share, by_option, shared
 from rosward.source.cmake_text import Argument, Command, parse_cmake
+from rosward.source.entry_points import EntryPoint, read_setup_cfg
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 
@@ -70,6 +71,7 @@ class CMakeProject(NamedTuple):
     shared: tuple[Shared, ...] = ()
     all_shared: bool = True
     targets: tuple[CMakeTarget, ...] = ()
+    entry_points: tuple[EntryPoint, ...] = ()
 
 
 def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERYWHERE) -> CMakeProject:
@@ -84,6 +86,7 @@ def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERY
         tuple(dict.fromkeys(reader.shared)),
         reader.all_shared and not reader.findings,
         reader.targets.found(),
+        tuple(dict.fromkeys(reader.entry_points)),
     )
 
 
@@ -111,6 +114,7 @@ class _Reader:
         self.all_shared = True
         self.targets = Targets(package)
         self.python_roots: list[str] = []
+        self.entry_points: list[EntryPoint] = []
         self.findings: list[Finding] = []
 
     def read(self, folder: str, depth: int, name: str = "CMakeLists.txt") -> None:
@@ -388,11 +392,22 @@ class _Reader:
         return Place(self._file, command.line)
 
     def _python_package(self, arguments: list[str]) -> None:
-        """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER])`: imported from the folder that holds it."""
-        folder = arguments[arguments.index("PACKAGE_DIR") + 1 :][:1] if "PACKAGE_DIR" in arguments else [arguments[0]]
-        full = self._inside(folder[0]) if folder else None
+        """`ament_python_install_package(NAME [PACKAGE_DIR FOLDER] [SETUP_CFG FILE] [SCRIPTS_DESTINATION lib/PACKAGE])`.
+
+        The package is imported from the folder that holds it. The scripts that its setup.cfg declares are installed only to a destination.
+        """
+        folder = _behind("PACKAGE_DIR", arguments) or arguments[0]
+        full = self._inside(folder)
         if full is not None and full != self._top:
             self.python_roots.append(os.path.dirname(full))  # noqa: PTH120
+        description = self._inside(_behind("SETUP_CFG", arguments) or f"{folder}/setup.cfg")
+        if description is not None and _behind("SCRIPTS_DESTINATION", arguments) and self._is_there(description):
+            declared = read_setup_cfg(description, place_name(description, self._root))
+            self.entry_points += declared.entry_points
+            self.findings += declared.findings
+
+    def _is_there(self, path: str) -> bool:
+        return os.path.isfile(path) and not self._boundary.leads_out(path)  # noqa: PTH113
 
     def finish(self) -> None:
         """Say so if not all files were looked at."""
@@ -416,6 +431,11 @@ def _block(commands: list[Command], position: int, name: str) -> tuple[list[Comm
         if not depth:
             return commands[start : position - 1], position
     return commands[start:], position
+
+
+def _behind(keyword: str, arguments: list[str]) -> str:
+    """The value of a keyword of a command; '' where it has none."""
+    return next(iter(arguments[arguments.index(keyword) + 1 :]), "") if keyword in arguments else ""
 
 
 def _split(text: str) -> list[str]:

@@ -69,6 +69,7 @@ def describe(
     cmake = CMakeProject()
     if "CMakeLists.txt" in names and not builds_python:
         cmake = read_cmake(folder, manifest.name, root, boundary)
+        declared |= Declared(entry_points=cmake.entry_points)
     roots = [_root(folder, package, where) for package, where in declared.package_dir]
     roots += cmake.python_roots
     relative = place_name(folder, root)
