@@ -102,6 +102,7 @@ class Stubs:
                 unknown=lambda cause, subject, hint="": Unknown(f"?{subject}") if cause and hint is not None else None,
                 default=lambda _kind, name, value: Default(name, value),
                 either=either,
+                contents=lambda value: value,
                 schedule=lambda function, *args, event="timer": self.scheduled.append((function, args, event)),
                 spin=self._spin,
                 escape=lambda *_: None,

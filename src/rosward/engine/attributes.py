@@ -39,6 +39,7 @@ from rosward.engine import modules
 from rosward.engine.escape import name_of
 from rosward.engine.namespaces import table_of
 from rosward.models.builtin_attributes import may_hide
+from rosward.models.contents import KINDS
 from rosward.models.exceptions import MEMBERS, is_exception, member_of
 
 if TYPE_CHECKING:
@@ -175,6 +176,8 @@ def is_builtin_exception(cls: Value) -> bool:
 def _of_native_class(machine: Interpreter, cls: str, name: str) -> Native | None:
     """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
     short = cls.removeprefix("builtins.")
+    if short in KINDS:
+        short = KINDS[short] if name != "__next__" else ""  # iterators are lists in models only
     bases = [b.__name__ for b in getattr(builtins, short).__mro__] if is_exception(short) else [short]
     return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
 

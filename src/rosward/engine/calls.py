@@ -37,6 +37,7 @@ from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_
 from rosward.engine.catcher import LIBRARY, note, note_call
 from rosward.engine.escape import escape, name_of
 from rosward.ir.ops import Argument
+from rosward.models.contents import bare
 from rosward.models.exceptions import is_exception
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Valu
     loose: list[Value] = []
     tables: list[Keywords] = []
     unsure: set[str] = set()
-    for option in options(value):
+    for option in options(bare(machine, value)):
         if option.__class__ is Ref and machine.obj(option).kind == "dict":
             obj = machine.obj(option)
             table: Keywords = {}
@@ -189,6 +190,8 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
             return classes.exception_object(machine, Native(name), args, keywords)
     if short == "object" or name.startswith("object."):
         return _object_method(machine, short, args)
+    if short.endswith(".__new__") and args and args[0].__class__ is Class:
+        return classes.new_instance(machine, args[0], args[1:], keywords)
     if short.startswith("descriptor."):
         return _descriptor(args, short)
     escape(machine, (*args, *keywords.values()), short, Native(name))

@@ -27,7 +27,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes
+from rosward.engine import attributes, contents
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
@@ -40,6 +40,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
+NO_KEYWORDS: Final[dict[str, Value]] = {}
 _MAX_COMBINATIONS: Final = 16
 _IMPLICIT_CLASSMETHODS: Final = ("__init_subclass__", "__class_getitem__")
 
@@ -200,12 +201,17 @@ def is_enum(_machine: Interpreter, cls: Class) -> bool:
     return any(_is_enum_base(b) for b in cls.mro[1:]) and not _is_enum_base(cls)
 
 
-def new_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...] | None = None) -> Ref:
+def new_instance(
+    machine: Interpreter, cls: Class, args: tuple[Value, ...] | None = None, keywords: dict[str, Value] = NO_KEYWORDS
+) -> Ref:
     """An object of a class, before `__init__`; an exception has its arguments by then."""
     machine.instantiated.add(cls.place)
     if args is not None and builtin_base(cls) is not None:
         return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}), cls.address)
-    return machine.allocate(Obj("instance", cls), cls.address)
+    ref = machine.allocate(Obj("instance", cls), cls.address)
+    if not is_enum(machine, cls):
+        contents.give(machine, cls, ref, args, keywords)
+    return ref
 
 
 def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
@@ -228,7 +234,7 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
             if isinstance(option, Ref) and not cls.stub:
                 _framework(machine, cls, option)
         return join_all(initialised)
-    ref = new_instance(machine, cls, args)
+    ref = new_instance(machine, cls, args, keywords)
     if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
         return UNBOUND
     if not cls.stub:
@@ -253,6 +259,10 @@ def _initialise(
         elif base.__class__ in (External, Unknown):
             machine.escape((*args, *keywords.values()), name_of(base))
             return ref
+        else:
+            filled = contents.initialiser(machine, base)
+            if filled is not None:
+                return machine.call(BoundMethod(ref, filled), args, keywords)
     return ref
 
 

@@ -29,6 +29,7 @@ from rosward.domain.values import (
 from rosward.engine import attributes
 from rosward.engine.alternatives import each_apart
 from rosward.models import operators
+from rosward.models.contents import bare, contents
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -89,6 +90,7 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
         method = _special(machine, right, f"__r{name}__")
         if method is not None:
             return machine.call(method, (left,))
+        left, right = bare(machine, left), bare(machine, right)
         formats = operator == "%" and left.__class__ is not Ref  # str % object
         if not formats and (_is_instance_object(machine, left) or _is_instance_object(machine, right)):
             return machine.unknown(Cause.OPERATION, operator)
@@ -120,6 +122,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
         method = _special(machine, left, f"__{name}__")
         if method is not None:
             return machine.call(method, (right,))
+        left, right = bare(machine, left), bare(machine, right)
         if operator in ("==", "!=") and _same(machine, left, right) is not None and not _plain(machine, left):
             same = _same(machine, left, right)
             if same or (_by_identity(machine, left) and _by_identity(machine, right)):
@@ -132,7 +135,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
             if answer is None:
                 return machine.unknown(Cause.OPERATION, operator, "bool")
             return TRUE if answer is (operator == "in") else FALSE
-    return operators.compare(machine, operator, left, right)
+    return operators.compare(machine, operator, bare(machine, left), bare(machine, right))
 
 
 def _by_identity(machine: Interpreter, value: Value) -> bool:
@@ -188,7 +191,7 @@ def unary(machine: Interpreter, operator: str, value: Value) -> Value:
     method = _special(machine, value, f"__{_UNARY[operator]}__")
     if method is not None:
         return machine.call(method, ())
-    return operators.unary(machine, operator, value)
+    return operators.unary(machine, operator, bare(machine, value))
 
 
 def truth(machine: Interpreter, value: Value) -> bool | None:
@@ -209,6 +212,9 @@ def truth(machine: Interpreter, value: Value) -> bool | None:
                 if method is not None:
                     answer = machine.call(method, ())
                     return None if answer is value else truth(machine, answer)
+            held = contents(machine, value)
+            if held is not None:
+                return truth(machine, held)
             return True if obj.cls.__class__ is Class and not has_unknown_base(obj.cls) else None
     if value is UNBOUND:
         return None

@@ -17,6 +17,7 @@ from rosward.domain.choice import options
 from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Tuple, Unknown, Value
 from rosward.engine import declared
 from rosward.engine.havoc import change, contents, holds_node
+from rosward.models.contents import CONTENTS
 from rosward.models.readers import only_reads
 
 if TYPE_CHECKING:
@@ -86,6 +87,9 @@ def _reach_object(machine: Interpreter, ref: Ref, library: str, depth: int, seen
             machine.report(
                 "RW202", f"an object that holds a node is handed to {library}, of which it is not known what it creates"
             )
+        held = obj.attrs.get(CONTENTS)
+        if held is not None and depth < _DEPTH:
+            _reach(machine, held, library, depth + 1, seen)
     elif depth < _DEPTH:
         for item in contents(obj):
             _reach(machine, item, library, depth + 1, seen)

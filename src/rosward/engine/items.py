@@ -30,6 +30,7 @@ from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.models import operators
 from rosward.models.containers_list import new_tuple
+from rosward.models.contents import bare
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -189,7 +190,7 @@ def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> Non
 
 def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
     answers: set[bool | None] = set()
-    for option in options(value):
+    for option in options(bare(machine, value)):
         if option.__class__ is Ref:
             kind = machine.obj(option).kind
             answers.add(

@@ -29,7 +29,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes, stepping
+from rosward.engine import attributes, calls, classes, contents, stepping
 from rosward.engine.alternatives import each_apart
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
@@ -298,6 +298,9 @@ def _iterate_choice(machine: Interpreter, value: Choice) -> Items:
 
 def _iterate_instance(machine: Interpreter, value: Value) -> Items:
     method = attributes.method(machine, value, "__iter__")
+    held = contents.iterated(machine, value, method)
+    if held is not None:
+        return machine.iterate(held)
     if method is not None:
         iterator = calls.call(machine, method, (), {})
         if iterator is UNBOUND:

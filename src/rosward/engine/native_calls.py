@@ -10,16 +10,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join
+from rosward.domain.choice import join, options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Value
+from rosward.domain.values import UNBOUND, Choice, Value
+from rosward.engine import contents
+from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER
+from rosward.models.contents import KINDS
+from rosward.models.contents import contents as held_by
 from rosward.models.native import NativeCall, NativeFunction, perform
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
 _NOTHING: Final[frozenset[str]] = frozenset()
+_HELD: Final = frozenset(KINDS.values())
 _TAKE_LOOSE: Final = frozenset({"builtins.dict", "builtins.print", "builtins.zip"})
 """Natives that look at `loose` themselves. Others see it as one more argument, and may give something else than what they give for that."""
 
@@ -38,12 +43,35 @@ def invoke(
     given = args if loose is None or name in _TAKE_LOOSE else (*args, loose)
     if anything and loose is None:
         loose = machine.unknown(Cause.CALLER, name)
-    value = perform(native, NativeCall(machine, name, given, keywords, loose, unsure))
+    value = _on_contents(machine, native, NativeCall(machine, name, given, keywords, loose, unsure))
     if frame is not None and op is not None:
         frame.op = op
     if is_open and value is not UNBOUND and name not in _TAKE_LOOSE and not name.startswith("_rosward."):
         return join(value, machine.unknown(Cause.CALL, name.removeprefix("builtins.")))
     return value
+
+
+def _on_contents(machine: Interpreter, native: NativeFunction, call: NativeCall) -> Value:
+    """A method of a builtin type, on an object of a subclass, acts on what the object holds."""
+    kind, _, method = call.name.rpartition(".")
+    if kind not in _HELD or not call.args:
+        return perform(native, call)
+
+    def one(receiver: Value) -> Value:
+        held = held_by(machine, receiver)
+        if held is None:
+            return perform(native, call._replace(args=(receiver, *call.args[1:])))
+        if call.name == "dict.__getitem__" and len(call.args) == 2:
+            value = contents.missing(machine, receiver, held, call.args[1])
+            if value is not None:
+                return value
+        value = perform(native, call._replace(args=(held, *call.args[1:])))
+        return receiver if method in contents.IN_PLACE else value
+
+    receiver = call.args[0]
+    if receiver.__class__ is Choice and any(held_by(machine, o) is not None for o in receiver.options):
+        return each_apart(machine, options(receiver), one)
+    return one(receiver)
 
 
 def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from rosward.domain.choice import join, join_all, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Native, Ref, Unknown, Value
-from rosward.engine import attributes, calls
+from rosward.engine import attributes, calls, contents
 from rosward.engine.catcher import Catcher, rethrow
 from rosward.engine.raised import may_catch
 from rosward.engine.state import State, join_states
@@ -51,6 +51,9 @@ def made(machine: Interpreter, source: Value, *, asynchronous: bool = False) -> 
     if not isinstance(source, Ref) or machine.obj(source).kind != "instance":
         return source
     method = attributes.method(machine, source, STEP[asynchronous][0])
+    held = contents.iterated(machine, source, method)
+    if held is not None:
+        return held
     return source if method is None else calls.call(machine, method, (), {})
 
 

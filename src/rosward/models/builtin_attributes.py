@@ -96,7 +96,9 @@ def attribute_names(machine: Machine, value: Value) -> list[str]:
         ]
     else:
         places = []
-    return list(dict.fromkeys(name for place in places for name in machine.obj(Ref(place)).attrs))
+    return list(
+        dict.fromkeys(name for place in places for name in machine.obj(Ref(place)).attrs if name.isidentifier())
+    )
 
 
 def _get(call: NativeCall) -> Value:

@@ -266,5 +266,4 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "builtins.all": native(_quantified, 1),
     "builtins.len": native(_len, 1),
     "list.__next__": native(_next, 1),
-    "list.__iter__": native(_iter, 1),
 }

@@ -29,6 +29,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.models.contents import bare, plain_data
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import equal
 from rosward.models.plain import Raised, all_of, listed, native, origins, unknown_from, with_origins
@@ -76,6 +77,7 @@ class Found(NamedTuple):
 
 def look_up(machine: Machine, obj: Obj, index: Value) -> Found:
     """What stands under an index."""
+    index = plain_data(machine, index)
     found = [_look_up(machine, obj, option) for option in options(index)]
     missing = {f.missing for f in found}
     value = join_all(f.value for f in found)
@@ -106,6 +108,7 @@ def load(machine: Machine, ref: Ref, index: Value) -> Value:
 
 def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = False) -> None:
     """dict[index] = value; `weak` where it may not happen."""
+    index = plain_data(machine, index)
     several = weak or isinstance(index, Choice)
     obj = machine.obj(ref)
     for option in options(index):
@@ -251,6 +254,7 @@ def _update(call: NativeCall) -> Value:
 
 def merge(machine: Machine, ref: Ref, source: Value, weak: bool = False) -> None:
     """Put the entries of a mapping, or of an iterable of pairs, into a dict."""
+    source = bare(machine, source)
     if isinstance(source, Ref) and machine.obj(source).kind == "dict":
         other = machine.obj(source)
         for key, value in other.entries.items():

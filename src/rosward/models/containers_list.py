@@ -14,7 +14,7 @@ from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import NO_ORIGINS
-from rosward.domain.values import NONE, UNBOUND, Const, Native, Ref, Slice, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
 from rosward.models.list_alternatives import Told, keep_told, told
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable, equal
@@ -31,9 +31,6 @@ from rosward.models.plain import (
     with_origins,
 )
 
-_LEN: Final = Native("builtins.len")
-_LEAST: Final = {"__len__": 1, "__contains__": 2, "__getitem__": 2, "__setitem__": 3}
-_SPECIAL: Final = {"__len__": "int", "__contains__": "bool", "__getitem__": "", "__setitem__": "NoneType"}
 ITERATOR: Final = "iterator"
 """The payload of a list that stands for an iterator: `next` takes its first element away."""
 
@@ -236,21 +233,6 @@ def _copy(call: NativeCall) -> Value:
     return listed(call.machine, call.name, *call.machine.series(call.args[0]))
 
 
-def _special(call: NativeCall) -> Value:
-    """Special methods called by name. What an instance of a class derived from a builtin one holds is not known."""
-    machine, name, receiver = call.machine, call.name.rpartition(".")[2], call.args[0]
-    if isinstance(receiver, Ref) and machine.obj(receiver).kind == "instance":
-        return unknown_from(machine, call.name, _SPECIAL[name], receiver)
-    if name == "__len__":
-        return machine.call(_LEN, (receiver,))
-    if name == "__contains__":
-        return machine.compare("in", call.args[1], receiver)
-    if name == "__getitem__":
-        return machine.load_item(receiver, call.args[1])
-    machine.store_item(receiver, *call.args[1:3])
-    return NONE
-
-
 def new_tuple(machine: Machine, series: Series) -> Value:
     """A tuple; one of unknown length lives on the heap like a list."""
     if series.exact and len(series.head) <= MAX_ITEMS:
@@ -272,9 +254,4 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "list.copy": native(_copy, 1),
     "tuple.index": native(_index, 2),
     "tuple.count": native(_count, 2),
-    **{
-        f"{kind}.{name}": native(_special, _LEAST[name])
-        for kind in ("str", "list", "tuple", "dict", "set", "range")
-        for name in _SPECIAL
-    },
 }

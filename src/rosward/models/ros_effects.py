@@ -24,6 +24,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.models.contents import plain_data
 from rosward.models.effects import EntityEffect, NodeEffect
 from rosward.models.failures import fail
 from rosward.models.given_words import context_lines, keep_line, lines_of, words_of_process
@@ -119,6 +120,7 @@ def create(
 ) -> None:
     """Record an entity on every node that `node` may be."""
     profile, prefix = qos_of(machine, qos)
+    name = None if name is None else plain_data(machine, name)
     if isinstance(name, (External, Class)) and isinstance(type_, (Const, Text)):
         machine.report(
             "RW209",
@@ -237,8 +239,8 @@ def _create_node(call: NativeCall) -> Value:
         for own, words in lines:
             effect = NodeEffect(
                 node.address,
-                call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE),
-                keywords.get("namespace", NONE),
+                plain_data(machine, call.args[1] if len(call.args) > 1 else keywords.get("node_name", NONE)),
+                plain_data(machine, keywords.get("namespace", NONE)),
                 tuple((k, keywords[k]) for k in _NODE_OPTIONS if k in keywords) + _own_overrides(machine, overrides),
                 own,
                 words,

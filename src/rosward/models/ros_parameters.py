@@ -16,6 +16,7 @@ from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref
 from rosward.models import containers_dict
 from rosward.models import ros_parameter_table as table
 from rosward.models.command_line import ANY_NAME, given_to, type_word
+from rosward.models.contents import plain_data
 from rosward.models.effects import EffectLog, NodeEffect, ParameterEffect
 from rosward.models.failures import fail
 from rosward.models.host import host, is_true, text_of
@@ -30,8 +31,8 @@ if TYPE_CHECKING:
 
 def _declare(call: NativeCall) -> Value:
     machine = host(call.machine)
-    nodes, names = options(call.args[0]), options(call.args[1])
-    default = call.arg(2, "default", NONE) or NONE
+    nodes, names = options(call.args[0]), options(plain_data(machine, call.args[1]))
+    default = plain_data(machine, call.arg(2, "default", NONE) or NONE)
     type_ = call.arg(3, "type", NONE) or NONE
     ignored = call.arg(4, "ignore_override", FALSE) or FALSE
     typed = call.arg(5, "dynamic", FALSE) in (FALSE, NONE)

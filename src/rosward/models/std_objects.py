@@ -24,6 +24,7 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
+from rosward.models.contents import CONTENTS, contents
 from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import class_obj, joined_elements, place, unknown_from
@@ -43,7 +44,12 @@ def _shallow(call: NativeCall) -> Value:
 
 
 def _again(call: NativeCall, ref: Ref) -> Ref:
-    return place(call.machine, call.machine.obj(ref).replace(many=False), ref.address)
+    made = place(call.machine, call.machine.obj(ref).replace(many=False), ref.address)
+    held = contents(call.machine, ref)
+    if isinstance(held, Ref):
+        copied = place(call.machine, call.machine.obj(held).replace(many=False), ("contents", ref.address))
+        call.machine.update(made, call.machine.obj(made).with_attr(CONTENTS, copied))
+    return made
 
 
 def _hook(call: NativeCall, ref: Ref, name: str) -> Value | None:

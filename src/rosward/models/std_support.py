@@ -17,6 +17,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import Class, Const, Native, Ref, Tuple, Unknown, Value
+from rosward.models.contents import bare as bare_value
 from rosward.models.cost import A_STEP, MAX_WORK, work
 from rosward.models.native import Machine, NativeCall
 
@@ -57,6 +58,7 @@ def class_obj(cls: Class) -> Ref:
 
 def exact_list(machine: Machine, value: Value) -> tuple[Value, ...] | None:
     """The elements of a list or tuple of known length, else None."""
+    value = bare_value(machine, value)
     if isinstance(value, Tuple):
         return value.items
     if isinstance(value, Ref):
@@ -68,6 +70,7 @@ def exact_list(machine: Machine, value: Value) -> tuple[Value, ...] | None:
 
 def exact_dict(machine: Machine, value: Value) -> dict[Value, Value] | None:
     """The entries of a dict all of whose keys are known, else None."""
+    value = bare_value(machine, value)
     if isinstance(value, Ref):
         obj = machine.obj(value)
         if obj.kind == "dict" and obj.rest is None and not obj.maybe and not obj.many:

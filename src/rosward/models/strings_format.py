@@ -18,6 +18,7 @@ from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, UNBOUND, Class, Const, Hole, Range, Ref, Text, Tuple, Unknown, Value
 from rosward.models import exceptions, text_parts
+from rosward.models.contents import contents
 from rosward.models.exceptions import is_exception_object
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
@@ -82,7 +83,10 @@ def _piece(machine: Machine, value: Value) -> Value:
 
 
 def _by_method(machine: Machine, value: Ref, names: tuple[str, ...], *args: Value) -> Value:
-    """What the first of some special methods says."""
+    """What the first of some special methods says; else what the builtin type of the class does."""
+    held = contents(machine, value)
+    if held is not None and not any(defines(machine, value, name) for name in names):
+        return piece(machine, held) if names[0] == "__str__" else represent(machine, held)
     for name in names:
         if defines(machine, value, name):
             text = machine.call(machine.load_attr(value, name), args)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections`: over lists and dicts of the program."""
-from _rosward import either, native, unknown
+from _rosward import contents, either, native, unknown
 
 OrderedDict = dict
 
@@ -94,6 +94,11 @@ class UserDict(_Dict):
         return type(self)(self._dict)
 
 class defaultdict(_Dict):
+    def __new__(cls, *args, **kwargs):
+        self = object.__new__(cls)
+        self.default_factory = None
+        self._dict = {}
+        return self
     def __init__(self, default_factory=None, /, *args, **kwargs):
         self.default_factory = default_factory
         self._dict = dict(*args, **kwargs)
@@ -111,6 +116,10 @@ class defaultdict(_Dict):
 
 class Counter(_Dict):
     """Which keys there are is known, how often is not."""
+    def __new__(cls, *args, **kwargs):
+        self = object.__new__(cls)
+        self._dict = {}
+        return self
     def __init__(self, iterable=None, /, **kwds):
         self._dict = {}
         self.update(iterable, **kwds)
@@ -150,6 +159,11 @@ class ChainMap(_Dict):
         return ChainMap(*self.maps[1:])
 
 class deque:
+    def __new__(cls, *args, **kwargs):
+        self = object.__new__(cls)
+        self.maxlen = None
+        self._list = []
+        return self
     def __init__(self, iterable=(), maxlen=None):
         self.maxlen = maxlen
         self._list = []
@@ -210,5 +224,13 @@ class deque:
         self.extend(other)
         return self
 
-UserList = list
+class UserList(list):
+    def __init__(self, initlist=None):
+        super().__init__(() if initlist is None else initlist)
+    @property
+    def data(self):
+        return contents(self)
+    @data.setter
+    def data(self, value):
+        self[:] = value
 UserString = str
