@@ -29,6 +29,7 @@ from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
 from rosward.network.collect import Process, collect
+from rosward.network.doubts import unknown_arguments
 from rosward.network.launch_tree import LaunchSystem
 from rosward.plan import Plan
 from rosward.processes import Entry, Run, run
@@ -167,11 +168,14 @@ class _Runs:
         place = started.place if started.place.file else None
         process = Process(program.package, program.executable, program.process, done, place, program.conditional)
         nodes, doubts = collect(log, process, self._outset.distro)
-        refused = [
+        line = read_words(Series(program.configuration.words), program.configuration)
+        told = [
             Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
-            for error in read_words(Series(program.configuration.words)).errors
+            for error in line.errors
         ]
-        return _Made(tuple(nodes), (*log.findings, *doubts, *refused))
+        if line.open:
+            told.append(unknown_arguments(line.open, started.place))
+        return _Made(tuple(nodes), (*log.findings, *doubts, *told))
 
     def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]]]:
         outset = self._outset

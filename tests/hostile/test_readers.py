@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="arg-type"
 # ruff: noqa: E501  the hostile texts stand in one line each
 """Every reader, with files made to take all time and memory, or to lead it elsewhere: the sound node beside them is found all the same."""
 

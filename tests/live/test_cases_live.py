@@ -48,6 +48,17 @@ FAILS: Final = {
     "iteration: Generators made in a loop": "EOFError",
     "invalid: A node name with a slash": "InvalidNodeNameException",
     "ros_arguments: Refused for the node": "RCLInvalidROSArgsError",
+    "characters: A star in a remap rule": "RCLError",
+    "characters: A star on the left of a rule": "RCLError",
+    "characters: A star in the namespace rule": "RCLError",
+    "characters: A star in the name rule": "RCLError",
+    "characters: A star in the enclave": "RCLError",
+    "characters: A star in the namespace of a node": "InvalidNamespaceException",
+    "characters: A question mark in the namespace of a node": "InvalidNamespaceException",
+    "characters: A set in the namespace of a node": "InvalidNamespaceException",
+    "characters: A star in the name of a node": "InvalidNodeNameException",
+    "characters: A question mark in the name of a node": "InvalidNodeNameException",
+    "characters: A set in the name of a node": "InvalidNodeNameException",
     "invalid: Assigning to a property of Node": "AttributeError",
 }
 """Cases about programs that fail, and how the real ones do."""

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="arg-type, list-item"
 """Promise: names, remap rules, command lines and implicit entities are those of the real rclpy (kilted)."""
 
 from __future__ import annotations

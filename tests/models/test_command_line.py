@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="arg-type"
 """What the words of a command line mean where parts of them are not known."""
 
 from __future__ import annotations

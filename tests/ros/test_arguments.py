@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="arg-type, list-item"
 """Promise: a command line is read as rcl reads it, with the types that rcl gives to values."""
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ def parse(line: str) -> RosArguments:
 
 
 def parameter(name: str, kind: str, value: object, node: str = "/**") -> ParameterRule:
-    return ParameterRule(node, name, ParameterValue(kind, value))  # type: ignore[arg-type]
+    return ParameterRule(node, name, ParameterValue(kind, value))
 
 
 def test_a_whole_line() -> None:

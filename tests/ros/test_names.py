@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="arg-type, list-item"
 """Promise: names become what rcl makes of them, and a name with holes covers whatever its holes may hold."""
 
 from __future__ import annotations

@@ -27,6 +27,7 @@ import yaml
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Tuple, Unknown
 from rosward.findings import Finding
+from rosward.holes import literal
 from rosward.models.configuration import Given
 from rosward.ros.parameter_values import ParameterValue, effective_value, scalar_value
 from rosward.ros.validation import validate_namespace, validate_node_name
@@ -284,10 +285,10 @@ def _wrong_node_key(key: str) -> str | None:
     namespace, _, name = key.rpartition("/")
     for part in namespace.removeprefix("/").split("/") if namespace else ():
         if part not in _WILDCARDS:
-            why = "it has an empty part" if not part else _with_star(part) or validate_namespace(f"/{part}")
+            why = "it has an empty part" if not part else _with_star(part) or validate_namespace(literal(f"/{part}"))
             if why is not None:
                 return why
-    return None if name in _WILDCARDS else _with_star(name) or validate_node_name(name)
+    return None if name in _WILDCARDS else _with_star(name) or validate_node_name(literal(name))
 
 
 def _with_star(part: str) -> str | None:

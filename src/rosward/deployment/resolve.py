@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, final
 
 from rosward.deployment.started import Started, StartKind
 from rosward.domain.choice import options, reasons_of
-from rosward.domain.text import pattern
+from rosward.domain.text import readable
 from rosward.domain.values import Const, Value
 from rosward.findings import Finding
 from rosward.models.configuration import Configuration
@@ -131,7 +131,7 @@ class Programs:
 
     def _container(self, component: Started, containers: Mapping[str, str]) -> str | None:
         """The process of a component's container: a relative target is that of the end of a full name."""
-        target = pattern(component.container) if component.container is not None else ""
+        target = readable(component.container) if component.container is not None else ""
         for name, process in containers.items():
             if name == target or name.rpartition("/")[2] == target.strip("/"):
                 return process
@@ -205,7 +205,7 @@ class Programs:
             return made._replace(
                 process=shown, unknown="no package is named for it, and no file of the sources is behind its path"
             )
-        shown = " ".join(pattern(w) for w in words)
+        shown = " ".join(readable(w) for w in words)
         program = shown.split()[0].rpartition("/")[2] if shown.split() else ""
         if program not in _INERT:
             self.findings[
@@ -242,12 +242,12 @@ def _texts(value: Value | None) -> list[str | None]:
 
 def _full_name(container: Started) -> str:
     name = _shown(container.name)
-    space = pattern(container.namespace) if container.namespace is not None else ""
+    space = readable(container.namespace) if container.namespace is not None else ""
     return f"{space.rstrip('/')}/{name}"
 
 
 def _shown(value: Value | None) -> str:
-    return pattern(value) if value is not None else "unknown"
+    return readable(value) if value is not None else "unknown"
 
 
 def _numbered(label: str, labels: dict[str, int]) -> str:

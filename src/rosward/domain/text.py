@@ -13,6 +13,7 @@ from typing import Final
 
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, External, Hole, Text, Unknown, Value
+from rosward.holes import Holed, holed
 from rosward.source.location import Place
 
 MAX_LENGTH: Final = 4096
@@ -103,8 +104,13 @@ def common(values: Sequence[Value], reasons: tuple[Reason, ...]) -> Value:
     return make((head, Hole(reasons), tail), origins)
 
 
-def pattern(value: Value) -> str:
-    """The text with `*` for each hole."""
+def pattern(value: Value) -> Holed:
+    """The text with `*` for each hole, ready to be read as a name or as a word of a command line."""
+    return holed(p if isinstance(p, str) else None for p in parts_of(value))
+
+
+def readable(value: Value) -> str:
+    """The text as a person reads it, `*` for each hole."""
     return "".join(p if isinstance(p, str) else "*" for p in parts_of(value))
 
 

@@ -17,6 +17,7 @@ from rosward.domain.series import Series
 from rosward.domain.text import make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Text, Tuple, Unknown, Value
+from rosward.holes import HOLE, Holed, shown
 from rosward.models.configuration import Configuration, Given
 from rosward.ros import arguments, names
 from rosward.ros.parameter_values import ParameterValue, effective_value
@@ -65,9 +66,13 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
         return CommandLine()
     parsed = arguments.parse_arguments([pattern(w) for w in words])
     at = parsed.positions
-    found = [
-        (index, Rule(rule, behind(words[index], ":="))) for rule, index in zip(parsed.remaps, at.remaps, strict=True)
-    ]
+    found: list[tuple[int, Rule]] = []
+    further = [*between.open]
+    for rule, index in zip(parsed.remaps, at.remaps, strict=True):
+        if renames_anything(rule):
+            further += reasons_of(words[index])
+        else:
+            found.append((index, Rule(rule, behind(words[index], ":="))))
     remaps = (
         *(rule for index, rule in found if index < len(series.head)),
         *between.remaps,
@@ -95,8 +100,13 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
         parsed.rosout_logs,
         parsed.errors,
         parsed.unknown,
-        between.open,
+        tuple(dict.fromkeys(further)),
     )
+
+
+def renames_anything(rule: names.RemapRule) -> bool:
+    """Whether nothing is known of the names that a rule is for: then its target is no name that an entity surely may have."""
+    return rule.match.strip("/") == HOLE
 
 
 class _Between(NamedTuple):
@@ -124,9 +134,13 @@ def _between(middle: Value | None) -> _Between:
         text = pattern(word)
         parameters = parameters or text in _PARAMETERS
         try:
-            rules.append(Rule(arguments.parse_remap_rule(text)._replace(maybe=True), behind(word, ":=")))
+            rule = arguments.parse_remap_rule(text)._replace(maybe=True)
         except arguments.InvalidArgument:
             continue
+        if renames_anything(rule):
+            reasons += reasons_of(word)
+        else:
+            rules.append(Rule(rule, behind(word, ":=")))
     missing = (Reason(Cause.OPERATION, "ROS arguments that may be given", Place("")),) if parameters else ()
     return _Between(tuple(rules), (*missing, *reasons), tuple(dict.fromkeys(reasons)))
 
@@ -148,7 +162,7 @@ def _rule_value(value: ParameterValue, word: Value) -> Value:
     """The value of `-p name:=text`: typed, with the origins of the word; with its holes where it has any."""
     text = behind(word, ":=")
     if isinstance(text, Const):
-        return from_plain(value.value, text)
+        return from_plain(shown(value.value) if isinstance(value.value, str) else value.value, text)
     if value.type == "string" and isinstance(text, Text):
         return text
     reasons = tuple(r for p in parts_of(text) if not isinstance(p, str) for r in p.reasons)
@@ -166,7 +180,7 @@ def from_plain(value: object, like: Value) -> Value:
     return Unknown(())
 
 
-def given_to(node_fqn: str, rows: Iterable[Given]) -> dict[str, Value]:
+def given_to(node_fqn: Holed, rows: Iterable[Given]) -> dict[str, Value]:
     """The values that rows, in their order, give the node of a full name; see `ros.arguments.parameters_of_node` for the precedence."""
     by_key: dict[str, dict[str, list[list[Given]]]] = {}
     for row in rows:

@@ -21,6 +21,7 @@ from rosward.models.plain import listed
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
+UNKNOWN_ARGUMENTS: Final = "ROS arguments that are not known may rename what the process creates"
 _WORDS: Final = "__words__"
 _MOST: Final = 16
 """So many command lines that one call may give are kept apart."""
@@ -69,9 +70,7 @@ def _tell(machine: Interpreter, line: Series) -> None:
     if read.unreadable and (known is None or read.unreadable != known.unreadable):
         reasons = (*reasons, *(r for w in (*line.head, *line.tail) if not _whole(w) for r in reasons_of(w)))
     if reasons:
-        machine.report(
-            "RW106", f"ROS arguments that are not known may rename what the process creates{_because(reasons)}"
-        )
+        machine.report("RW106", UNKNOWN_ARGUMENTS + _because(reasons))
 
 
 def _whole(word: Value) -> bool:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, lift, options
 from rosward.domain.heap import Obj
-from rosward.domain.text import pattern
+from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, External, Native, Ref, Tuple, Unknown, Value
 from rosward.models.host import host, text_of
@@ -156,7 +156,7 @@ def _evaluate(call: NativeCall) -> Value:
 
 
 def _not_known(call: NativeCall, name: Value, hint: str = "str") -> Unknown:
-    return call.machine.unknown(Cause.ARGUMENT, pattern(name), hint)
+    return call.machine.unknown(Cause.ARGUMENT, readable(name), hint)
 
 
 def _configuration(call: NativeCall) -> Value:
@@ -243,7 +243,7 @@ def _folder(cause: Cause) -> NativeFunction:
 
     def of(call: NativeCall) -> Value:
         def one(name: Value) -> Value:
-            subject = text_of(name) or pattern(name)
+            subject = text_of(name) or readable(name)
             return Unknown((Reason(cause, subject, call.machine.place),), "str")
 
         return lift(one, call.args[0])

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import options, reasons_of
-from rosward.domain.text import origins_of, parts_of
+from rosward.domain.text import origins_of, pattern
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import (
     BoundMethod,
@@ -25,21 +25,17 @@ from rosward.domain.values import (
     Text,
     Value,
 )
+from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Qos, Resolution
-from rosward.ros.names import HOLE
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
 
-STAR: Final = "\x00"
-"""A `*` that the program itself writes into a name, where rcl rejects it; HOLE stands for a part that is not known."""
-
-
 class NameOption(NamedTuple):
     """One name that a value may be: its text with `*` for holes, how it was found, from what, and why not wholly."""
 
-    text: str
+    text: Holed
     resolution: Resolution
     depends_on: tuple[str, ...]
     reasons: tuple[Reason, ...]
@@ -57,15 +53,11 @@ def _name(value: Value) -> NameOption:
     origins = origins_of(value)
     depends = tuple(sorted({o.name for o in origins}))
     if value.__class__ is Const and isinstance(value.value, str):
-        return NameOption(value.value.replace(HOLE, STAR), resolution_of(origins), depends, ())
+        return NameOption(pattern(value), resolution_of(origins), depends, ())
     reasons = reasons_of(value)
     if value.__class__ is Text:
-        return NameOption(_pattern(value), Resolution.PATTERN, _depends(depends, reasons), reasons)
-    return NameOption("*", Resolution.UNKNOWN, _depends(depends, reasons), reasons)
-
-
-def _pattern(value: Value) -> str:
-    return "".join(p.replace(HOLE, STAR) if isinstance(p, str) else HOLE for p in parts_of(value))
+        return NameOption(pattern(value), Resolution.PATTERN, _depends(depends, reasons), reasons)
+    return NameOption(HOLE, Resolution.UNKNOWN, _depends(depends, reasons), reasons)
 
 
 _SETTABLE: Final = (Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, lift, options
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.text import pattern
+from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import (
     NONE,
@@ -314,7 +314,7 @@ def _unknown(call: NativeCall) -> Value:
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
     subject = call.arg(1, "subject")
     return call.machine.unknown(
-        cause, text_of(subject, "" if subject is None else pattern(subject)), text_of(call.arg(2, "hint"))
+        cause, text_of(subject, "" if subject is None else readable(subject)), text_of(call.arg(2, "hint"))
     )
 
 
@@ -338,7 +338,7 @@ def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
 
 def _default(call: NativeCall) -> Value:
     kind, name, value = call.args
-    return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, pattern(name))))
+    return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, readable(name))))
 
 
 def _either(call: NativeCall) -> Value:
@@ -355,7 +355,7 @@ def _escape(call: NativeCall) -> Value:
 
 
 def _report(call: NativeCall) -> Value:
-    call.machine.report(text_of(call.args[0]), pattern(call.args[1]))
+    call.machine.report(text_of(call.args[0]), readable(call.args[1]))
     return NONE
 
 

@@ -12,6 +12,7 @@ from rosward.domain.choice import join_all, lift, options
 from rosward.domain.text import concat, make, pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Text, Value
+from rosward.holes import Holed, literal, shown
 from rosward.models.command_line import CommandLine, Rule, read_words
 from rosward.models.effects import EffectLog, NodeEffect
 from rosward.models.host import host, text_of
@@ -46,7 +47,7 @@ def final_name(log: EffectLog, effect: NodeEffect) -> tuple[Value, Value]:
     return name, namespace
 
 
-def _renamed(old: Value, node_name: str, kind: names.RemapKind, rules: tuple[Rule, ...]) -> list[Value]:
+def _renamed(old: Value, node_name: Holed, kind: names.RemapKind, rules: tuple[Rule, ...]) -> list[Value]:
     """What the rules of a kind make of a node's name or namespace: several where holes leave open which applies."""
     found: list[Value] = []
     for rule, target in rules:
@@ -62,7 +63,7 @@ def _full_namespace(value: Value) -> Value:
     if isinstance(value, Const):
         if value.value is None:
             return Const("/")
-        return Const(names.full_namespace(str(value.value)), value.origins)
+        return _full(value)
     if isinstance(value, Text):
         first = value.parts[0]
         if isinstance(first, str) and not first.startswith("/"):
@@ -70,8 +71,12 @@ def _full_namespace(value: Value) -> Value:
     return value
 
 
+def _full(value: Const) -> Const:
+    return Const(shown(names.full_namespace(literal(str(value.value)))), value.origins)
+
+
 def remapped_by(
-    text: str, name: str, kind: names.RemapKind, rules: tuple[Rule, ...], node_name: str, namespace: str
+    text: Holed, name: Holed, kind: names.RemapKind, rules: tuple[Rule, ...], node_name: Holed, namespace: Holed
 ) -> Value | None:
     """The target of the rule that made the full name `text` of `name`; None where no rule did."""
     if text in names.remap_topic(name, kind, (), node_name, namespace):
@@ -127,7 +132,7 @@ def _resolve_name(call: NativeCall) -> Value:
         for name in options(call.args[1]):
             if isinstance(name, Const) and isinstance(own, Const) and isinstance(space, Const):
                 try:
-                    resolved = names.resolve(text_of(name), kind, rules, text_of(own), text_of(space))
+                    resolved = names.resolve(pattern(name), kind, rules, pattern(own), pattern(space))
                 except names.InvalidName:
                     continue
                 found += [Const(r, name.origins | own.origins | space.origins) for r in resolved]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.text import pattern
+from rosward.domain.text import pattern, readable
 from rosward.domain.unknown import Cause, Origin, Origins, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref, Text, Tuple, Unknown, Value
 from rosward.models import containers_dict
@@ -91,7 +91,7 @@ def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hin
     Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
     `ignored`: whether what is set from outside does not count (ignore_override).
     """
-    label = text_of(name, pattern(name))
+    label = text_of(name, readable(name))
     override = _override(machine, node, label) if ignored != TRUE else None
     open_ = _open(machine, node)
     if override is not None and not open_:
@@ -212,7 +212,7 @@ def _parameter(call: NativeCall) -> Value:
     for node in nodes:
         undeclared = table.flag(machine, node, table.UNDECLARED)
         for name in names:
-            label = text_of(name, pattern(name))
+            label = text_of(name, readable(name))
             declared = table.is_declared(machine, node, name)
             if declared is False and not undeclared:
                 failed = table.not_declared(machine, name, "get_parameter")

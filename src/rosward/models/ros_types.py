@@ -12,6 +12,7 @@ from typing import Final
 from rosward.domain.choice import lift
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, External, Value
+from rosward.holes import literal
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import native, origins, spread, text_of, unknown_from
 from rosward.ros import names
@@ -40,7 +41,9 @@ def _expand_topic_name(call: NativeCall) -> Value:
         if topic_text is None or node_text is None or space is None:
             return unknown_from(call.machine, call.name, "str", topic, node, namespace)
         try:
-            return Const(names.expand(topic_text, node_text, space), origins(topic, node, namespace))
+            return Const(
+                names.expand(literal(topic_text), literal(node_text), literal(space)), origins(topic, node, namespace)
+            )
         except names.InvalidName:
             return call.machine.unknown(Cause.ERROR, f"invalid name {topic_text}", "str")
 

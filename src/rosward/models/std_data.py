@@ -15,7 +15,7 @@ from typing import Final
 import yaml
 
 from rosward.domain.choice import lift, reasons_of
-from rosward.domain.text import origins_of, pattern
+from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
@@ -93,7 +93,7 @@ def _of_file(call: NativeCall, source: Value) -> Value:
     name = ""
     if isinstance(source, Ref):
         where = call.machine.obj(source).attrs.get("name")
-        name = pattern(where) if where is not None else ""
+        name = readable(where) if where is not None else ""
     return call.machine.unknown(Cause.FILE, "" if name == "*" else name)
 
 

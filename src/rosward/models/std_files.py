@@ -12,7 +12,7 @@ import fnmatch
 from typing import Final
 
 from rosward.domain.choice import lift, options
-from rosward.domain.text import concat, make, origins_of, parts_of, pattern
+from rosward.domain.text import concat, make, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, TRUE, Const, Unknown, Value
 from rosward.models.file_paths import location_of
@@ -47,7 +47,7 @@ def _open(call: NativeCall) -> Value:
     def one(path: Value) -> Value:
         text = _text(call, path) if mode in _READING else None
         if text is None:
-            return call.machine.unknown(Cause.FILE, pattern(path), FILE_HINT)
+            return call.machine.unknown(Cause.FILE, readable(path), FILE_HINT)
         opened = host(call.machine).load_module("_opened")
         return call.machine.call(call.machine.load_attr(opened, "TextFile"), (text, path))
 
@@ -56,7 +56,7 @@ def _open(call: NativeCall) -> Value:
 
 def _read_text(call: NativeCall) -> Value:
     """pathlib._read_text(path)."""
-    return lift(lambda p: _text(call, p) or call.machine.unknown(Cause.FILE, pattern(p), "str"), _path(call, "path"))
+    return lift(lambda p: _text(call, p) or call.machine.unknown(Cause.FILE, readable(p), "str"), _path(call, "path"))
 
 
 def _is_there(*, files: bool, folders: bool) -> NativeFunction:
@@ -113,7 +113,7 @@ def _glob(call: NativeCall) -> Value:
 
 
 def _unknown_list(call: NativeCall, path: Value) -> Value:
-    subject = text_of(path) or (call.name if isinstance(path, Unknown) else pattern(path))
+    subject = text_of(path) or (call.name if isinstance(path, Unknown) else readable(path))
     return call.machine.new_list((), call.machine.unknown(Cause.FILE, subject, "str"))
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import options
-from rosward.domain.text import parts_of, pattern
+from rosward.domain.text import parts_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Text, Tuple, Value
 from rosward.models.native import NativeCall, NativeFunction
@@ -31,7 +31,7 @@ def _words(call: NativeCall, command: Value) -> list[str]:
     found: list[str] = []
     for item in items.known:
         option = options(item)[0]
-        found.extend(pattern(option).split() or [""])
+        found.extend(readable(option).split() or [""])
     return found
 
 

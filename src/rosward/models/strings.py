@@ -141,7 +141,8 @@ def _not_known(machine: Machine, what: str, hint: str, kind: str, values: Argume
 def _alternatives(found: list[Parts]) -> Value:
     if len(found) > text_parts.MAX_RESULTS:
         return make((text_parts.anything(tuple(p for parts in found for p in parts)),))
-    return join_all(make(parts) for parts in found)
+    anything = next((p for p in found if len(p) == 1 and isinstance(p[0], Hole) and not p[0].shape), None)
+    return make(anything) if anything is not None else join_all(make(parts) for parts in found)
 
 
 def _case(_machine: Machine, name: str, parts: Parts, _args: Arguments) -> Value:

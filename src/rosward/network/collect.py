@@ -6,11 +6,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final, NamedTuple
 
-from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
 from rosward.findings import Finding
-from rosward.models.command_line import read_words
+from rosward.holes import HOLE, Holed
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.models.name_values import NameOption, interface_types, name_options
 from rosward.models.ros_names import command_lines, final_name, remapped_by, remaps_of
@@ -95,11 +94,8 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
 
 
 def _refused(log: EffectLog, effect: NodeEffect) -> bool:
-    """Whether rcl refuses the arguments that the program itself gives: then there is no node. (Those of a launch file are told there.)"""
-    errors = {error for line in command_lines(log, effect) for error in line.errors}
-    if not errors or log.configuration is None:
-        return bool(errors)
-    return not errors <= set(read_words(Series(log.configuration.words), log.configuration).errors)
+    """Whether rcl refuses the arguments of the node: then there is none. Where they are given, that is told."""
+    return any(line.errors for line in command_lines(log, effect))
 
 
 def _node(
@@ -118,6 +114,10 @@ def _node(
             path = log.paths.get(entity, ())
             entities += _entities(entity, identity, distro, findings, path, sure=sure)
     made, asked = implicit.of_client_library(log, effect, identity, distro)
+    for each in made:
+        if HOLE in each.name and HOLE not in identity.namespace + identity.name:
+            option = NameOption(Holed(each.name), each.resolution, (), ())
+            findings[unknown_name(each.kind.value, each, option, effect.place)] = None
     entities = [replace(e, system=True) if (e.kind, e.name, e.type) in asked else e for e in entities]
     entities += [e if identity.sole else replace(e, conditional=True) for e in made]
     if not certain:
@@ -208,19 +208,21 @@ def _resolved(
     distro: Distro,
     effect: EntityEffect,
     findings: dict[Finding, None],
-) -> list[tuple[str, NameOption]]:
+) -> list[tuple[Holed, NameOption]]:
     """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
     remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
     rules = identity.rules
     if kind in _ACTIONS and not names.action_names_are_remapped(distro):
         rules = ()
+    if option.resolution is Resolution.UNKNOWN:
+        rules = ()  # any rule may be for it: that makes none of their targets its name
     own, space = identity.name, identity.namespace
     try:
         found = names.resolve(option.text, remap, tuple(r.rule for r in rules), own, space)
     except names.InvalidName as error:
         findings[invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on)] = None
         return []
-    result: list[tuple[str, NameOption]] = []
+    result: list[tuple[Holed, NameOption]] = []
     for text in found:
         target = remapped_by(text, option.text, remap, rules, own, space) if rules else None
         result.append((text, option if target is None else _behind_rule(option, name_options(target)[0])))
@@ -251,14 +253,14 @@ def _entity(
     if not option.text.startswith("/"):
         resolution = max(
             resolution,
-            identity.resolution if names.HOLE in text or resolution in _KNOWN else resolution,
+            identity.resolution if HOLE in text or resolution in _KNOWN else resolution,
             key=_ORDER.__getitem__,
         )
         depends = tuple(sorted({*depends, *identity.depends_on}))
         reasons = (*reasons, *identity.reasons)
-    if resolution is Resolution.UNKNOWN and names.HOLE in text and text.strip("/*"):
+    if resolution is Resolution.UNKNOWN and HOLE in text and text.strip("/*"):
         resolution = Resolution.PATTERN
-    if names.HOLE not in text and resolution not in _KNOWN:
+    if HOLE not in text and resolution not in _KNOWN:
         resolution = Resolution.DEFAULT if depends else Resolution.EXACT
     callback = effect.callback
     return Entity(

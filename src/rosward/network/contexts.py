@@ -15,6 +15,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 
 from rosward.findings import Finding
+from rosward.holes import Holed, literal, shown
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
@@ -85,9 +86,9 @@ def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list
     place = members[0].launched_by or members[0].defined_at
     process = members[0].process
     found = [
-        Finding("RW308", f"process {process}: enclave {enclave!r} is refused by rcl: {reason}", place)
+        Finding("RW308", f"process {process}: enclave {shown(enclave)!r} is refused by rcl: {reason}", place)
         for enclave in given
-        if "*" not in enclave and (reason := validate_enclave(enclave)) is not None
+        if (reason := validate_enclave(Holed(enclave))) is not None
     ]
     if len(given) > 1:
         found.append(Finding("RW308", f"process {process} is given several enclaves: {', '.join(given)}", place))
@@ -104,7 +105,7 @@ def _shared(members: list[Node], taken: set[str]) -> str:
     """An enclave for several nodes: the namespace of the first, then the executable."""
     first = members[0]
     label = first.process.rpartition("/")[2].replace("#", "_")
-    wanted = fully_qualified(first.namespace, label)
+    wanted = str(fully_qualified(Holed(first.namespace), literal(label)))
     enclave, number = wanted, 2
     while enclave in taken:
         enclave, number = f"{wanted}_{number}", number + 1

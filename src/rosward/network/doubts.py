@@ -9,7 +9,9 @@ from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Value
 from rosward.findings import Finding
-from rosward.models.name_values import STAR, NameOption
+from rosward.holes import shown
+from rosward.models.given_words import UNKNOWN_ARGUMENTS
+from rosward.models.name_values import NameOption
 from rosward.ros.entities import Entity, Resolution
 from rosward.source.location import Place
 
@@ -43,14 +45,20 @@ def unknown_node(option: NameOption, place: Place, part: str = "name") -> Findin
     """A node whose name or namespace is not wholly known."""
     if option.resolution is Resolution.UNKNOWN:
         return Finding("RW105", f"the {part} of this node is not known{_because(option.reasons)}", place)
-    return Finding("RW102", f"the {part} of this node is only known as {option.text}{_because(option.reasons)}", place)
+    return Finding(
+        "RW102", f"the {part} of this node is only known as {shown(option.text)}{_because(option.reasons)}", place
+    )
 
 
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
     """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
     default = f" (the default of {', '.join(depends_on)})" if depends_on else ""
-    text = text.replace(STAR, "*")
-    return Finding("RW103", f"{text!r} is no valid name for a {kind}: {why}{default}", place)
+    return Finding("RW103", f"{shown(text)!r} is no valid name for a {kind}: {why}{default}", place)
+
+
+def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
+    """Words of a command line of which nothing is known, as `models/given_words.py` tells it of those that programs give."""
+    return Finding("RW106", f"{UNKNOWN_ARGUMENTS}{_because(reasons)}", place)
 
 
 def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:

@@ -13,6 +13,7 @@ from typing import Final, NamedTuple
 
 from rosward.domain.choice import options
 from rosward.domain.values import Const, Value
+from rosward.holes import HOLE, Holed
 from rosward.models.command_line import Rule
 from rosward.models.effects import EffectLog, NodeEffect
 from rosward.models.host import is_true
@@ -28,8 +29,8 @@ _SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
 class Identity(NamedTuple):
     """One of the full names that a node may have."""
 
-    name: str
-    namespace: str
+    name: Holed
+    namespace: Holed
     rules: tuple[Rule, ...]
     resolution: Resolution
     depends_on: tuple[str, ...]
@@ -92,8 +93,10 @@ def _named(found: Iterable[Entity], effect: NodeEffect, identity: Identity, fqn:
     result: list[Entity] = []
     for entity in found:
         kind = names.RemapKind.SERVICE if entity.kind in _SERVICES else names.RemapKind.TOPIC
-        for text in names.resolve(entity.name, kind, rules, identity.name, identity.namespace):
+        for text in names.resolve(Holed(entity.name), kind, rules, identity.name, identity.namespace):
             resolution = identity.resolution if text.startswith(fqn) else Resolution.EXACT
+            if HOLE in text and HOLE not in fqn:  # by a rule whose target is not known
+                resolution = Resolution.UNKNOWN if text.strip("/") == HOLE else Resolution.PATTERN
             result.append(replace(entity, name=text, resolution=resolution, created_at=(effect.place,), system=True))
     return result
 

@@ -19,7 +19,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
-from rosward.ros.names import HOLE, RemapKind, RemapRule, may_be_equal, validate_enclave
+from rosward.holes import HOLE, Holed, shown
+from rosward.ros.names import RemapKind, RemapRule, may_be_equal, validate_enclave
 from rosward.ros.parameter_values import InvalidArgument, ParameterValue, effective_value, parse_value, scalar_value
 
 __all__ = [
@@ -75,7 +76,7 @@ class RosArguments:
 
     remaps: tuple[RemapRule, ...] = ()
     overrides: tuple[ParameterRule | ParamsFile, ...] = ()
-    enclave: str | None = None
+    enclave: Holed | None = None
     rosout_logs: bool = True
     user_arguments: tuple[str, ...] = ()
     deprecated: tuple[str, ...] = ()
@@ -114,7 +115,7 @@ _FLAGS: Final = frozenset(
 _LOG_LEVEL: Final = re.compile(r"(?:(?:(?!:=).)+:=)?(?:unset|debug|info|warn|error|fatal)", re.IGNORECASE)
 
 
-def parse_arguments(words: Sequence[str]) -> RosArguments:
+def parse_arguments(words: Sequence[Holed]) -> RosArguments:
     """Read the words of a command line, or the `cli_args` of a node, as rcl does (arguments.c).
 
     `words` may or may not begin with the name of the program. Only what stands between `--ros-args` and `--` (or the
@@ -123,7 +124,7 @@ def parse_arguments(words: Sequence[str]) -> RosArguments:
     """
     remaps: list[RemapRule] = []
     overrides: list[ParameterRule | ParamsFile] = []
-    enclave: str | None = None
+    enclave: Holed | None = None
     rosout_logs = True
     user: list[str] = []
     deprecated: list[str] = []
@@ -160,26 +161,26 @@ def parse_arguments(words: Sequence[str]) -> RosArguments:
                 rule = _flag_value(_FLAGS_WITH_VALUE[word], value)
             except InvalidArgument as error:
                 if HOLE in value:
-                    unknown.append(f"{word} {value}")
+                    unknown.append(shown(f"{word} {value}"))
                 else:
-                    errors.append(f"{word} {value}: {error}")
+                    errors.append(shown(f"{word} {value}: {error}"))
                 continue
             if isinstance(rule, RemapRule):
                 remaps.append(rule)
                 remaps_at.append(value_at)
-            elif isinstance(rule, str):
-                enclave, enclave_at = rule, value_at
+            elif isinstance(rule, _Enclave):
+                enclave, enclave_at = rule.path, value_at
             elif rule is not None:
                 overrides.append(rule)
                 overrides_at.append(value_at)
         elif word not in _FLAGS:
             if HOLE in word:
-                unknown.append(word)
+                unknown.append(shown(word))
             else:
-                errors.append(f"{word}: unknown ROS argument")
+                errors.append(shown(f"{word}: unknown ROS argument"))
     reason = None if enclave is None else validate_enclave(enclave)
     if reason is not None:
-        errors.append(f"--enclave {enclave}: {reason}")
+        errors.append(shown(f"--enclave {enclave}: {reason}"))
     return RosArguments(
         tuple(remaps),
         tuple(overrides),
@@ -193,16 +194,20 @@ def parse_arguments(words: Sequence[str]) -> RosArguments:
     )
 
 
-def _flag_value(what: str, value: str) -> RemapRule | ParameterRule | ParamsFile | str | None:
-    """The word after a flag: a str is an enclave, None something about logging."""
+class _Enclave(NamedTuple):
+    path: Holed
+
+
+def _flag_value(what: str, value: Holed) -> RemapRule | ParameterRule | ParamsFile | _Enclave | None:
+    """The word after a flag; None for something about logging."""
     if what == "remap":
         return parse_remap_rule(value)
     if what == "parameter":
         return parse_parameter_rule(value)
     if what == "params file":
-        return ParamsFile(value)
+        return ParamsFile(shown(value))
     if what == "enclave":
-        return value
+        return _Enclave(value)
     if what == "log level" and HOLE not in value and not _LOG_LEVEL.fullmatch(value):
         raise InvalidArgument("not a log level")
     return None
@@ -229,27 +234,27 @@ class _Lexed(NamedTuple):
     """A rule as the kinds of its lexemes, each with a space after it, and the text of each."""
 
     kinds: str
-    texts: tuple[str, ...]
+    texts: tuple[Holed, ...]
 
-    def text(self, start: int, end: int) -> str:
+    def text(self, start: int, end: int) -> Holed:
         """The source of what stands between two offsets of `kinds`."""
         first = self.kinds.count(" ", 0, start)
-        return "".join(self.texts[first : first + self.kinds.count(" ", start, end)])
+        return Holed("".join(self.texts[first : first + self.kinds.count(" ", start, end)]))
 
 
-def _lex(rule: str) -> _Lexed:
+def _lex(rule: Holed) -> _Lexed:
     kinds: list[str] = []
-    texts: list[str] = []
+    texts: list[Holed] = []
     position = 0
     while position < len(rule):
         found = _LEXEME.match(rule, position)
         kinds.append("none" if found is None or found.lastgroup is None else found.lastgroup)
-        texts.append(rule[position] if found is None else found[0])
+        texts.append(Holed(rule[position] if found is None else found[0]))
         position += len(texts[-1])
     return _Lexed("".join(f"{kind} " for kind in kinds), tuple(texts))
 
 
-def parse_remap_rule(rule: str) -> RemapRule:
+def parse_remap_rule(rule: Holed) -> RemapRule:
     """Read `[node:]match:=target`, `[node:]__node:=name` or `[node:]__ns:=/namespace`. Raises `InvalidArgument`."""
     lexed = _lex(rule)
     prefix = _NODE_PREFIX.match(lexed.kinds)
@@ -257,10 +262,10 @@ def parse_remap_rule(rule: str) -> RemapRule:
     node = lexed.texts[0] if prefix else None
     found = _NODE_RULE.fullmatch(lexed.kinds, start)
     if found:
-        return RemapRule(node, RemapKind.NODE, "", lexed.text(*found.span(1)))
+        return RemapRule(node, RemapKind.NODE, Holed(""), lexed.text(*found.span(1)))
     found = _NAMESPACE_RULE.fullmatch(lexed.kinds, start)
     if found and lexed.text(*found.span(1)).startswith(("/", HOLE)):
-        return RemapRule(node, RemapKind.NAMESPACE, "", lexed.text(*found.span(1)))
+        return RemapRule(node, RemapKind.NAMESPACE, Holed(""), lexed.text(*found.span(1)))
     found = _NAME_RULE.fullmatch(lexed.kinds, start)
     if found:
         kind = RemapKind(found[1].strip()) if found[1] else RemapKind.BOTH
@@ -268,18 +273,18 @@ def parse_remap_rule(rule: str) -> RemapRule:
     raise InvalidArgument("not a remap rule")
 
 
-def parse_parameter_rule(rule: str) -> ParameterRule:
+def parse_parameter_rule(rule: Holed) -> ParameterRule:
     """Read `[node:]name:=value`; `node` is a bare name, `/ns/node:name:=value` an error. Raises `InvalidArgument`."""
-    lexed = _lex(rule.partition(":=")[0] + ":=") if ":=" in rule else _lex(rule)
+    lexed = _lex(Holed(rule.partition(":=")[0] + ":=") if ":=" in rule else rule)
     prefix = _NODE_PREFIX.match(lexed.kinds)
     found = _PARAMETER_NAME.fullmatch(lexed.kinds, prefix.end() if prefix else 0)
     if not found:
         raise InvalidArgument("not a parameter rule")
     node = lexed.texts[0] if prefix else "/**"
-    return ParameterRule(node, lexed.text(*found.span(1)), parse_value(rule.partition(":=")[2]))
+    return ParameterRule(node, lexed.text(*found.span(1)), parse_value(Holed(rule.partition(":=")[2])))
 
 
-def key_fits_node(key: str, node_fqn: str) -> bool | None:
+def key_fits_node(key: str, node_fqn: Holed) -> bool | None:
     """Whether a key (`/**`, `/*/arm`, `arm`, `/left/arm`) is for the node `node_fqn`; None if a hole leaves it open.
 
     A key without leading `/` gets one: `arm` is for `/arm` only (rclpy node.cpp). The `*` of a key are wildcards,
@@ -288,7 +293,7 @@ def key_fits_node(key: str, node_fqn: str) -> bool | None:
     key = key if key.startswith("/") else f"/{key}"
     if HOLE in node_fqn:
         # `/**` covers all; of any other key with wildcards it is only known that it may fit
-        return True if key == "/**" else None if may_be_equal(key.replace("/*", HOLE), node_fqn) else False
+        return True if key == "/**" else None if may_be_equal(Holed(key.replace("/*", HOLE)), node_fqn) else False
     return _matches(key, node_fqn)
 
 
@@ -326,7 +331,7 @@ def _is_word(character: str) -> bool:
     return character.isascii() and (character.isalnum() or character == "_")
 
 
-def parameters_of_node(rules: Iterable[ParameterRule], node_fqn: str) -> dict[str, ParameterValue]:
+def parameters_of_node(rules: Iterable[ParameterRule], node_fqn: Holed) -> dict[str, ParameterValue]:
     """The initial values that `rules`, in the order of the command line, give the node `node_fqn`.
 
     rcl gathers the rules by key, a key standing where it was first seen; later keys win (rclpy node.cpp). So after

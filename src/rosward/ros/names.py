@@ -17,9 +17,9 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
+from rosward.holes import HOLE, Holed, shown
 from rosward.ros.distro import Distro
 from rosward.ros.validation import (
-    HOLE,
     collapse,
     validate_enclave,
     validate_full,
@@ -76,10 +76,10 @@ class RemapKind(enum.Enum):
 class RemapRule(NamedTuple):
     """One remap rule, `node:match:=replacement`. `match` is empty for NODE and NAMESPACE rules. `maybe`: it may not be given."""
 
-    node: str | None
+    node: Holed | None
     kind: RemapKind
-    match: str
-    replacement: str
+    match: Holed
+    replacement: Holed
     maybe: bool = False
 
 
@@ -95,7 +95,7 @@ def action_names_are_remapped(distro: Distro) -> bool:
 # Expansion
 
 
-def full_namespace(namespace: str) -> str:
+def full_namespace(namespace: Holed) -> Holed:
     """The namespace of a node as rcl completes it (node.c): `""` is `/`, `left/arm` is `/left/arm`, `*` is `/*`.
 
     `/*` may also be the root namespace.
@@ -103,17 +103,17 @@ def full_namespace(namespace: str) -> str:
     namespace = collapse(namespace)
     if namespace.startswith("/"):
         return namespace
-    return "/" + _after_leading_hole(namespace) if namespace.startswith(HOLE) else "/" + namespace
+    return Holed("/" + (_after_leading_hole(namespace) if namespace.startswith(HOLE) else namespace))
 
 
-def fully_qualified(namespace: str, name: str) -> str:
+def fully_qualified(namespace: Holed, name: Holed) -> Holed:
     """The full name of the node (or relative topic) `name` in the full namespace `namespace`."""
     if namespace in ("/", "/*", "/" + _SAME_NAMESPACE):
-        return collapse(namespace + name)
-    return f"{namespace}/{name}"
+        return collapse(Holed(namespace + name))
+    return Holed(f"{namespace}/{name}")
 
 
-def expand(name: str, node_name: str, namespace: str) -> str:
+def expand(name: Holed, node_name: Holed, namespace: Holed) -> Holed:
     """The absolute name of `name` in the node `node_name` of the full namespace `namespace` (rcl expand_topic_name.c).
 
     Raises `InvalidName` where rcl returns an error. Like rcl it lets pass what only the full name shows to be wrong,
@@ -127,45 +127,45 @@ def expand(name: str, node_name: str, namespace: str) -> str:
     return _expand(name, collapse(node_name), collapse(namespace))
 
 
-def _expand(name: str, node_name: str, namespace: str) -> str:
+def _expand(name: Holed, node_name: Holed, namespace: Holed) -> Holed:
     name = collapse(name)
     if name.startswith("*~"):
-        name = name[1:]
+        name = Holed(name[1:])
     if HOLE in name and ("{" in name or "}" in name):
         for pattern in _HOLE_IN_BRACES:
-            name = collapse(pattern.sub(HOLE, name))
+            name = collapse(Holed(pattern.sub(HOLE, name)))
     absolute = name.startswith(("/", HOLE))
     if name.startswith(HOLE):
-        name = "/" + _after_leading_hole(name)
+        name = Holed("/" + _after_leading_hole(name))
     elif name.startswith("~"):
         absolute = True
-        name = fully_qualified(namespace, node_name) + name[1:]
+        name = Holed(fully_qualified(namespace, node_name) + name[1:])
 
     def substitute(found: re.Match[str]) -> str:
         if found[1] == "node":
             return node_name
         if found[1] in ("ns", "namespace"):
             return namespace
-        raise InvalidName(f"unknown substitution {found[0]}")
+        raise InvalidName(f"unknown substitution {shown(found[0])}")
 
     before = name
-    name = _SUBSTITUTION.sub(substitute, name)
+    name = Holed(_SUBSTITUTION.sub(substitute, name))
     if before.startswith("/*{"):
-        name = "/" + _after_leading_hole(name[1:])  # what follows the leading hole may now begin with '/'
+        name = Holed("/" + _after_leading_hole(Holed(name[1:])))  # what follows the leading hole may now begin with '/'
     if not absolute and not name.startswith("/"):
         name = fully_qualified(namespace, name)
     return collapse(name)
 
 
-def _after_leading_hole(name: str) -> str:
+def _after_leading_hole(name: Holed) -> Holed:
     """`name`, which begins with a hole, without the `/` right after that: the hole may be empty."""
-    return HOLE + name[2:] if name.startswith("*/") else name
+    return Holed(HOLE + name[2:]) if name.startswith("*/") else name
 
 
 # Names that may be the same
 
 
-def may_be_equal(one: str, other: str) -> bool:
+def may_be_equal(one: Holed, other: Holed) -> bool:
     """Whether some filling of the holes of both makes the two names equal."""
     if HOLE not in one and HOLE not in other:
         return one == other
@@ -183,14 +183,14 @@ def may_be_equal(one: str, other: str) -> bool:
     return below[0]
 
 
-def widen(names: Iterable[str]) -> str:
+def widen(names: Iterable[Holed]) -> Holed:
     """One name, with a hole if need be, that covers all of `names` (at least one): `/a/x` and `/b/x` are `/*/x`."""
     distinct = list(dict.fromkeys(names))
     if len(distinct) == 1:
         return distinct[0]
     before = _common_start(distinct)
     after = _common_start([name[len(before) :][::-1] for name in distinct])[::-1]
-    return collapse(before + HOLE + after)
+    return collapse(Holed(before + HOLE + after))
 
 
 def _common_start(names: Sequence[str]) -> str:
@@ -201,7 +201,7 @@ def _common_start(names: Sequence[str]) -> str:
 # Remapping
 
 
-def remap_node(name: str, namespace: str, rules: Sequence[RemapRule]) -> tuple[str, str]:
+def remap_node(name: Holed, namespace: Holed, rules: Sequence[RemapRule]) -> tuple[Holed, Holed]:
     """Name and full namespace of a node after `__node:=` and `__ns:=` (rcl node.c, remap.c).
 
     The node prefix of a `__ns` rule is compared with the name as already changed by `__node`. Where a hole leaves
@@ -213,8 +213,8 @@ def remap_node(name: str, namespace: str, rules: Sequence[RemapRule]) -> tuple[s
     return name, widen(map(full_namespace, _renamings(namespace, name, RemapKind.NAMESPACE, rules)))
 
 
-def _renamings(old: str, node_name: str, kind: RemapKind, rules: Sequence[RemapRule]) -> list[str]:
-    found: list[str] = []
+def _renamings(old: Holed, node_name: Holed, kind: RemapKind, rules: Sequence[RemapRule]) -> list[Holed]:
+    found: list[Holed] = []
     for rule in rules:
         applies = is_for_node(rule, node_name) if rule.kind is kind else False
         if applies is not False:
@@ -224,13 +224,15 @@ def _renamings(old: str, node_name: str, kind: RemapKind, rules: Sequence[RemapR
     return [*found, old]
 
 
-def resolve(name: str, kind: RemapKind, rules: Sequence[RemapRule], node_name: str, namespace: str) -> tuple[str, ...]:
+def resolve(
+    name: Holed, kind: RemapKind, rules: Sequence[RemapRule], node_name: Holed, namespace: Holed
+) -> tuple[Holed, ...]:
     """Every full name that `name` in a program can have (rcl node_resolve_name.c: expand, remap, validate).
 
     `node_name` and `namespace` are those after `remap_node`. There is one answer unless holes leave open whether a
     rule applies. Raises `InvalidName` if rcl rejects the name in every case.
     """
-    found: list[str] = []
+    found: list[Holed] = []
     reason: str | None = None
     for candidate in remap_topic(name, kind, rules, node_name, namespace):
         invalid = validate_full(candidate)
@@ -244,8 +246,8 @@ def resolve(name: str, kind: RemapKind, rules: Sequence[RemapRule], node_name: s
 
 
 def remap_topic(
-    name: str, kind: RemapKind, rules: Sequence[RemapRule], node_name: str, namespace: str
-) -> tuple[str, ...]:
+    name: Holed, kind: RemapKind, rules: Sequence[RemapRule], node_name: Holed, namespace: Holed
+) -> tuple[Holed, ...]:
     """Every full name that `name`, full or not, can have after `rules` (rcl remap.c), not yet validated.
 
     `kind` is TOPIC or SERVICE; node-local rules (the `cli_args` of a node) stand before those of the process. The
@@ -253,7 +255,7 @@ def remap_topic(
     and its node prefix is compared with the node's final name.
     """
     full = expand(name, node_name, namespace)
-    found: list[str] = []
+    found: list[Holed] = []
     for rule in rules:
         if rule.kind is not kind and rule.kind is not RemapKind.BOTH:
             continue
@@ -275,7 +277,7 @@ def remap_topic(
     return _distinct([*found, full])
 
 
-def is_for_node(rule: RemapRule, node_name: str) -> bool | None:
+def is_for_node(rule: RemapRule, node_name: Holed) -> bool | None:
     """Whether `rule` is one for this node; None if that depends on how a hole is filled, or on whether the rule is given."""
     if rule.node is None:
         return None if rule.maybe else True
@@ -284,14 +286,14 @@ def is_for_node(rule: RemapRule, node_name: str) -> bool | None:
     return None if may_be_equal(rule.node, node_name) else False
 
 
-def _is_same(one: str, other: str, node_name: str, namespace: str) -> bool:
+def _is_same(one: Holed, other: Holed, node_name: Holed, namespace: Holed) -> bool:
     """Whether two names of one node are the same for certain: an unknown namespace or node name is the same in both."""
     if HOLE in one or HOLE in other:
         return False
-    node_name = collapse(node_name).replace(HOLE, _SAME_NODE)
-    namespace = full_namespace(namespace).replace(HOLE, _SAME_NAMESPACE)
+    node_name = Holed(collapse(node_name).replace(HOLE, _SAME_NODE))
+    namespace = Holed(full_namespace(namespace).replace(HOLE, _SAME_NAMESPACE))
     return _expand(one, node_name, namespace) == _expand(other, node_name, namespace)
 
 
-def _distinct(names: Iterable[str]) -> tuple[str, ...]:
+def _distinct(names: Iterable[Holed]) -> tuple[Holed, ...]:
     return tuple(dict.fromkeys(names))

@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
-from rosward.ros.validation import HOLE
+from rosward.holes import HOLE, Holed, shown
 
 _TRUE: Final = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
 _FALSE: Final = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
@@ -120,7 +120,7 @@ def effective_value(values: Iterable[ParameterValue]) -> ParameterValue:
     return next((last[kind] for kind in _PRECEDENCE if kind in last), ParameterValue("not_set", None))
 
 
-def parse_value(text: str) -> ParameterValue:
+def parse_value(text: Holed) -> ParameterValue:
     """The value of `-p name:=text` (rcl_yaml_param_parser parse.c parse_value_events). Raises `InvalidArgument`."""
     try:
         return _parse_value(text)
@@ -130,7 +130,7 @@ def parse_value(text: str) -> ParameterValue:
         raise
 
 
-def _parse_value(text: str) -> ParameterValue:
+def _parse_value(text: Holed) -> ParameterValue:
     if not text:
         raise InvalidArgument("no value")
     import yaml  # it takes a while to load, and few programs come here
@@ -141,7 +141,7 @@ def _parse_value(text: str) -> ParameterValue:
     found: list[ParameterValue] = []
     array: list[ParameterValue] | None = None
     try:
-        for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        for event in yaml.parse(text if HOLE in text else shown(text), Loader=yaml.SafeLoader):
             if isinstance(event, yaml.SequenceStartEvent):
                 array = []
             elif isinstance(event, yaml.SequenceEndEvent):

@@ -14,8 +14,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
-HOLE: Final = "*"
-"""What stands in a name for the part that is not known; no ROS name may hold it."""
+from rosward.holes import HOLE, Holed
 
 MAX_TOPIC: Final = 247  # 255 less 8 reserved for prefixes (rmw/validate_full_topic_name.h)
 MAX_NAMESPACE: Final = 245  # less 2 for the shortest "/x" after it (rmw/validate_namespace.h)
@@ -28,16 +27,16 @@ _NODE_CHARACTERS: Final = re.compile(r"[A-Za-z0-9_*]*")
 _BAD_TOKEN: Final = re.compile(r"/([/0-9])")
 
 
-def collapse(name: str) -> str:
+def collapse(name: Holed) -> Holed:
     """`name` with one hole for each run of holes."""
-    return _HOLES.sub(HOLE, name)
+    return Holed(_HOLES.sub(HOLE, name))
 
 
-def validate_name(name: str) -> str | None:
+def validate_name(name: Holed) -> str | None:
     """Why `name` cannot be a topic or service name in a program, relative ones too (rcl validate_topic_name.c)."""
     name = collapse(name)
     if name.startswith("*~"):
-        return validate_name(name[1:])  # a tilde stands first or nowhere: the hole is empty
+        return validate_name(Holed(name[1:]))  # a tilde stands first or nowhere: the hole is empty
     if not name:
         return "a topic name must not be empty"
     if name[0].isdigit() and name[0].isascii():
@@ -56,7 +55,7 @@ def validate_name(name: str) -> str | None:
     return None
 
 
-def _validate_characters(name: str) -> str | None:
+def _validate_characters(name: Holed) -> str | None:
     """The characters and the balance of braces of `name`; after a hole, whether a brace is open is not known (None)."""
     inside: bool | None = False
     for index, char in enumerate(name):
@@ -86,22 +85,22 @@ def _validate_characters(name: str) -> str | None:
     return "unbalanced braces in a topic name" if inside else None
 
 
-def validate_full(name: str) -> str | None:
+def validate_full(name: Holed) -> str | None:
     """Why `name` cannot be the full name of a topic or service (rmw validate_full_topic_name.c)."""
     return _validate_full(name, "a fully qualified name", MAX_TOPIC)
 
 
-def validate_namespace(namespace: str) -> str | None:
+def validate_namespace(namespace: Holed) -> str | None:
     """Why `namespace` cannot be a full namespace (rmw validate_namespace.c)."""
     return None if collapse(namespace) in _ROOT else _validate_full(namespace, "a namespace", MAX_NAMESPACE)
 
 
-def validate_enclave(enclave: str) -> str | None:
+def validate_enclave(enclave: Holed) -> str | None:
     """Why `enclave` cannot be an enclave (rcl validate_enclave_name.c)."""
     return None if collapse(enclave) in _ROOT else _validate_full(enclave, "an enclave", MAX_NODE_NAME)
 
 
-def validate_node_name(name: str) -> str | None:
+def validate_node_name(name: Holed) -> str | None:
     """Why `name` cannot be the name of a node, without namespace (rmw validate_node_name.c)."""
     if not name:
         return "a node name must not be empty"
@@ -112,7 +111,7 @@ def validate_node_name(name: str) -> str | None:
     return _too_long(name, "a node name", MAX_NODE_NAME)
 
 
-def _validate_full(name: str, what: str, limit: int) -> str | None:
+def _validate_full(name: Holed, what: str, limit: int) -> str | None:
     if not name:
         return f"{what} must not be empty"
     if name[0] not in "/*":
@@ -127,5 +126,5 @@ def _validate_full(name: str, what: str, limit: int) -> str | None:
     return _too_long(name, what, limit)
 
 
-def _too_long(name: str, what: str, limit: int) -> str | None:
+def _too_long(name: Holed, what: str, limit: int) -> str | None:
     return f"{what} must not be longer than {limit} characters" if len(name.replace(HOLE, "")) > limit else None

@@ -20,7 +20,7 @@ from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.scene import Findings, Scene
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.python.code import LaunchPython
-from rosward.domain.text import pattern
+from rosward.domain.text import readable
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.models.tables import natives
@@ -99,4 +99,4 @@ def _argument(name: str, declared: tree.Declare, scene: Scene) -> Argument:
 
 def _shown(template: tree.Template, scene: Scene) -> str:
     """The text of a template without the context of a launch."""
-    return pattern(scene.text(template))[:_LONGEST]
+    return readable(scene.text(template))[:_LONGEST]

@@ -31,6 +31,7 @@ from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
 from rosward.findings import Finding
 from rosward.guard import guarded
+from rosward.holes import HOLE, Holed
 from rosward.models.command_line import given_to, read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
@@ -345,12 +346,12 @@ def qualified(namespace: Value, name: Value) -> Value:
     return joined(joined(namespace, Const("/")), name)
 
 
-def _resolved(topic: Value, rules: Sequence[names.RemapRule], name: str, namespace: str) -> Value:
+def _resolved(topic: Value, rules: Sequence[names.RemapRule], name: Holed, namespace: Holed) -> Value:
     """The full name of a topic behind the remap rules of its node; as it is where that is not known."""
-    if not isinstance(topic, Const) or not isinstance(topic.value, str) or names.HOLE in name + namespace:
+    if not isinstance(topic, Const) or not isinstance(topic.value, str) or HOLE in name + namespace:
         return topic
     try:
-        resolved = names.resolve(topic.value, names.RemapKind.TOPIC, rules, name, namespace)
+        resolved = names.resolve(pattern(topic), names.RemapKind.TOPIC, rules, name, namespace)
     except names.InvalidName:
         return topic
-    return Const(resolved[0], topic.origins) if len(resolved) == 1 and names.HOLE not in resolved[0] else topic
+    return Const(resolved[0], topic.origins) if len(resolved) == 1 and HOLE not in resolved[0] else topic

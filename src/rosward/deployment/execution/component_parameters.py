@@ -22,7 +22,7 @@ from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Setting
 from rosward.deployment.tree import ParameterFile, ParameterSource, ParameterTable
 from rosward.domain.choice import join, options, reasons_of
-from rosward.domain.text import matches, pattern
+from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
 from rosward.models.configuration import Given
@@ -48,7 +48,7 @@ class ComponentParameters:
         """What SetParameter and SetParametersFromFile have set."""
         for entry in entries:
             if isinstance(entry, GlobalParameter):
-                self.settings.append(Setting("global", pattern(entry.name), entry.value, place=entry.place))
+                self.settings.append(Setting("global", readable(entry.name), entry.value, place=entry.place))
                 self._set(entry.name, entry.value, entry.place)
             else:
                 self._file(entry.path, entry.place)
@@ -61,7 +61,7 @@ class ComponentParameters:
                     name = self._scene.text(key)
                     value = evaluate(data, name, self._scene, source.place)
                     self._set(name, value, source.place)
-                    self.settings.append(Setting("dict", pattern(name), value, _ALL, source.place))
+                    self.settings.append(Setting("dict", readable(name), value, _ALL, source.place))
             elif isinstance(source, ParameterFile):
                 path = normal_path(self._scene.text(source.path))
                 if source.substitutions:
@@ -86,7 +86,7 @@ class ComponentParameters:
             if content.absent:
                 self._scene.fails(f"the parameter file {self._scene.files.show(option)} is not there", place)
             elif content.rows is None:
-                reason = content.reason or Reason(Cause.FILE, pattern(option), place)
+                reason = content.reason or Reason(Cause.FILE, readable(option), place)
                 self._unknown_rest((*reasons_of(option), reason)[-1])
             else:
                 self._from_rows(content.rows, several)
@@ -133,4 +133,4 @@ class ComponentParameters:
         rows = tuple(self._rows.values())
         path = self._scene.generated.write(Content(rows))
         words += [Const("--params-file"), path]
-        return {pattern(path): rows}
+        return {readable(path): rows}

@@ -21,7 +21,7 @@ from rosward.deployment.execution.system import Budget, System
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.started import Started
-from rosward.domain.text import make, pattern
+from rosward.domain.text import make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Hole, Value
 from rosward.findings import Finding
@@ -61,7 +61,7 @@ class Execution:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
         generated = Generated(self._files, self._findings)
         scene = Scene(self._files, self._python, self._findings, generated, self._distro)
-        scene.words = tuple(f"{name}:={pattern(value)}" for name, value in self._arguments.items())
+        scene.words = tuple(f"{name}:={readable(value)}" for name, value in self._arguments.items())
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))
         descriptions = Descriptions(self._files, self._python, self._findings, net=self._net)

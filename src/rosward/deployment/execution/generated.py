@@ -16,7 +16,7 @@ from rosward.deployment.execution.yaml_values import is_path, plain_text, replac
 from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.choice import join_all, lift, options, reasons_of
-from rosward.domain.text import parts_of, pattern
+from rosward.domain.text import parts_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole, Unknown, Value
 from rosward.models.configuration import Given
@@ -137,7 +137,7 @@ class Generated:
                 self._fails_without(before, option, place)
                 return self.write(before)
             rows = with_keys(with_values(before.rows, values, numbers, place), keys)
-            ways = [below(rows, pattern(r)) for r in options(root)[:MAX_WAYS]]
+            ways = [below(rows, readable(r)) for r in options(root)[:MAX_WAYS]]
             return self.write(Content(joined_rows(ways, place), None, before.file))
 
         return lift(one, source)
@@ -205,7 +205,7 @@ def _row_replaced(row: Given, pairs: Pairs) -> Given:
     for old, new in pairs:
         token = plain_text(old)
         if token:
-            shown = pattern(new)
+            shown = readable(new)
             node, name = node.replace(token, shown), name.replace(token, shown)
             value = join_all(replaced(value, token, option) for option in options(new))
     return row._replace(node=node, name=name, value=value)

@@ -22,6 +22,7 @@ from rosward.deployment.tree import Component, NodeKind, StartNode, Template
 from rosward.domain.choice import join, lift2, options
 from rosward.domain.text import concat
 from rosward.domain.values import Const, Value
+from rosward.holes import literal
 from rosward.models.configuration import Configuration
 from rosward.ros.validation import validate_namespace, validate_node_name
 
@@ -112,7 +113,7 @@ def _check(name: Value | None, namespace: Value | None, scene: Scene, place: Pla
     for value, validate, what in ((name, validate_node_name, "name"), (namespace, validate_namespace, "namespace")):
         for option in options(value) if value is not None else ():
             plain = plain_text(option)
-            error = validate(plain) if plain is not None else None
+            error = validate(literal(plain)) if plain is not None else None
             if error is not None:
                 scene.fails(f"{plain!r} is no valid {what} of a node ({error})", place)
 

@@ -36,7 +36,7 @@ from rosward.deployment.tree import (
     Several,
 )
 from rosward.domain.choice import lift, lift2, options, reasons_of
-from rosward.domain.text import concat, pattern
+from rosward.domain.text import concat, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Tuple, Value
 from rosward.models.configuration import Given
@@ -54,7 +54,7 @@ def evaluate(data: ParameterData, name: Value, scene: Scene, place: Place) -> Va
     """The value of a parameter: text is read as YAML or as the type that is forced; a literal is used as it is."""
 
     def failed(why: str) -> None:
-        scene.fails(f"the value of the parameter '{pattern(name)}' is refused: {why}", place)
+        scene.fails(f"the value of the parameter '{readable(name)}' is refused: {why}", place)
 
     if isinstance(data, Literal):
         return lift(lambda v: _literal(v, failed), data.value)
@@ -109,7 +109,7 @@ class Parameters:
         """What SetParameter and SetParametersFromFile have set."""
         for entry in entries:
             if isinstance(entry, GlobalParameter):
-                self.settings.append(Setting("global", pattern(entry.name), entry.value, place=entry.place))
+                self.settings.append(Setting("global", readable(entry.name), entry.value, place=entry.place))
                 self._rule(entry.name, printed(entry.value))
             elif entry.node is None or self._is_meant(entry.node):
                 self._file(entry.path, entry.place, needed=True)
@@ -140,14 +140,14 @@ class Parameters:
                 for option in options(name):
                     shown = plain_text(option) or "*"
                     rows[scope, shown] = Given(scope, shown, as_rcl_reads(value), table.place)
-            self.settings.append(Setting("dict", pattern(name), value, self._scopes[0], table.place))
+            self.settings.append(Setting("dict", readable(name), value, self._scopes[0], table.place))
         path = self._scene.generated.write(Content(tuple(rows.values())))
         self._pass(path, tuple(rows.values()))
 
     def _given_rule(self, rule: ParameterRule) -> None:
         name = self._scene.text(rule.name)
         value = evaluate(rule.data, name, self._scene, rule.place)
-        self.settings.append(Setting("rule", pattern(name), value, place=rule.place))
+        self.settings.append(Setting("rule", readable(name), value, place=rule.place))
         self._rule(name, dumped(value))
 
     def _given_file(self, file: ParameterFile) -> None:
@@ -166,7 +166,7 @@ class Parameters:
 
     def _pass(self, path: Value, rows: tuple[Given, ...] | None) -> None:
         self.words += [_FILE, path]
-        self.files[pattern(path)] = rows
+        self.files[readable(path)] = rows
 
     def _file(self, path: Value, place: Place, *, needed: bool, told: bool = False) -> None:
         """A file by its path. One that is not there is left out (`needed`: launch fails instead)."""
@@ -184,7 +184,7 @@ class Parameters:
             return
         self.words += [_FILE, path]
         for option, content in contents:
-            word = pattern(option)
+            word = readable(option)
             self.files[word] = () if content.absent else content.rows
             if content.rows is None and not content.absent:
                 self.missing[word] = content.reason or _reason(option, place)
@@ -192,4 +192,4 @@ class Parameters:
 
 def _reason(path: Value, place: Place) -> Reason:
     found = reasons_of(path)
-    return found[0] if found else Reason(Cause.FILE, pattern(path), place)
+    return found[0] if found else Reason(Cause.FILE, readable(path), place)

@@ -14,7 +14,7 @@ from rosward.deployment.execution.perform_paths import Performing
 from rosward.deployment.execution.ros_state import GlobalParameter
 from rosward.deployment.execution.yaml_values import plain_text, printed
 from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_of
-from rosward.domain.text import concat, make, pattern
+from rosward.domain.text import concat, make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
 from rosward.source.surroundings import surroundings
@@ -73,7 +73,7 @@ def _env(scene: Scene, substitution: Substitution) -> Value:
 def _variable(scene: Scene, name: Value, substitution: Substitution) -> Value:
     default = _default(scene, substitution)
     plain = plain_text(name)
-    shown = pattern(name)
+    shown = readable(name)
     held = scene.context.variable(shown) if plain is not None else None
     given = surroundings(scene.distro.value).get(shown) if held is None else None
     if given is not None:
@@ -102,15 +102,15 @@ def _param(scene: Scene, substitution: Substitution) -> Value:
             continue
         default = _default(scene, substitution)
         if default is None:
-            scene.fails(f"no SetParameter set '{pattern(name)}' before", substitution.place)
-            default = Unknown((Reason(Cause.PARAMETER, pattern(name), substitution.place),), "str")
+            scene.fails(f"no SetParameter set '{readable(name)}' before", substitution.place)
+            default = Unknown((Reason(Cause.PARAMETER, readable(name), substitution.place),), "str")
         found.append(default)
     return join_all(found)
 
 
 def _anon(scene: Scene, substitution: Substitution) -> Value:
     name = scene.text(substitution.arguments[0])
-    key = f"anon{pattern(name)}"
+    key = f"anon{readable(name)}"
     held = scene.context.held(key)
     if held is not None and held.value is not None:
         return held.value
@@ -148,18 +148,18 @@ def _text(value: Value, place: Place) -> Value:
 
 
 def _command(scene: Scene, substitution: Substitution) -> Value:
-    shown = pattern(scene.text(substitution.arguments[0])) if substitution.arguments else ""
+    shown = readable(scene.text(substitution.arguments[0])) if substitution.arguments else ""
     return Unknown((Reason(Cause.CALL, shown, substitution.place),), "str")
 
 
 def _local(scene: Scene, substitution: Substitution) -> Value:
-    shown = pattern(scene.text(substitution.arguments[0])) if substitution.arguments else ""
+    shown = readable(scene.text(substitution.arguments[0])) if substitution.arguments else ""
     return Unknown((Reason(Cause.OPERATION, shown, substitution.place),), "str")
 
 
 def _turn(scene: Scene, substitution: Substitution) -> Value:
     """$(for-var NAME) and $(index NAME), inside of a <for_each> or a <for>."""
-    name = pattern(scene.text(substitution.arguments[0]))
+    name = readable(scene.text(substitution.arguments[0]))
     value = scene.turn.get(name)
     if value is not None:
         return _text(value, substitution.place)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.yaml_values import is_path
 from rosward.domain.choice import join, join_all, lift, lift2, reasons_of
-from rosward.domain.text import concat, origins_of, pattern
+from rosward.domain.text import concat, origins_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.models.std_paths import dirname, join_two, normal
@@ -32,7 +32,7 @@ def folder(cause: Cause, package: Value, place: Place) -> Value:
     def one(option: Value) -> Value:
         if isinstance(option, Const) and isinstance(option.value, str):
             return Unknown((Reason(cause, option.value, place),), "str")
-        return Unknown(reasons_of(option) or (Reason(cause, pattern(option), place),), "str")
+        return Unknown(reasons_of(option) or (Reason(cause, readable(option), place),), "str")
 
     return lift(one, package)
 

@@ -13,7 +13,7 @@ from typing import Final
 
 from rosward.deployment.execution.yaml_values import as_rcl_reads, plain_text
 from rosward.domain.choice import join, lift, options
-from rosward.domain.text import matches, pattern
+from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
 from rosward.models.configuration import Given
@@ -86,7 +86,7 @@ def _may_name(key: Value, row: Given) -> bool:
 
 def with_keys(rows: Rows, rewrites: Pairs) -> Rows:
     """key_rewrites: each key of the file, of nodes and of parameters."""
-    table = {old: pattern(new) for key, new in rewrites if (old := plain_text(key)) is not None}
+    table = {old: readable(new) for key, new in rewrites if (old := plain_text(key)) is not None}
     if not table:
         return rows
     return tuple(

@@ -16,9 +16,10 @@ from rosward.deployment.execution.perform_names import with_origin
 from rosward.deployment.execution.ros_state import GlobalFile, GlobalParameter, Remap
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.text import concat, matches, pattern
+from rosward.domain.text import concat, matches, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Unknown, Value
+from rosward.holes import literal
 from rosward.ros.validation import validate_namespace
 
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ def _chosen(name: str, value: Value, action: tree.Declare, scene: Scene) -> Valu
     if fitting:
         return join_all(fitting)
     choice = ", ".join(plain)
-    scene.fails(f"the launch argument '{name}' is '{pattern(value)}', but has to be one of {choice}", action.place)
+    scene.fails(f"the launch argument '{name}' is '{readable(value)}', but has to be one of {choice}", action.place)
     return value
 
 
@@ -201,7 +202,7 @@ def _push_namespace(action: tree.PushNamespace, scene: Scene) -> None:
     for state in scene.context.alternatives:
         for option in options(state.namespace) if state.namespace is not None else ():
             plain = plain_text(option)
-            error = validate_namespace(plain) if plain is not None else None
+            error = validate_namespace(literal(plain)) if plain is not None else None
             if error is not None:
                 scene.fails(f"{plain!r} is no valid namespace ({error})", action.place)
 

@@ -25,7 +25,7 @@ from rosward.deployment.execution.settings import SETTINGS, change, performed
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started
 from rosward.domain.choice import options
-from rosward.domain.text import pattern
+from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Partial, Unknown, Value
 from rosward.guard import guarded
@@ -191,7 +191,7 @@ class System:
         if file is None:
             return
         scene = Scene(self.scene.files, self.scene.python, self.scene.findings, self.scene.generated, self.scene.distro)
-        scene.words = tuple(f"{name}:={pattern(value)}" for name, value in launch.arguments.items())
+        scene.words = tuple(f"{name}:={readable(value)}" for name, value in launch.arguments.items())
         for name, value in self.scene.context.environment(place).items():
             scene.set_variable(name, value)
         for name, value in launch.arguments.items():

@@ -18,6 +18,7 @@ from rosward.domain.choice import lift, reasons_of
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, Hole, Text, Tuple, Unknown, Value
+from rosward.holes import literal
 from rosward.ros.parameter_values import InvalidArgument, parse_value
 from rosward.source.location import Place
 
@@ -270,7 +271,7 @@ def as_rcl_reads(value: Value) -> Value:
         if text is None or not text or len(text) > 200 or "\n" in text:
             return option
         try:
-            read = parse_value(yaml.safe_dump(text)).value
+            read = parse_value(literal(yaml.safe_dump(text))).value
         except InvalidArgument:
             return option
         return option if read is None or isinstance(read, tuple) else Const(read, origins_of(option))
