@@ -47,6 +47,8 @@ FAILS: Final = {
     "introspection: An attribute that a str has not": "AttributeError",
     "iteration: Generators made in a loop": "EOFError",
     "invalid: A node name with a slash": "InvalidNodeNameException",
+    "other_texts: A list that rcl refuses": "RCLError",
+    "other_texts: A list of two kinds of numbers": "RCLError",
     "ros_arguments: Refused for the node": "RCLInvalidROSArgsError",
     "characters: A star in a remap rule": "RCLError",
     "characters: A star on the left of a rule": "RCLError",

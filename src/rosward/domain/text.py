@@ -31,6 +31,9 @@ def parts_of(value: Value) -> tuple[str | Hole, ...]:
         return (Hole(value.reasons, "digits" if value.hint == "int" else ""),)
     if value.__class__ is External:
         return (Hole((Reason(Cause.MODULE, value.name, _NOWHERE),)),)
+    if value.__class__ is Choice:
+        holes = [p for option in value.options for p in parts_of(option) if isinstance(p, Hole)]
+        return (Hole(tuple(dict.fromkeys(r for hole in holes for r in hole.reasons))[:4]),)
     return (Hole(()),)
 
 

@@ -36,6 +36,7 @@ class Cause(enum.Enum):
     MANY = "more alternatives than are kept apart"
     LIMIT = "limit of the analysis"
     LIVE = "state of the running system"
+    OTHER = "value that is not the default"
     ERROR = "expression that fails when it runs"
 
 

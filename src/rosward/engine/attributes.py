@@ -66,7 +66,7 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     if cls is Class:
         return _of_class(machine, value, name)  # type: ignore[arg-type]
     if cls is External:
-        if name in NODE_METHODS and not is_interface(value):
+        if name in NODE_METHODS and "." in value.name and not is_interface(value):  # type: ignore[attr-defined]
             return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)  # type: ignore[attr-defined]
         return External(f"{value.name}.{name}")  # type: ignore[attr-defined]
     if cls is Choice:
@@ -399,14 +399,6 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
         elif option.__class__ in (External, Unknown):
             machine.escape((value,), name_of(option), option)
     return True
-
-
-def narrow(machine: Interpreter, target: Value, name: str, value: Value) -> None:
-    """What an object surely holds in an attribute of its own turned out to be `value`."""
-    if target.__class__ is Ref:
-        obj = machine.obj(target)
-        if obj.kind == "instance" and not obj.many and name in obj.attrs and obj.attrs[name] is not value:
-            machine.put(target.address, obj.with_attr(name, value))
 
 
 def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> bool:

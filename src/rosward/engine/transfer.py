@@ -10,7 +10,7 @@ import builtins
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.domain.choice import join, options
+from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
@@ -25,6 +25,7 @@ from rosward.engine import (
     items,
     iteration,
     modules,
+    narrowing,
     suspending,
 )
 from rosward.engine.frame import Frame
@@ -110,7 +111,7 @@ def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | N
 def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     if op.narrowing:
-        attributes.narrow(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
+        narrowing.narrow_attribute(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
         return None
     alive = attributes.store(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
     return None if alive else DEAD
@@ -125,6 +126,9 @@ def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool | N
 
 def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
+    if op.narrowing:
+        narrowing.narrow_item(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
+        return
     items.store(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
 
 
@@ -246,14 +250,14 @@ def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
 
 def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
-    if value.__class__ is not Choice and op.test != "true":
-        frame.registers[op.dst] = value
+    frame.registers[op.dst] = value
+    if value.__class__ is not Choice and op.test != "true" and not narrowing.is_open(value):
         return None
     other = frame.registers[op.other] if op.other != ops.NO_REGISTER else None
-    kept: list[Value] = [o for o in options(value) if equality.may(machine, o, op.test, other, op.sense)]
-    if not kept:
+    kept = narrowing.narrowed(machine, value, op.test, other, op.sense)
+    if kept is None:
         return DEAD if value.__class__ is Choice else None
-    frame.registers[op.dst] = equality.join_all(kept)
+    frame.registers[op.dst] = kept
     return None
 
 

@@ -5,8 +5,8 @@
         …                                  if %3: { assume %4 = %1, not is %2; self.pub = %4; … }
 
 `condition` lowers a test and returns the facts that hold where it is true and where it is false; `assume` writes them
-out at the start of a branch. A fact about an attribute, a cell or a global doesn't outlive a call, which might assign
-to it.
+out at the start of a branch: what is narrowed there stands in memory, until something assigns to it. Only within the test itself, a fact
+about memory doesn't outlive a call, which might have assigned already.
 """
 
 from __future__ import annotations
@@ -26,9 +26,11 @@ from rosward.ir.ops import (
     Compare,
     If,
     LoadAttr,
+    LoadItem,
     StoreAttr,
     StoreCell,
     StoreGlobal,
+    StoreItem,
     Unary,
 )
 
@@ -59,12 +61,16 @@ NESTED_AT_MOST: Final = 32
 
 
 class Subject(NamedTuple):
-    """Something that can be narrowed: kind is 'register', 'attr', 'cell' or 'global'; `register` holds its value."""
+    """Something that can be narrowed: kind is 'register', 'attr', 'item', 'cell' or 'global'; `register` holds its value.
+
+    Of an attribute or item, `obj` holds the object, whatever expression gave that; `key` its key.
+    """
 
     kind: str
     register: int
     obj: int = NO_REGISTER
     name: str = ""
+    key: int = NO_REGISTER
 
 
 class Fact(NamedTuple):
@@ -103,7 +109,7 @@ def assume(body: Body, node: Located, facts: Facts) -> None:
     """Write facts into the current block."""
     line, column = node.lineno, node.col_offset + 1
     ops = body.ops
-    for (kind, register, obj, name), test, other, sense in facts:
+    for (kind, register, obj, name, key), test, other, sense in facts:
         if kind == "register":
             ops.append(Assume(line, column, register, register, test, other, sense))
             continue
@@ -111,6 +117,8 @@ def assume(body: Body, node: Located, facts: Facts) -> None:
         ops.append(Assume(line, column, narrowed, register, test, other, sense))
         if kind == "attr":
             ops.append(StoreAttr(line, column, obj, name, narrowed, True))
+        elif kind == "item":
+            ops.append(StoreItem(line, column, obj, key, narrowed, True))
         elif kind == "cell":
             ops.append(StoreCell(line, column, obj, narrowed, True))
         else:
@@ -287,16 +295,29 @@ def _subject(body: Body, node: ast.expr) -> tuple[int, Subject | None]:
     if isinstance(node, ast.NamedExpr):
         register = body.expression(node)
         return register, _variable(body, node.target, register, 1)
-    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-        base = node.value
-        obj = body.expression(base)
+    if isinstance(node, ast.Attribute):
+        obj = _held(body, node.value)
         dst = body.register()
         name = body.scope.mangle(node.attr)
         body.ops.append(LoadAttr(node.lineno, node.col_offset + 1, dst, obj, name))
-        if body.place(base.id).kind in (PlaceKind.REGISTER, PlaceKind.CELL) and not _walrus_count(body, base):
-            return dst, Subject("attr", dst, obj, name)
-        return dst, None
+        return dst, Subject("attr", dst, obj, name)
+    if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
+        obj = _held(body, node.value)
+        index = body.expression(node.slice)
+        dst = body.register()
+        body.ops.append(LoadItem(node.lineno, node.col_offset + 1, dst, obj, index))
+        return dst, Subject("item", dst, obj, key=index)
     return body.expression(node), None
+
+
+def _held(body: Body, node: ast.expr) -> int:
+    """The value of an expression in a register that no `:=` of the same test gives another one."""
+    register = body.expression(node)
+    if not isinstance(node, ast.Name) or not _walrus_count(body, node):
+        return register
+    kept = body.register()
+    body.move(node, kept, register)
+    return kept
 
 
 def _walrus_count(body: Body, node: ast.Name) -> int:

@@ -174,7 +174,8 @@ class StoreAttr(Op):
     """obj.name = src.
 
     `narrowing`: what the instance holds already, narrowed by an `Assume`; no assignment of the program, so that no property or
-    `__setattr__` runs, and nothing happens where the instance itself has no such attribute (a property, a method, a class attribute).
+    `__setattr__` runs. Of a property that only returns an attribute of the instance, that is narrowed; nothing happens where the instance
+    itself has no such attribute (a method, a class attribute).
     """
 
     __slots__ = ("name", "narrowing", "obj", "src")
@@ -202,15 +203,16 @@ class LoadItem(Op):
 
 @final
 class StoreItem(Op):
-    """obj[index] = src."""
+    """obj[index] = src. `narrowing`: what a list or dict holds already, narrowed by an `Assume`; no assignment of the program."""
 
-    __slots__ = ("index", "obj", "src")
+    __slots__ = ("index", "narrowing", "obj", "src")
 
-    def __init__(self, line: int, column: int, obj: int, index: int, src: int) -> None:
+    def __init__(self, line: int, column: int, obj: int, index: int, src: int, narrowing: bool = False) -> None:
         super().__init__(line, column)
         self.obj = obj
         self.index = index
         self.src = src
+        self.narrowing = narrowing
 
 
 @final

@@ -222,7 +222,9 @@ _PRINT: Final[Mapping[type, Callable[[_Printer, Any], str | None]]] = {
     ops.LoadAttr: lambda p, op: f"{p.r(op.dst)} = {p.r(op.obj)}.{op.name}",
     ops.StoreAttr: lambda p, op: _store(f"{p.r(op.obj)}.{op.name}", op, p),
     ops.LoadItem: lambda p, op: f"{p.r(op.dst)} = {p.r(op.obj)}[{p.r(op.index)}]",
-    ops.StoreItem: lambda p, op: f"{p.r(op.obj)}[{p.r(op.index)}] = {p.r(op.src)}",
+    ops.StoreItem: lambda p, op: (
+        f"{p.r(op.obj)}[{p.r(op.index)}] = {p.r(op.src)}{' (narrowing)' if op.narrowing else ''}"
+    ),
     ops.Delete: _delete,
     ops.Unary: lambda p, op: f"{p.r(op.dst)} = {op.operator} {p.r(op.src)}",
     ops.Binary: lambda p, op: (

@@ -7,6 +7,8 @@ External('std_msgs.msg.String')    'std_msgs/msg/String'
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import options, reasons_of
@@ -46,7 +48,20 @@ def name_options(value: Value) -> list[NameOption]:
     several = options(value)
     if len(several) > 1:  # None among others is no name: the call fails there
         several = tuple(o for o in several if not (isinstance(o, Const) and o.value is None)) or several
-    return [_name(option) for option in several]
+    found = [_name(option) for option in several]
+    others = [name for name in found if name.reasons and all(r.cause is Cause.OTHER for r in name.reasons)]
+    if len(others) == len(found):
+        return found
+    settable = {d for name in others for d in name.depends_on}
+    return [_as_default(name, settable) for name in found if name not in others]
+
+
+def _as_default(name: NameOption, depends_on: Iterable[str]) -> NameOption:
+    """The name that holds unless somebody gives another value."""
+    if not depends_on:
+        return name
+    how = Resolution.DEFAULT if name.resolution in (Resolution.EXACT, Resolution.BOUND) else name.resolution
+    return name._replace(resolution=how, depends_on=tuple(sorted({*name.depends_on, *depends_on})))
 
 
 def _name(value: Value) -> NameOption:
@@ -60,7 +75,7 @@ def _name(value: Value) -> NameOption:
     return NameOption(HOLE, Resolution.UNKNOWN, _depends(depends, reasons), reasons)
 
 
-_SETTABLE: Final = (Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
+_SETTABLE: Final = (Cause.OTHER, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
 
 
 def _depends(known: tuple[str, ...], reasons: tuple[Reason, ...]) -> tuple[str, ...]:
@@ -74,6 +89,10 @@ def resolution_of(origins: Origins) -> Resolution:
     return Resolution.BOUND if all(o.given for o in origins) else Resolution.DEFAULT
 
 
+_TYPE: Final = re.compile(r"[A-Z][A-Za-z0-9]*$")
+"""How rosidl lets a message, service or action be called."""
+
+
 def interface_type(value: Value) -> str | None:
     """`package/msg/Name` of an interface type; None where the value is not surely one."""
     if value.__class__ is not External:
@@ -81,7 +100,7 @@ def interface_type(value: Value) -> str | None:
     parts = value.name.split(".")
     if len(parts) >= 3 and parts[1] in ("msg", "srv", "action"):
         inner = [p for p in parts[2:] if not p.startswith("_")]
-        return "/".join((parts[0], parts[1], "_".join(inner))) if inner else None
+        return "/".join((parts[0], parts[1], "_".join(inner))) if inner and _TYPE.match(inner[0]) else None
     return None
 
 

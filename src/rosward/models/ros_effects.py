@@ -134,6 +134,8 @@ def create(
                 address = None
         if isinstance(option, Const) and option.value is None and len(options(node or NONE)) > 1:
             continue
+        if address is None and isinstance(type_, Const) and type_.value is not None:
+            continue  # no interface type: a method of that name that has nothing to do with ROS
         if address is None:
             machine.report("RW208", f"{kind.replace('_', ' ')} on a node that is not known{_why(option)}")
         effect = EntityEffect(
@@ -365,7 +367,7 @@ def _fail_unless(call: NativeCall) -> Value:
     condition, exception, message = call.args
     if machine.truth(condition) is not False:
         return NONE
-    return fail(machine, exception, pattern(message), (message,))
+    return fail(machine, exception, readable(message), (message,))
 
 
 def _get_message(call: NativeCall) -> Value:

@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.text import origins_of, pattern
+from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, Const, Ref, Unknown, Value
 from rosward.models import containers_dict
@@ -102,7 +102,7 @@ def value_of(machine: Interpreter, node: Value, name: Value) -> Value | None:
 
 def not_declared(machine: Interpreter, name: Value, method: str) -> Value:
     """`method` raises, since the parameter is not declared."""
-    message = f"parameter {pattern(name)!r} is not declared here: {method} raises ParameterNotDeclaredException"
+    message = f"parameter {readable(name)!r} is not declared here: {method} raises ParameterNotDeclaredException"
     return raise_(machine, "ParameterNotDeclaredException", message, name)
 
 

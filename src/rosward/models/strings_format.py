@@ -14,6 +14,7 @@ import string
 from collections.abc import Callable
 from typing import Final, final
 
+from rosward.domain.choice import lift
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, UNBOUND, Class, Const, Hole, Range, Ref, Text, Tuple, Unknown, Value
@@ -279,11 +280,15 @@ def _fill(machine: Machine, template: Value, args: tuple[Value, ...], lookup: Ca
     text = text_of(template)
     if text is not None:
         filled = joined(machine, _Fields(machine, args, lookup).fill(text))
-        return filled if filled is UNBOUND else with_origins(make(parts_of(filled), origins(filled)), origins(template))
+        return filled if filled is UNBOUND else with_origins(lift(_whole, filled), origins(template))
     reasons = unknown_from(machine, "str.format", "str", template).reasons
     first = parts_of(template)[0]
     known = re.split(r"[{}]", first, maxsplit=1)[0] if isinstance(first, str) else ""
     return make((known, Hole(reasons)), origins(template))
+
+
+def _whole(value: Value) -> Value:
+    return make(parts_of(value), origins(value))
 
 
 def _format(call: NativeCall) -> Value:

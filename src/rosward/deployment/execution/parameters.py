@@ -38,7 +38,8 @@ from rosward.deployment.tree import (
 from rosward.domain.choice import lift, lift2, options, reasons_of
 from rosward.domain.text import concat, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.values import Const, Tuple, Unknown, Value
+from rosward.models.command_line import type_word
 from rosward.models.configuration import Given
 
 if TYPE_CHECKING:
@@ -136,13 +137,29 @@ class Parameters:
         for key, data in table.entries:
             name = self._scene.text(key)
             value = evaluate(data, name, self._scene, table.place)
+            read = self._read(value, name, table.place)
             for scope in self._scopes:
                 for option in options(name):
                     shown = plain_text(option) or "*"
-                    rows[scope, shown] = Given(scope, shown, as_rcl_reads(value), table.place)
+                    rows[scope, shown] = Given(scope, shown, read, table.place)
             self.settings.append(Setting("dict", readable(name), value, self._scopes[0], table.place))
         path = self._scene.generated.write(Content(tuple(rows.values())))
         self._pass(path, tuple(rows.values()))
+
+    def _read(self, value: Value, name: Value, place: Place) -> Value:
+        """A value as the node reads it from the file that launch writes: of a list [x, y] rcl takes `y` for a bool, and refuses the file."""
+
+        def one(option: Value) -> Value:
+            if not isinstance(option, Tuple) or type_word(option) is not None:
+                return option
+            types = {type_word(item) for item in option.items}
+            if None in types:
+                return option
+            why = f"rcl reads the items of the list '{readable(name)}' as {' and '.join(sorted(map(str, types)))}, and refuses that"
+            self._scene.findings.tell("RW317", f"{why}: write them so that YAML takes them for one type.", place)
+            return Unknown((Reason(Cause.ERROR, f"the parameter '{readable(name)}'", place),), "list")
+
+        return lift(one, as_rcl_reads(value))
 
     def _given_rule(self, rule: ParameterRule) -> None:
         name = self._scene.text(rule.name)

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is a value where a test of it came out true, or false?
+
+if side in ('left', 'right'): …       a str that was not known is one of the two
+if topic: …                           topic = declare_parameter('topic', '').value is no longer '', but what somebody gives instead
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.text import origins_of
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Const, Descriptor, Function, Ref, Tuple, Unknown, Value
+from rosward.engine import attributes, equality
+from rosward.ir import ops
+from rosward.models.operators import is_default
+from rosward.models.plain import int_of
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_MOST: Final = 32
+"""So many values that a test names are told apart."""
+
+
+def narrowed(machine: Interpreter, value: Value, test: str, other: Value | None, sense: bool) -> Value | None:
+    """The alternatives of a value for which a test may come out as `sense`; None where there are none."""
+    kept = [
+        _one(machine, option, test, other, sense)
+        for option in options(value)
+        if equality.may(machine, option, test, other, sense)
+    ]
+    return join_all(kept) if kept else None
+
+
+def _one(machine: Interpreter, value: Value, test: str, other: Value | None, sense: bool) -> Value:
+    """A default for which the test comes out otherwise is not the value here; nor is a text that is not known, if it is named."""
+    if not is_open(value):
+        return value
+    named = _named(machine, test, other)
+    if test == "true":
+        wrong = isinstance(value, Const) and bool(value.value) is not sense
+        return _given(machine, value, sense) if wrong else value
+    if named is None:
+        return value
+    if isinstance(value, Const) and (value in [Const(n.value, value.origins) for n in named]) is sense:
+        return value
+    if not sense:
+        return _another(machine, value) if isinstance(value, Const) else value
+    kind = value.value.__class__ if isinstance(value, Const) else str
+    source = origins_of(value)
+    same = [Const(n.value, n.origins | source) for n in named if n.value.__class__ is kind]
+    return join_all(same) if len(same) == len(named) else value
+
+
+def is_open(value: Value) -> bool:
+    """Whether a single value may be another one: a default, or a text that is not known."""
+    return is_default(value.origins) if isinstance(value, Const) else isinstance(value, Unknown) and value.hint == "str"
+
+
+def _named(machine: Interpreter, test: str, other: Value | None) -> list[Const] | None:
+    """The constants that a test compares with."""
+    if test == "==" and isinstance(other, Const):
+        return [other]
+    if test != "in":
+        return None
+    items: tuple[Value, ...] | None = None
+    if isinstance(other, Tuple):
+        items = other.items
+    elif isinstance(other, Ref) and machine.obj(other).kind in ("list", "set"):
+        items = machine.obj(other).items
+    if not items or len(items) > _MOST:
+        return None
+    constants = [item for item in items if isinstance(item, Const)]
+    return constants if len(constants) == len(items) else None
+
+
+def _given(machine: Interpreter, value: Value, sense: bool) -> Value:
+    """What somebody gives in place of a default, so that it is true, or false."""
+    content = value.value if isinstance(value, Const) else None
+    if sense is False and isinstance(content, (bool, int, float, str)):
+        return Const(content.__class__(), origins_of(value))
+    if content is False:
+        return Const(True, origins_of(value))
+    return _another(machine, value)
+
+
+def _another(machine: Interpreter, value: Value) -> Value:
+    """What somebody gives in place of a default."""
+    reasons = tuple(Reason(Cause.OTHER, o.name, machine.place) for o in sorted(origins_of(value)))
+    return Unknown(reasons, value.value.__class__.__name__ if isinstance(value, Const) else "")
+
+
+# Where the tested value stands
+
+
+def narrow_attribute(machine: Interpreter, target: Value, name: str, value: Value) -> None:
+    """What an object surely holds in an attribute of its own turned out to be `value`."""
+    if not isinstance(target, Ref):
+        return
+    obj = machine.obj(target)
+    if obj.kind != "instance" or obj.many:
+        return
+    if name not in obj.attrs:
+        name = _returned_by(attributes.lookup(machine, obj.cls, name))
+    if name in obj.attrs and obj.attrs[name] is not value:
+        machine.put(target.address, obj.with_attr(name, value))
+
+
+def _returned_by(found: Value | None) -> str:
+    """The attribute that a property returns as it is; '' where it does anything else."""
+    if not isinstance(found, Descriptor) or found.kind != "property" or not isinstance(found.getter, Function):
+        return ""
+    code = found.getter.code
+    if len(code.ops) < 2 or code.cells:
+        return ""
+    load, leave = code.ops[:2]
+    plain = isinstance(load, ops.LoadAttr) and load.obj == 0 and isinstance(leave, ops.Return) and leave.src == load.dst
+    return load.name if plain and isinstance(load, ops.LoadAttr) else ""
+
+
+def narrow_item(machine: Interpreter, target: Value, index: Value, value: Value) -> None:
+    """What a dict or list surely holds under a key turned out to be `value`: so the key is there."""
+    if not isinstance(target, Ref) or not isinstance(index, Const):
+        return
+    obj = machine.obj(target)
+    if obj.many:
+        return
+    number = int_of(index)
+    if obj.kind == "dict" and index in obj.entries and obj.rest is None:
+        if obj.entries[index] != value or index in obj.maybe:
+            entries = {**obj.entries, index: value}
+            machine.put(target.address, obj.replace(entries=entries, maybe=obj.maybe - {index}))
+    elif (
+        obj.kind == "list"
+        and obj.items is not None
+        and number is not None
+        and -len(obj.items) <= number < len(obj.items)
+    ):
+        items = list(obj.items)
+        items[number] = value
+        machine.put(target.address, obj.replace(items=tuple(items)))
