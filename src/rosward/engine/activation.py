@@ -164,7 +164,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
         machine.provisional += 1  # what is computed from it now may not be its last word
         if summary.after is None:
             return UNBOUND
-        _enter(machine, summary.after.copy())
+        machine.state = summary.after.copy()
         return summary.value
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
@@ -216,13 +216,6 @@ def _of_summary(machine: Interpreter, summary: Summary, done: frozenset[EventKey
         rethrow(machine, summary.catcher)
     if summary.after is None:
         return UNBOUND
-    _enter(machine, summary.after.copy())
+    machine.state = summary.after.copy()
     machine.state.done |= done
     return summary.value
-
-
-def _enter(machine: Interpreter, state: State) -> None:
-    """Go on in a state that was computed before: a `try` around sees all of it."""
-    machine.state = state
-    if machine.catchers:
-        machine.catchers[-1].take(machine, state)

@@ -125,7 +125,8 @@ def _of_builtin(machine: Interpreter, value: Value, name: str) -> Value:
     if name == "__class__":
         return Native(f"builtins.{kind}")
     if value == NONE:
-        return machine.unknown(Cause.ERROR, f"attribute {name} of None")
+        said = Const(f"'NoneType' object has no attribute '{name}'")
+        return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)  # type: ignore[attr-defined]
     if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
         return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
     return BoundMethod(value, Native(f"{kind}.{name}"))

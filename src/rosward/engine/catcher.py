@@ -34,12 +34,12 @@ _MOST: Final = 12
 class Catcher:
     """A `try` or `with` that is running.
 
-    `arrivals` holds the exceptions that are known, each with the join of the states in which it comes. `snapshot` covers every state in
-    which an exception may come that is not: the one at the beginning, joined with each object that is written and each change of the
-    frame's registers since; `level` says what may raise one (0: nothing does).
+    `arrivals` holds the exceptions that are known, each with the join of the states in which it comes. `level` says what may raise one that
+    is not known (0: nothing does), and `snapshot` covers every state in which it may come: the one in which it first may, joined with each
+    object that is written and each change of the frame's registers since.
     """
 
-    __slots__ = ("arrivals", "classes", "frame", "handles", "importing", "level", "noted", "snapshot")
+    __slots__ = ("arrivals", "classes", "frame", "handles", "importing", "level", "noted", "snapshot", "version")
 
     def __init__(
         self, machine: Interpreter, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()
@@ -47,8 +47,9 @@ class Catcher:
         self.frame = frame
         self.handles = handles  # it has `except`, not `finally` or `with` alone
         self.classes = classes  # the names of builtin exceptions that its handlers surely catch
-        self.snapshot = machine.snapshot(frame)
-        self.noted = self.snapshot.registers[: len(frame.code.variables)]
+        self.snapshot = Snapshot(frame.registers, machine.state)  # of no meaning before something is noted
+        self.noted: list[Value] = []
+        self.version = -1  # of the state that the snapshot covers
         self.arrivals: dict[Value, Snapshot] = {}
         self.level = 0
         self.importing = False  # an import in the body may fail
@@ -63,10 +64,16 @@ class Catcher:
         """The exceptions that are known, joined; UNBOUND where there are none."""
         return join_all(self.arrivals) if self.arrivals else UNBOUND
 
-    def note(self, level: int = OPERATION) -> None:
+    def note(self, machine: Interpreter, level: int = OPERATION) -> None:
         """An exception that is not known may be raised here."""
+        variables = self.frame.registers[: len(self.frame.code.variables)]  # temporaries do not outlive a statement
+        if not self.level:
+            self.level, self.noted, self.snapshot = level, variables, machine.snapshot(self.frame)
+            self.version = machine.state.version
+            return
         self.level = max(self.level, level)
-        variables = self.frame.registers[: len(self.noted)]  # temporaries do not outlive a statement
+        if self.version != machine.state.version:
+            self._take(machine)
         if self.noted != variables:
             self.noted = variables
             self.snapshot.registers = join_registers(self.snapshot.registers, variables)
@@ -86,8 +93,14 @@ class Catcher:
         assert joined is not None
         return {self.raised: joined}
 
-    def wrote(self, machine: Interpreter, address: int, obj: Obj) -> None:
-        """An object is written."""
+    def wrote(self, machine: Interpreter, address: int, obj: Obj, version: int) -> None:
+        """An object was written, in a state that had this version before."""
+        if not self.level:
+            return
+        if version != self.version:
+            self._take(machine)
+            return
+        self.version = machine.state.version
         state = self.snapshot.state
         old = state.heap.get(address)
         merged = obj if old is None else join_objects(old, obj, join)
@@ -95,19 +108,21 @@ class Catcher:
             state.heap[address] = merged
             state.version = machine.fresh_version()
 
-    def take(self, machine: Interpreter, state: State) -> None:
-        """An exception that is not known may come in all of a state."""
-        self.snapshot.state = join_states(self.snapshot.state, state.copy(), machine.fresh_version)
+    def _take(self, machine: Interpreter) -> None:
+        """The state has become another one, not by writes alone: an exception that is not known may come in all of it."""
+        self.version = machine.state.version
+        self.snapshot.state = join_states(self.snapshot.state, machine.state.copy(), machine.fresh_version)
 
     def take_over(self, machine: Interpreter, inner: Catcher) -> None:
         """What may be raised in an inner statement, and is not surely caught there, may arrive here."""
-        self.take(machine, inner.snapshot.state)
-        self.level = max(self.level, inner.level)
+        if not inner.level:
+            return
+        here, machine.state = machine.state, inner.snapshot.state.copy()
+        self.note(machine, inner.level)
+        machine.state = here
         self.importing = self.importing or inner.importing
         if inner.frame is self.frame:
             self.snapshot.registers = join_registers(self.snapshot.registers, inner.snapshot.registers)
-        elif inner.level:
-            self.note(inner.level)
 
 
 def join_snapshots(machine: Interpreter, several: list[Snapshot]) -> Snapshot | None:
@@ -122,7 +137,7 @@ def note(machine: Interpreter, level: int = OPERATION) -> None:
     """An exception that is not known may be raised here: tell the innermost try."""
     if machine.catchers:
         machine.noted = max(machine.noted, level)
-        machine.catchers[-1].note(level)
+        machine.catchers[-1].note(machine, level)
 
 
 def note_call(machine: Interpreter) -> None:

@@ -235,11 +235,21 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
                 _framework(machine, cls, option)
         return join_all(initialised)
     ref = new_instance(machine, cls, args, keywords)
+    if builtin_base(cls) is not None and _hidden(attributes.lookup(machine, cls, "__init__")):
+        said = machine.unknown(Cause.CALL, f"{cls.dotted}.args", "tuple")
+        machine.update(ref, machine.obj(ref).with_attr("args", said))
     if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
         return UNBOUND
     if not cls.stub:
         _framework(machine, cls, ref)
     return ref
+
+
+def _hidden(constructor: Value | None) -> bool:
+    """Whether a model does not show what a constructor does."""
+    return (
+        constructor.__class__ is Function and constructor.code.is_stub and constructor.code.file.startswith("models:")
+    )
 
 
 def _has(machine: Interpreter, ref: Value, cls: Class) -> bool:

@@ -49,8 +49,6 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame, *, body: Rest
     if after is None:
         return False
     machine.resume(frame, after)
-    if machine.catchers:
-        machine.catchers[-1].take(machine, machine.state)  # what was written inside, the statement around has not seen
     return None
 
 

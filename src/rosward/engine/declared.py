@@ -59,9 +59,27 @@ def may_raise(function: Function, registers: list[Value]) -> bool:
         return False
     if function.code.name in _CREATING:
         return not all(_fits(v) for v in registers)
-    return not function.module.name.startswith(_QUIET) and function.code.name not in ("__enter__", "__exit__")
+    return not function.module.name.startswith(_QUIET) and function.code.name not in _HARMLESS
 
 
+_HARMLESS: Final = frozenset(
+    [
+        "__enter__",
+        "__exit__",
+        "get_name",
+        "get_namespace",
+        "get_fully_qualified_name",
+        "get_logger",
+        "get_clock",
+        "now",
+        "to_msg",
+        "ok",
+        "set_level",
+        "start",
+        "is_set",
+    ]
+)
+"""Methods of which the same holds."""
 _CREATING: Final = ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
 _NAME: Final = re.compile(r"[~/]?[A-Za-z_{}/][A-Za-z0-9_{}/]*")
 

@@ -54,9 +54,9 @@ def again(machine: Interpreter) -> None:
 def leave_unseen(machine: Interpreter, snapshot: Snapshot, level: int, *, importing: bool = False) -> None:
     """An exception that is not known leaves in a state: the `try` around may get it."""
     if machine.catchers:
-        machine.catchers[-1].take(machine, snapshot.state)
-        machine.catchers[-1].importing |= importing
+        machine.state = snapshot.state
         note(machine, level)
+        machine.catchers[-1].importing |= importing
 
 
 def thrown_in(machine: Interpreter, exception: Value) -> None:
@@ -81,13 +81,6 @@ def attempt(
         def handled() -> bool:
             return _handled(machine, op, frame, body) is not False
 
-    alive = _attempt(machine, op, frame, handled)
-    if alive is not False and machine.catchers:
-        machine.catchers[-1].take(machine, machine.state)  # what was written inside, the statement around has not seen
-    return alive
-
-
-def _attempt(machine: Interpreter, op: ops.Try, frame: Frame, handled: Rest) -> bool | None:
     if not op.final:
         return handled() or False
     outer, catchers = frame.exits, machine.catchers

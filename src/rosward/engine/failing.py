@@ -22,6 +22,7 @@ from rosward.domain.values import (
     Choice,
     Class,
     Const,
+    External,
     Function,
     ModuleValue,
     Native,
@@ -35,6 +36,7 @@ from rosward.domain.values import (
 from rosward.engine import attributes
 from rosward.engine.catcher import note
 from rosward.ir import ops
+from rosward.models.exceptions import member_of
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
@@ -194,7 +196,7 @@ def _has(machine: Interpreter, value: Value, name: str) -> bool:
         own = obj.attrs.get(name, UNBOUND)
         if own is not UNBOUND and not obj.many and name not in obj.partial:
             return True
-        return attributes.lookup(machine, obj.cls, name) is not None
+        return attributes.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
     if cls is ModuleValue:
         record = machine.at(value.address)  # type: ignore[attr-defined]
         return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
@@ -316,6 +318,8 @@ def _callee(machine: Interpreter, function: Value, arguments: list[Value]) -> bo
         return any(_callee(machine, o, arguments) for o in function.options)  # type: ignore[attr-defined]
     if cls is Native:
         return _native(machine, function.name, arguments)  # type: ignore[attr-defined]
+    if cls is External:
+        return not function.name.startswith("_rosward.")  # type: ignore[attr-defined]
     return cls is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None  # type: ignore[arg-type]
 
 

@@ -211,11 +211,13 @@ class Interpreter:
 
     def put(self, address: int, obj: Obj) -> None:
         """Replace the record at an address."""
-        self.state.heap[address] = obj
-        if self.catchers:
-            self.catchers[-1].wrote(self, address, obj)
+        state = self.state
+        state.heap[address] = obj
+        before = state.version
         self._versions += 1
-        self.state.version = self._versions
+        state.version = self._versions
+        if self.catchers:
+            self.catchers[-1].wrote(self, address, obj, before)
 
     def update(self, ref: Ref, obj: Obj) -> None:
         """Replace the record behind a reference; where it stands for several objects the old content stays possible."""
@@ -405,8 +407,6 @@ class Interpreter:
     def spin(self) -> None:
         """Everything scheduled may run here."""
         self.schedule_book.spin(self)
-        if self.catchers:
-            self.catchers[-1].take(self, self.state)
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""

@@ -108,8 +108,6 @@ class Schedule:
         machine.log.findings = findings
         for effect in [e for e in machine.log.entities if e not in entities and _fails(e)]:
             del machine.log.entities[effect]
-        if machine.catchers:
-            machine.catchers[-1].take(machine, machine.state)
 
     @property
     def was_run(self) -> bool:

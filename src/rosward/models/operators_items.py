@@ -57,7 +57,7 @@ def _load(machine: Machine, value: Value, index: Value) -> Value:
     if isinstance(value, Text):
         return with_origins(_character(machine, value, index), origins(value, index))
     if isinstance(value, Tuple):
-        return _element(machine, value.items, index)
+        return _element(machine, value.items, index, "tuple")
     if isinstance(value, Range):
         numbers, number = range_of(value), int_of(index)
         if number is None or numbers is None:
@@ -76,7 +76,7 @@ def _of_object(machine: Machine, ref: Ref, index: Value) -> Value:
         return containers_dict.load(machine, ref, index)
     if obj.kind == "list":
         if obj.items is not None:
-            return _element(machine, obj.items, index)
+            return _element(machine, obj.items, index, "list")
         number = int_of(index)
         found = obj.rest if number is None else obj.series().at(number)
         if found is None:
@@ -87,11 +87,11 @@ def _of_object(machine: Machine, ref: Ref, index: Value) -> Value:
     return unknown_from(machine, "[]", "", ref, index)
 
 
-def _element(machine: Machine, items: tuple[Value, ...], index: Value) -> Value:
+def _element(machine: Machine, items: tuple[Value, ...], index: Value, kind: str) -> Value:
     number = int_of(index)
     if number is not None:
         if not -len(items) <= number < len(items):
-            raise Raised("IndexError", "index out of range")
+            raise Raised("IndexError", f"{kind} index out of range", (Const(f"{kind} index out of range"),))
         return with_origins(items[number], origins(index))
     if isinstance(index, Const) or not items:
         raise Raised("IndexError" if not items else "TypeError", "indices must be integers or slices")

@@ -169,6 +169,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "contextlib._begin": _begin,
     "contextlib._end": _end,
     "contextlib._unwind": _unwind,
+    "sys._handled": lambda call: host(call.machine).handled,
     "inspect._kind_of": _kind_of,
     "queue._any": _any_of,
     "asyncio._any": _any_of,

@@ -74,7 +74,7 @@ def _exec(call: NativeCall) -> Value:
 
 def _exit(call: NativeCall) -> Value:
     status = call.args[0] if call.args else NONE
-    return call.machine.die("SystemExit", str(status.value) if isinstance(status, Const) else "")
+    return call.machine.die("SystemExit", str(status.value) if isinstance(status, Const) else "", call.args)
 
 
 def _argv(call: NativeCall) -> Value:

@@ -48,7 +48,16 @@ __stderr__ = stderr
 flags = _Hooks()
 float_info = _Hooks()
 
-def exc_info(): ...
+@native
+def _handled(): ...
+
+def exc_info():
+    error = _handled()
+    if error is None:
+        return (None, None, None)
+    return (type(error), error, error.__traceback__)
+def exception():
+    return _handled()
 def getsizeof(*args, **kwargs) -> int: ...
 def getrefcount(object, /) -> int: ...
 def getrecursionlimit() -> int: ...
