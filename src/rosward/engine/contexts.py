@@ -62,12 +62,15 @@ def _enter(machine: Interpreter, op: ops.With, frame: Frame, context: Value) -> 
 
 
 def _swallowed(machine: Interpreter, context: Value) -> tuple[str, ...]:
-    """The builtin exceptions that `contextlib.suppress` is told to swallow."""
+    """The builtin exceptions that may be swallowed: those that `contextlib.suppress` is told to, any by a class of the program."""
     if context.__class__ is not Ref:
         return ()
     obj = machine.obj(context)
-    if obj.cls.__class__ is not Class or not obj.cls.stub or obj.cls.name != "suppress":
+    if obj.cls.__class__ is not Class:
         return ()
+    if obj.cls.name != "suppress" or not obj.cls.stub:
+        asks = not obj.cls.stub or obj.cls.name.endswith(("ContextManager", "ExitStack"))
+        return ("BaseException",) if asks else ()
     named = obj.attrs.get("_exceptions")
     items = named.items if named.__class__ is Tuple else ()
     return tuple(i.name.removeprefix("builtins.") for i in items if i.__class__ is Native)

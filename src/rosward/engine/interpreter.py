@@ -7,7 +7,7 @@ A handler returns None where control goes on, and False where it does not (the p
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
@@ -343,6 +343,10 @@ class Interpreter:
             self.schedule_book.uncaught(self, exception)
         else:
             self.ended_by = join(self.ended_by, exception)
+
+    def guarded(self, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
+        """What an action gives, and whether it may raise a builtin exception, which goes no further."""
+        return raised.guarded(self, action, error)
 
     def unwind(self, exits: Sequence[Value], exception: Value) -> Value:
         """Call the exits of a stack of context managers."""

@@ -12,6 +12,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
     NONE,
+    UNBOUND,
     TRUE,
     Choice,
     Class,
@@ -121,9 +122,12 @@ def delete(machine: Interpreter, target: Value, index: Value) -> None:
     each_apart(machine, options(target), one)
 
 
-def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
-    """a, *b, c = value."""
+def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool:
+    """a, *b, c = value; False where this raises for sure."""
     series, registers, count = machine.series(frame.registers[op.src]), frame.registers, len(op.dsts)
+    told = _misfit(len(series.head), count, op.star != ops.NO_REGISTER) if series.exact else ""
+    if told and machine.die("ValueError", told, (Const(told),), sure=True, plain=True) is UNBOUND:
+        return False
     for number, dst in enumerate(op.dsts):
         if number == op.star:
             behind = number + 1 - count
@@ -134,6 +138,15 @@ def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
             from_end = True  # there are exactly `count`
         value = series.at(number - count if from_end else number)
         registers[dst] = value if value is not None else machine.unknown(Cause.ERROR, "too few values to unpack")
+    return True
+
+
+def _misfit(found: int, count: int, starred: bool) -> str:
+    """What Python says where so many values do not fit so many targets."""
+    least = count - starred
+    if found < least:
+        return f"not enough values to unpack (expected {'at least ' if starred else ''}{least}, got {found})"
+    return "" if starred or found == count else f"too many values to unpack (expected {count})"
 
 
 def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Frame) -> Value:

@@ -9,15 +9,16 @@ int('x')                         a builtin that fails makes a ValueError with th
 from __future__ import annotations
 
 import builtins
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
-from rosward.engine.catcher import note, throw
+from rosward.engine.catcher import LIBRARY, OPERATION, Catcher, note, rethrow, throw
 from rosward.engine.classes import exception_object, is_subclass, type_of
+from rosward.engine.state import State, join_states
 from rosward.models.exceptions import builtin_base
 
 if TYPE_CHECKING:
@@ -110,10 +111,38 @@ def fail(
     unknown = machine.unknown(Cause.ERROR, told)
     waits = _waits(machine, error)
     if waits is None:
-        note(machine)
+        note(machine, OPERATION if hasattr(builtins, error) else LIBRARY)
         return unknown
     throw(machine, builtin_error(machine, error, args))
     return UNBOUND if sure and (waits or plain) else unknown
+
+
+def guarded(machine: Interpreter, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
+    """What an action gives, and whether it may raise a builtin exception, which goes no further (`getattr(x, 'y', default)`)."""
+    frame, catchers = machine.frames[-1], machine.catchers
+    catcher, others = Catcher(machine, frame), Catcher(machine, frame)
+    machine.catchers = [*catchers, catcher]
+    try:
+        value = action()
+    finally:
+        machine.catchers = catchers
+    caught: list[State] = [catcher.snapshot.state.copy()] if catcher.level else []
+    for exception, snapshot in catcher.arrivals.items():
+        answer = may_catch(machine, exception, Native(f"builtins.{error}"))
+        if answer is not False:
+            caught.append(snapshot.state.copy())
+        if answer is not True:
+            others.arrive(machine, exception, snapshot.state)
+    if catcher.level and machine.catchers:
+        machine.catchers[-1].take_over(machine, catcher)
+    rethrow(machine, others)
+    if value is not UNBOUND:
+        caught.append(machine.state)
+    if caught:
+        machine.state = caught[0]
+        for state in caught[1:]:
+            machine.state = join_states(machine.state, state, machine.fresh_version)
+    return value, len(caught) > (value is not UNBOUND)
 
 
 def _waits(machine: Interpreter, error: str) -> bool | None:

@@ -234,9 +234,9 @@ def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None
     modules.import_star(machine, op, frame)
 
 
-def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> None:
+def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    items.unpack(machine, op, frame)
+    return None if items.unpack(machine, op, frame) else DEAD
 
 
 def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:

@@ -112,8 +112,10 @@ def _get_one(call: NativeCall, value: Value, name: Value) -> Value:
         there = has_attribute(machine, value, known) if default else True
         if there is False:
             return with_origins(default[0], origins(name))
-        found = machine.load_attr(value, known)
-        return with_origins(found if there or not default else join(found, default[0]), origins(name))
+        if not default:
+            return with_origins(machine.load_attr(value, known), origins(name))
+        found, failed = machine.guarded(lambda: machine.load_attr(value, known), "AttributeError")
+        return with_origins(join(found, default[0]) if failed or not there else found, origins(name))
     if isinstance(name, Const):
         raise Raised("TypeError", "attribute name must be string")
     unknown = unknown_from(machine, "getattr", "", name, value)

@@ -72,7 +72,8 @@ def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Va
         except NotKnown:
             return call.machine.unknown(Cause.LIMIT, call.name)
         except (ValueError, TypeError, AttributeError) as error:
-            return call.machine.die("ValueError", f"{call.name}: {error}")
+            kind = "JSONDecodeError" if call.name.startswith("json") else "YAMLError"
+            return call.machine.die(kind, f"{call.name}: {error}")
         except RecursionError:
             return call.machine.unknown(Cause.LIMIT, f"nesting in {call.name}")
 

@@ -257,7 +257,8 @@ def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
         if _derives(cls, "enum.Flag", "enum.IntFlag"):
             attrs: dict[str, Value] = {"_value_": value, "value": value, "name": NONE, "_name_": NONE}
             return place(call.machine, Obj("instance", cls, attrs, payload=value), value)
-        return call.machine.die("ValueError", f"{value.value!r} is not a valid {cls.qualname}")
+        message = f"{value.value!r} is not a valid {cls.qualname}"
+        return call.machine.die("ValueError", message, (Const(message),), sure=not value.origins, plain=True)
     return call.machine.unknown(Cause.CALL, "enum.Enum")
 
 
@@ -274,7 +275,8 @@ def item(call: NativeCall) -> Value:
         elif Const(plain) in members:
             found.append(members[Const(plain)])
         else:
-            found.append(call.machine.die("KeyError", repr(plain)))
+            sure = option is call.args[1] and not (isinstance(option, Const) and option.origins)
+            found.append(call.machine.die("KeyError", repr(plain), (option,), sure=sure, plain=True))
     return join_all(found)
 
 
