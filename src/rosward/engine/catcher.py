@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
-from rosward.domain.values import UNBOUND, Value
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.state import State, join_objects, join_registers, join_states
 from rosward.models.failures import tell_uncaught
+from rosward.models.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -154,9 +156,25 @@ def note_import(machine: Interpreter) -> None:
         machine.catchers[-1].importing = True
 
 
+def unseen(machine: Interpreter) -> Unknown:
+    """An exception that Python or a library may have raised, as the program sees it."""
+    return machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT)
+
+
+def is_unseen(exception: Value) -> bool:
+    """Whether a value is such an exception. Where it is raised again, that does not count as an end of the program."""
+    return exception.__class__ is Unknown and exception.hint == EXCEPTION_HINT
+
+
 def throw(machine: Interpreter, exception: Value) -> None:
     """An exception is raised here. Where it surely is, the path ends behind; else it goes on."""
     machine.raised += 1
+    known = [o for o in options(exception) if not is_unseen(o)]
+    if len(known) < len(options(exception)):
+        note(machine, LIBRARY)
+    if not known:
+        return
+    exception = join_all(known)
     if machine.catchers:
         machine.catchers[-1].arrive(machine, exception, machine.state)
     else:

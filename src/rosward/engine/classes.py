@@ -35,6 +35,7 @@ from rosward.engine.handed import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.exceptions import builtin_base, own_class
+from rosward.models.plain import LOOSE_HINTS
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -295,7 +296,7 @@ def type_of(machine: Interpreter, value: Value) -> Value | None:
         return obj.cls if obj.kind != "generator" else Native("builtins.generator")
     if kind in (Const, Text, Tuple):
         return Native(f"builtins.{attributes.type_name(value)}")
-    if kind is Unknown and value.hint:  # type: ignore[attr-defined]
+    if kind is Unknown and value.hint and value.hint not in LOOSE_HINTS:  # type: ignore[attr-defined]
         return Native(f"builtins.{value.hint}")  # type: ignore[attr-defined]
     if kind in (Class,):
         return Native("builtins.type")

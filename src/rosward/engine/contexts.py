@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
-from rosward.engine.catcher import Catcher, throw
+from rosward.engine.catcher import Catcher, throw, unseen
 from rosward.engine.exceptions import APART, Rest, leave_unseen
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.raised import class_of
@@ -124,7 +124,7 @@ def _leave_raising(
     if not catcher.level:
         return after
     machine.resume(frame, catcher.snapshot)
-    exception = machine.unknown(Cause.LIVE, "exception")
+    exception = unseen(machine)
     with machine.handles(UNBOUND, catcher.level):
         answer = _exit(machine, op, frame, context, told(machine, exception))
     if answer is UNBOUND:

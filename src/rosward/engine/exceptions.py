@@ -13,9 +13,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, External, Native, Tuple, Unknown, Value
-from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots, note, throw
+from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots, note, throw, unseen
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.groups import handle_groups
 from rosward.engine.raised import chain, made, may_catch
@@ -231,8 +230,8 @@ def _run_handler(
     """The body of a handler, and behind it the join with all other ways."""
     known = join_all(mine.arrivals) if mine.arrivals else UNBOUND
     if handler.bind != ops.NO_REGISTER:
-        unseen = [machine.unknown(Cause.LIVE, "exception")] if mine.level else []
-        frame.registers[handler.bind] = join_all([*mine.arrivals, *unseen])
+        others = [unseen(machine)] if mine.level else []
+        frame.registers[handler.bind] = join_all([*mine.arrivals, *others])
     with machine.handles(known, mine.level):
         alive = machine.run(handler.body, frame)
     if not alive:

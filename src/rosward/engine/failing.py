@@ -227,7 +227,7 @@ def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool:
     value, index = frame.registers[op.obj], frame.registers[op.index]
     if index.__class__ is not Const:
         return True
-    if value.__class__ is Tuple or (value.__class__ is Const and isinstance(value.value, str)):
+    if value.__class__ in (Tuple, Class) or (value.__class__ is Const and isinstance(value.value, str)):
         return False  # where it fails, the operation says so
     if value.__class__ is not Ref:
         return True

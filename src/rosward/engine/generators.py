@@ -180,7 +180,7 @@ def _once(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
             waiting = [(p, v) for p, v in result.points.items() if p not in done and p not in suspension.points]
             waiting += [(p, v) for p, v in suspension.points.items() if p not in done]
     if machine.catchers:  # any operation in it may have failed: then it is at its end
-        machine.catchers[-1].wrote(machine, ref.address, _with(machine, ref, over))
+        machine.catchers[-1].wrote(machine, ref.address, _with(machine, ref, over), machine.catchers[-1].version)
     if ended is not None:
         machine.state = ended
         machine.update(ref, _with(machine, ref, over))

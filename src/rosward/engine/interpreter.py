@@ -335,7 +335,7 @@ class Interpreter:
         if not self.handling:
             return NONE
         known, level = self.handling[-1]
-        return known if not level else join(known, self.unknown(Cause.LIVE, "exception"))
+        return known if not level else join(known, catcher.unseen(self))
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""

@@ -12,8 +12,8 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
     NONE,
-    UNBOUND,
     TRUE,
+    UNBOUND,
     Choice,
     Class,
     Const,

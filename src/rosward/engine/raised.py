@@ -148,9 +148,12 @@ def guarded(machine: Interpreter, action: Callable[[], Value], error: str) -> tu
 def _waits(machine: Interpreter, error: str) -> bool | None:
     """Whether a `try` around catches a builtin exception: True by its name, False by a handler for everything, None where none does."""
     raised = getattr(builtins, error, None)
+    may = None  # a `with` on the way may swallow it
     for catcher in reversed(machine.catchers):
         for name in catcher.classes:
             wanted = getattr(builtins, name, None)
             if isinstance(raised, type) and isinstance(wanted, type) and issubclass(raised, wanted):
-                return name not in _EVERYTHING
-    return None
+                if catcher.handles or name not in _EVERYTHING:
+                    return name not in _EVERYTHING
+                may = False
+    return may

@@ -33,6 +33,7 @@ from rosward.domain.values import (
 )
 from rosward.models.native import Machine
 from rosward.models.plain import (
+    LOOSE_HINTS,
     NOT_PLAIN,
     Raised,
     int_of,
@@ -101,7 +102,7 @@ def kind_of(machine: Machine, value: Value) -> str:
     if isinstance(value, Const):
         return value.value.__class__.__name__
     if isinstance(value, Unknown):
-        return value.hint
+        return "" if value.hint in LOOSE_HINTS else value.hint
     if isinstance(value, Ref):
         obj = machine.obj(value)
         return obj.kind if obj.cls != Native("builtins.tuple") else "tuple"

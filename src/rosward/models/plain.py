@@ -29,6 +29,10 @@ MAX_COMBINATIONS: Final = MAX_OPTIONS * 4
 NOT_PLAIN: Final = object()
 FILE_HINT: Final = "file"
 """What is known of the type of an opened file of which nothing else is."""
+EXCEPTION_HINT: Final = "exception"
+"""The same of an exception that Python or a library raises."""
+LOOSE_HINTS: Final = frozenset({FILE_HINT, EXCEPTION_HINT})
+"""Hints that are no names of builtin types."""
 _FAILURES: Final = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
