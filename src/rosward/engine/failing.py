@@ -298,9 +298,21 @@ def _for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool:
 
 
 def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool:
-    if any(a.kind in ("star", "doublestar") for a in op.arguments):
-        return True
-    return _callee(machine, frame.registers[op.func], [frame.registers[a.register] for a in op.arguments])
+    given: list[Value] = []
+    for argument in op.arguments:
+        value = frame.registers[argument.register]
+        if argument.kind in ("star", "doublestar"):
+            if not _is_exact(machine, value):
+                return True
+            given.extend(value.items if value.__class__ is Tuple else _elements(machine, value))
+        else:
+            given.append(value)
+    return _callee(machine, frame.registers[op.func], given)
+
+
+def _elements(machine: Interpreter, value: Value) -> list[Value]:
+    obj = machine.obj(value)  # type: ignore[arg-type]
+    return [*(obj.items or ()), *obj.entries.values()]
 
 
 def _callee(machine: Interpreter, function: Value, arguments: list[Value]) -> bool:
@@ -327,12 +339,17 @@ def _known(machine: Interpreter, value: Value) -> bool:
     """Whether all that a builtin asks of a value is known."""
     if value.__class__ is Tuple:
         return all(_known(machine, v) for v in value.items)
-    if value.__class__ is Ref:
-        obj = machine.obj(value)
-        if obj.kind not in ("list", "dict", "set") or obj.many:
-            return False
-        return obj.items is not None and obj.rest is None and not obj.maybe
-    return value.__class__ is Const
+    return _is_exact(machine, value) if value.__class__ is Ref else value.__class__ is Const
+
+
+def _is_exact(machine: Interpreter, value: Value) -> bool:
+    """Whether a value is a tuple, or a list, set or dict of which all elements are known."""
+    if value.__class__ is not Ref:
+        return value.__class__ is Tuple
+    obj = machine.obj(value)
+    if obj.kind not in ("list", "dict", "set") or obj.many:
+        return False
+    return obj.items is not None and obj.rest is None and not obj.maybe
 
 
 def _is_generator(machine: Interpreter, arguments: list[Value]) -> bool:
