@@ -8,6 +8,7 @@ One module a command; each has `add(commands)`, which declares its options, and 
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -30,6 +31,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         complete(parser)
     options = parser.parse_args(arguments)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal that cannot show a character shows its escape
+            stream.reconfigure(errors="backslashreplace")
     try:
         status: int = told(_run)(options)
     except BrokenPipeError:  # the reader of our output has gone: that is no failure of ours

@@ -11,7 +11,6 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-import tempfile
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -78,10 +77,11 @@ def _of_file(path: str) -> Snapshot:
 
 
 def _of_git(options: argparse.Namespace) -> Differences:
+    from rosward.revisions.folders import scratch_folder
     from rosward.revisions.git import Git, GitError
     from rosward.revisions.tree import write_commit, write_work_tree
 
-    with tempfile.TemporaryDirectory(prefix="rosward-") as scratch:
+    with scratch_folder() as scratch:
         try:
             git = Git(os.getcwd())  # noqa: PTH109
             top = os.path.realpath(git.top)

@@ -6,13 +6,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection, Iterable
 from typing import Final
 
 from rosward._version import __version__
 from rosward.findings import Finding, Severity
-from rosward.outputs.safe import encodable
+from rosward.outputs.json_text import json_text
 from rosward.running.result import Audit, Counts
 from rosward.source.location import Place
 
@@ -51,7 +50,7 @@ def audit_json(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[F
         "not_read": [_finding(f) for f in audit.findings],
         "code": [_finding(f) for f in doubts if f.rule.severity is Severity.ERROR],
     }
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+    return json_text(document)
 
 
 def _counts(counts: Counts) -> dict[str, int]:

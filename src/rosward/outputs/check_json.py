@@ -8,12 +8,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import Final
 
 from rosward._version import __version__
 from rosward.outputs.checked import Checked
-from rosward.outputs.safe import encodable
+from rosward.outputs.json_text import json_text
 from rosward.review.judge import Judged
 
 __all__ = ["check_json"]
@@ -42,7 +41,7 @@ def check_json(found: Checked) -> str:
         "notes": list(found.policy.notes),
         "ignored": found.ignored,
     }
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+    return json_text(document)
 
 
 def _finding(judged: Judged) -> dict[str, object]:

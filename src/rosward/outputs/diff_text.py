@@ -9,13 +9,13 @@ The form of the JSON is schemas/diff.schema.json.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from typing import Final
 
 from rosward._version import __version__
 from rosward.differences.compare import Differences, RightLine
-from rosward.outputs.safe import encodable, printable
+from rosward.outputs.json_text import json_text
+from rosward.outputs.safe import printable
 
 __all__ = ["diff_json", "diff_markdown", "diff_text"]
 
@@ -90,7 +90,7 @@ def diff_json(differences: Differences) -> str:
         "rights": {"gained": [_right(r) for r in rights.gained], "lost": [_right(r) for r in rights.lost]},
         "notes": notes,
     }
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+    return json_text(document)
 
 
 def _right(line: RightLine) -> dict[str, object]:

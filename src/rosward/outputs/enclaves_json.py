@@ -8,11 +8,10 @@ A step joins two groups by their numbers: below the number of units a unit, else
 
 from __future__ import annotations
 
-import json
 from typing import Final
 
 from rosward._version import __version__
-from rosward.outputs.safe import encodable
+from rosward.outputs.json_text import json_text
 from rosward.reduction.price import Price
 from rosward.reduction.privileges import Privilege
 from rosward.reduction.suggestion import JointEnclave, Suggestion, Surplus
@@ -49,7 +48,7 @@ def enclaves_json(suggestion: Suggestion) -> str:
             "enclaves": [_enclave(enclave) for enclave in suggestion.enclaves],
         },
     }
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+    return json_text(document)
 
 
 def _price(price: Price) -> dict[str, int]:

@@ -15,7 +15,6 @@ Ends that differ in their node alone, such as those of the robots of a fleet, ar
 
 from __future__ import annotations
 
-import json
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -23,6 +22,7 @@ from typing import Any, Final
 
 from rosward.outputs.excerpts import Excerpt
 from rosward.outputs.explained import Answer, DoubtTold, EnclaveTold, EndTold, MeetingTold, NodeTold, RuleTold
+from rosward.outputs.json_text import json_text
 from rosward.outputs.provenance import PolicyLine, Source, Start
 from rosward.outputs.safe import encodable, printable
 from rosward.ros.entities import EntityKind
@@ -63,7 +63,7 @@ def explain_text(answer: Answer) -> str:
 def explain_json(answer: Answer) -> str:
     """The same with nothing left out."""
     document = {"schema_version": 1, **_plain(answer)}
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False, default=str)) + "\n"
+    return json_text(document, default=str)
 
 
 def _plain(value: Any) -> Any:

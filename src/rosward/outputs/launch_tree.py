@@ -10,12 +10,12 @@ bringup/launch/robot.launch.py
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rosward.findings import Finding
 from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, Shown
+from rosward.outputs.json_text import json_text
 from rosward.outputs.safe import printable
 from rosward.source.location import Place
 
@@ -107,7 +107,7 @@ def launch_tree_json(systems: Iterable[LaunchSystem], findings: Sequence[Finding
             for f in findings
         ],
     }
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+    return json_text(document)
 
 
 def _plain(value: Any) -> Any:

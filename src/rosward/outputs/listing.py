@@ -7,7 +7,6 @@ node               package        executable      enclave            entities
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Final
@@ -15,6 +14,7 @@ from typing import Final
 from rosward._version import __version__
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Action, Network, Service, Topic
+from rosward.outputs.json_text import json_text
 from rosward.outputs.safe import encodable, printable
 from rosward.ros.entities import Parameter
 
@@ -48,7 +48,7 @@ def listing_json(rows: Sequence[Row], kind: str) -> str:
         "kind": kind,
         "rows": [dict(row) for row in rows],
     }
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+    return json_text(document)
 
 
 def _cell(value: object) -> str:

@@ -8,14 +8,13 @@ Keys have a fixed order, lists are sorted, and nothing depends on machine, time 
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable
 from typing import Final
 
 from rosward._version import __version__
 from rosward.network.graph import Action, Network, Service, Topic
-from rosward.outputs.safe import encodable
+from rosward.outputs.json_text import json_text
 from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Parameter
 from rosward.source.location import Place
 
@@ -36,7 +35,7 @@ def network_json(network: Network) -> str:
         "actions": [_offer(action) for action in network.actions],
         "diagnostics": _diagnostics(network),
     }
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False)) + "\n"
+    return json_text(document)
 
 
 def _node(node: Node) -> dict[str, object]:

@@ -10,13 +10,13 @@ in it.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from typing import Final
 from urllib.parse import quote
 
 from rosward._version import __version__
 from rosward.findings import RULES, Rule
+from rosward.outputs.json_text import json_text
 from rosward.outputs.safe import encodable
 from rosward.review.judge import Judged
 
@@ -43,7 +43,7 @@ def sarif_json(findings: Sequence[Judged], *, baseline: bool = False, documentat
         "results": [_result(j, indices, baseline) for j in findings if j.file],
     }
     document = {"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False)) + "\n"
+    return json_text(document)
 
 
 def _driver(documentation: str | None) -> dict[str, object]:

@@ -16,6 +16,7 @@ import stat
 from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
+from rosward.revisions.folders import make_folders
 from rosward.revisions.git import Entry, Git, GitError
 
 __all__ = ["write_commit", "write_work_tree"]
@@ -121,7 +122,7 @@ def _place(folder: str, path: str) -> str:
 def _write(folder: str, path: str, data: bytes, size: int) -> None:
     place = _place(folder, path)
     with _told(path):
-        os.makedirs(os.path.dirname(place), exist_ok=True)  # noqa: PTH103, PTH120
+        make_folders(os.path.dirname(place))  # noqa: PTH120
         with open(place, "xb") as file:  # noqa: PTH123
             file.write(data)
             if len(data) < size:
@@ -143,7 +144,7 @@ def _link(folder: str, links: Iterable[_Link]) -> list[str]:
     wanted = [(link, _place(folder, link.path)) for link in links if link.target and "\0" not in link.target]
     for link, place in wanted:  # all folders before any link: none is made through a link
         with _told(link.path):
-            os.makedirs(os.path.dirname(place), exist_ok=True)  # noqa: PTH103, PTH120
+            make_folders(os.path.dirname(place))  # noqa: PTH120
     for link, place in wanted:
         with _told(link.path):
             os.symlink(link.target, place)  # noqa: PTH211
