@@ -135,6 +135,9 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
             if answer is None:
                 return machine.unknown(Cause.OPERATION, operator, "bool")
             return TRUE if answer is (operator == "in") else FALSE
+        if right.__class__ is Ref and machine.obj(right).kind == "generator":
+            found = machine.call(machine.load_attr(machine.load_module("_lazy"), "contains"), (right, left))
+            return found if operator == "in" else unary(machine, "not", found)
     return operators.compare(machine, operator, bare(machine, left), bare(machine, right))
 
 

@@ -81,7 +81,7 @@ def advance(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
     suspension = machine.obj(ref).payload
     assert isinstance(suspension, Suspension)
     if not all(p.function.code.is_generator for p in suspension.points):
-        return _run_coroutine(machine, suspension)
+        return _run_coroutine(machine, suspension, action)
     running = machine.advancing[ref.address] = Running(machine.state.copy())
     try:
         return _until_stable(machine, ref, action, running)
@@ -264,9 +264,11 @@ def _over(machine: Interpreter, ref: Ref) -> Suspension:
     return suspension.at({}, ended=True)
 
 
-def _run_coroutine(machine: Interpreter, suspension: Suspension) -> Stepped:
+def _run_coroutine(machine: Interpreter, suspension: Suspension, action: Action = stepping.NEXT) -> Stepped:
     """A coroutine runs to its end where it is awaited. It is not marked as done: a task that awaits it runs again, as callbacks do."""
     before = machine.state
+    if action.kind == "close":
+        return Stepped(UNBOUND, before)
     ended: State | None = None
     value: Value = UNBOUND
     for number, (point, registers) in enumerate(suspension.points.items()):

@@ -312,7 +312,7 @@ class Interpreter:
 
     def is_stepped(self, value: Value) -> bool:
         """Whether a value is followed step by step where it is iterated over."""
-        return stepping.steps(self, stepping.made(self, value))
+        return stepping.is_followed(self, value)
 
     def throw(self, exception: Value) -> None:
         """An exception is raised here for sure."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import join, join_all, widen
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, UNBOUND, Choice, Native, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unknown, Value
 from rosward.engine import attributes, calls, contents
 from rosward.engine.catcher import Catcher, rethrow
 from rosward.engine.raised import may_catch
@@ -67,6 +67,18 @@ def steps(machine: Interpreter, source: Value, *, asynchronous: bool = False) ->
     if kind == "generator":
         return True
     return kind == "instance" and attributes.method(machine, source, STEP[asynchronous][1]) is not None
+
+
+def is_followed(machine: Interpreter, value: Value) -> bool:
+    """Whether iterating over a value runs code of the program, item by item."""
+    if isinstance(value, Choice):
+        return any(is_followed(machine, o) for o in value.options)
+    if not isinstance(value, Ref):
+        return False
+    record = machine.obj(value)
+    if record.kind == "instance" and isinstance(record.cls, Class) and attributes.method(machine, value, "__iter__"):
+        return not record.cls.stub or steps(machine, value)
+    return steps(machine, value)
 
 
 def iterator_of(machine: Interpreter, source: Value, *, asynchronous: bool = False) -> Value:

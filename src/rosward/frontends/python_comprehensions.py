@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Comprehensions become loops on the spot; a generator expression is taken for a list.
+"""Comprehensions become loops on the spot; so does a generator expression of which all is taken at once (`list(f(x) for x in xs)`).
 
     [f(x) for x in xs if x]      %1 = []; for %2 in xs: if %2: { %3 = f(%2); append(%1, %3) }
 
@@ -30,7 +30,9 @@ def enter(body: Body, node: Located, scope: Scope) -> None:
     body.scope = scope
 
 
-def _comprehension(kind: str, intrinsic: str) -> Callable[[Body, Any], int]:
+def comprehension(kind: str, intrinsic: str) -> Callable[[Body, Any], int]:
+    """How a comprehension is lowered that makes such a container, adding to it by such an intrinsic."""
+
     def lower(body: Body, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp) -> int:
         result = build(body, node, kind, ())
         first = body.expression(node.generators[0].iter)
@@ -41,20 +43,21 @@ def _comprehension(kind: str, intrinsic: str) -> Callable[[Body, Any], int]:
 
         outer_scope = body.scope
         enter(body, node, body.unit.symbols.by_node[node])
-        _loops(body, node, first, add)
+        loops(body, node, first, add)
         body.scope = outer_scope
         return result
 
     return lower
 
 
-def _loops(
+def loops(
     body: Body,
     node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp,
     iterable: int,
     add: Callable[[], None],
     number: int = 0,
 ) -> None:
+    """The loops and conditions of a comprehension; `add` lowers what happens to each element."""
     generator = node.generators[number]
 
     def element() -> None:
@@ -62,7 +65,7 @@ def _loops(
             add()
         else:
             inner = body.expression(node.generators[number + 1].iter)
-            _loops(body, node, inner, add, number=number + 1)
+            loops(body, node, inner, add, number=number + 1)
 
     def filtered(conditions: Sequence[ast.expr]) -> None:
         if conditions:
@@ -82,8 +85,7 @@ def _loops(
 
 
 EXPRESSIONS: Final[Mapping[type, Callable[[Body, Any], int]]] = {
-    ast.ListComp: _comprehension("list", "append"),
-    ast.GeneratorExp: _comprehension("list", "append"),
-    ast.SetComp: _comprehension("set", "set_add"),
-    ast.DictComp: _comprehension("dict", "dict_set"),
+    ast.ListComp: comprehension("list", "append"),
+    ast.SetComp: comprehension("set", "set_add"),
+    ast.DictComp: comprehension("dict", "dict_set"),
 }

@@ -84,14 +84,15 @@ def lower_code(
     )
 
 
-def _qualified(body: Body, name: str) -> str:
+def qualified(body: Body, name: str) -> str:
+    """The qualified name of a function or class that is defined here."""
     if body.owner.kind is ScopeKind.MODULE:
         return name
     inner = ".<locals>." if body.in_function else "."
     return f"{body.qualname}{inner}{name}"
 
 
-def _captures(body: Body, code: Code) -> tuple[int, ...]:
+def captures_of(body: Body, code: Code) -> tuple[int, ...]:
     """The cells of `body` that the free cells of `code` stand for, seen from the scope that we are in."""
     return tuple(body.scope.capture(name) for name in code.free)
 
@@ -108,7 +109,7 @@ def _function(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         body.unit.symbols.by_node[node],
         lambda inner: inner.statements(node.body),
         name=node.name,
-        qualname=_qualified(body, node.name),
+        qualname=qualified(body, node.name),
         line=node.lineno,
         parameters=_parameters(body, node.args),
         is_coroutine=isinstance(node, ast.AsyncFunctionDef),
@@ -118,7 +119,7 @@ def _function(body: Body, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         doc=ast.get_docstring(node, clean=False),
     )
     dst = body.register()
-    captures = _captures(body, code)
+    captures = captures_of(body, code)
     body.ops.append(MakeFunction(node.lineno, node.col_offset + 1, dst, code, defaults, kwdefaults, captures))
     body.scope = outer_scope
     _decorate(body, node, decorators, dst)
@@ -136,12 +137,12 @@ def _lambda(body: Body, node: ast.Lambda) -> int:
         body.unit.symbols.by_node[node],
         lower,
         name="<lambda>",
-        qualname=_qualified(body, "<lambda>"),
+        qualname=qualified(body, "<lambda>"),
         line=node.lineno,
         parameters=_parameters(body, node.args),
     )
     dst = body.register()
-    captures = _captures(body, code)
+    captures = captures_of(body, code)
     body.ops.append(MakeFunction(node.lineno, node.col_offset + 1, dst, code, defaults, kwdefaults, captures))
     return dst
 
@@ -158,13 +159,13 @@ def _class(body: Body, node: ast.ClassDef) -> None:
         body.unit.symbols.by_node[node],
         lambda inner: inner.statements(node.body),
         name=node.name,
-        qualname=_qualified(body, node.name),
+        qualname=qualified(body, node.name),
         line=node.lineno,
         is_stub=_is_stub(node.body),
         doc=ast.get_docstring(node, clean=False),
     )
     dst = body.register()
-    body.ops.append(MakeClass(node.lineno, node.col_offset + 1, dst, code, given, _captures(body, code)))
+    body.ops.append(MakeClass(node.lineno, node.col_offset + 1, dst, code, given, captures_of(body, code)))
     body.scope = outer_scope
     _decorate(body, node, decorators, dst)
 

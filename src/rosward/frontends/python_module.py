@@ -20,6 +20,7 @@ from rosward.frontends import (
     python_comprehensions,
     python_definitions,
     python_expressions,
+    python_generators,
     python_patterns,
     python_statements,
 )
@@ -37,6 +38,7 @@ EXPRESSIONS: Final[Mapping[type, Callable[[Body, Any], int]]] = {
     **python_expressions.EXPRESSIONS,
     **python_comprehensions.EXPRESSIONS,
     **python_definitions.EXPRESSIONS,
+    **python_generators.EXPRESSIONS,
 }
 
 STATEMENTS: Final[Mapping[type, Callable[[Body, Any], None]]] = {

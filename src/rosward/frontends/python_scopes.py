@@ -51,10 +51,12 @@ class Scope:
     """The names of one block, filled by `python_symbols`; complete after `link`."""
 
     __slots__ = (
+        "at_once",
         "bound",
         "captured",
         "cells",
         "free",
+        "given",
         "global_names",
         "is_generator",
         "kind",
@@ -81,6 +83,8 @@ class Scope:
         self.nonlocal_names: dict[str, ast.Nonlocal] = {}
         self.walrus: dict[str, int] = {}  # of an owner: names assigned by `:=`, how often
         self.is_generator = False
+        self.at_once = False  # of a generator expression that is used up, or dropped, by the call that it stands in
+        self.given: list[str] = []  # of such a one: the variables around it whose values it is given
         self.captured: dict[str, int] = {}  # variables of this scope that inner code captures: cell number in the owner
         self.cells: list[str] = []  # of an owner: its cells
         self.free: dict[str, int] = {}  # of an owner: what it captures, numbered from 0
@@ -150,8 +154,24 @@ def find(scope: Scope, name: str, *, inside: bool = False) -> tuple[Scope | None
     return None, crossed
 
 
+def _give(scopes: list[Scope]) -> None:
+    """Give generator expressions that are used up at once the values of the variables around them: nothing can change these meanwhile."""
+    for scope in reversed(scopes):
+        if scope.parent is not None and scope.parent.at_once:
+            scope.parent.used.update((name, None) for name in scope.used if name not in scope.bound)
+    for scope in scopes:
+        for name in scope.used:
+            definer, _ = find(scope, name)
+            if definer is None or scope.parent is None or definer is scope or name == CLASS_CELL:
+                continue
+            if definer.kind is not ScopeKind.CLASS and definer.owner is scope.parent.owner:
+                scope.given.append(name)
+        scope.bound.update((name, None) for name in scope.given)
+
+
 def link(scopes: list[Scope]) -> None:
     """Find out what is captured by whom, and number the cells. `scopes`: all of a file, outer ones first."""
+    _give([scope for scope in scopes if scope.at_once])
     for scope in scopes:
         if scope.kind is ScopeKind.MODULE:
             continue

@@ -33,9 +33,11 @@ _FIELDS: Final[Mapping[type, tuple[str, ...]]] = _walked_fields()
 class Symbols:
     """The scopes of a file, by the node that opens them (type parameter scopes: by the tuple of node and 'type')."""
 
-    __slots__ = ("by_node", "scopes", "stack", "waiting")
+    __slots__ = ("at_once", "by_node", "drained", "scopes", "stack", "waiting")
 
     def __init__(self) -> None:
+        self.drained: set[ast.AST] = set()  # generator expressions of which a call takes all
+        self.at_once: set[ast.AST] = set()  # those of which a call takes some, and that nothing has afterwards
         self.scopes: list[Scope] = []
         self.by_node: dict[ast.AST, Scope] = {}
         self.stack: list[Any] = []
@@ -147,10 +149,16 @@ def _class(symbols: Symbols, scope: Scope, node: ast.ClassDef) -> None:
 def _comprehension(
     symbols: Symbols, scope: Scope, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp
 ) -> None:
-    inner = Scope(ScopeKind.INLINE, scope, scope.private)
+    lazy = isinstance(node, ast.GeneratorExp) and node not in symbols.drained and not _runs_elsewhere(node)
+    inner = Scope(ScopeKind.FUNCTION if lazy else ScopeKind.INLINE, scope, scope.private)
     content: list[Any] = []
-    for name in _read_too_early(node.generators):
-        inner.captured[scope.mangle(name)] = NO_REGISTER
+    if lazy:
+        inner.is_generator = True
+        inner.at_once = node in symbols.at_once
+        _bind(inner, FIRST)
+    else:
+        for name in _read_too_early(node.generators):
+            inner.captured[scope.mangle(name)] = NO_REGISTER
     for number, generator in enumerate(node.generators):
         content.append(generator.target)
         if number:
@@ -159,6 +167,31 @@ def _comprehension(
     content.extend((node.key, node.value) if isinstance(node, ast.DictComp) else (node.elt,))
     symbols.open(node, inner, content)
     symbols.stack.append(node.generators[0].iter)
+
+
+FIRST: Final = ".0"
+"""The parameter of a generator expression: what its outermost loop runs over."""
+_DRAINS: Final = frozenset({"list", "tuple", "set", "frozenset", "dict", "sorted", "sum", "min", "max"})
+_DRAINING_METHODS: Final = frozenset({"join", "extend", "update", "union"})
+_AT_ONCE: Final = frozenset({"any", "all", "next"})
+
+
+def _call(symbols: Symbols, _scope: Scope, node: ast.Call) -> None:
+    """What a call does with a generator expression: take all of it, take of it and drop it, or (any other call) who knows."""
+    first, function = node.args[0] if node.args else None, node.func
+    if isinstance(first, ast.GeneratorExp):
+        name = function.id if isinstance(function, ast.Name) else ""
+        method = function.attr if isinstance(function, ast.Attribute) else ""
+        if len(node.args) == 1 and (name in _DRAINS or method in _DRAINING_METHODS):
+            symbols.drained.add(first)
+        elif name in _AT_ONCE:
+            symbols.at_once.add(first)
+    _children(symbols.stack, node)
+
+
+def _runs_elsewhere(node: ast.GeneratorExp) -> bool:
+    """Whether a generator expression assigns variables around it, or awaits: it is taken for a list."""
+    return any(isinstance(n, (ast.NamedExpr, ast.Await)) or getattr(n, "is_async", 0) for n in ast.walk(node))
 
 
 def _read_too_early(generators: list[ast.comprehension]) -> list[str]:
@@ -233,6 +266,7 @@ def _special() -> dict[type, Callable[[Symbols, Scope, Any], None]]:
         ast.FunctionDef: _function,
         ast.AsyncFunctionDef: _function,
         ast.Lambda: _lambda,
+        ast.Call: _call,
         ast.ClassDef: _class,
         ast.ListComp: _comprehension,
         ast.SetComp: _comprehension,

@@ -13,6 +13,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Range, Ref, Tuple, Value
 from rosward.models.containers_list import ITERATOR, order, write_series
+from rosward.models.lazy import acts, lazily, stepped
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.operators_compare import comparable
 from rosward.models.plain import (
@@ -51,6 +52,8 @@ def _range(call: NativeCall) -> Value:
 
 def _enumerate(call: NativeCall) -> Value:
     machine = call.machine
+    if stepped(call, call.args[:1]):
+        return lazily(call, "enumerate", call.args[0], call.arg(1, "start", Const(0)) or Const(0))
     known, rest = machine.iterate(call.args[0])
     begin = call.arg(1, "start", Const(0)) or Const(0)
     first = int_of(begin)
@@ -60,6 +63,8 @@ def _enumerate(call: NativeCall) -> Value:
 
 
 def _zip(call: NativeCall) -> Value:
+    if stepped(call, call.args):
+        return lazily(call, "zip", *call.args)
     columns = [call.machine.iterate(a) for a in call.args]
     if call.loose is not None:  # `zip(*rows)`: rows of unknown length
         cells = (element for c in (*columns, call.machine.iterate(call.loose)) for element in all_of(c))
@@ -80,6 +85,8 @@ def _zip(call: NativeCall) -> Value:
 
 def _map(call: NativeCall) -> Value:
     machine, function = call.machine, call.args[0]
+    if acts(machine, function) or stepped(call, call.args[1:]):
+        return lazily(call, "map" if len(call.args) == 2 else "map_rows", *call.args)
     columns = [machine.iterate(a) for a in call.args[1:]]
     if all(c.rest is None for c in columns):
         results = [machine.call(function, row) for row in zip(*(c.known for c in columns), strict=False)]
@@ -93,6 +100,8 @@ def _map(call: NativeCall) -> Value:
 
 def _filter(call: NativeCall) -> Value:
     machine, (function, iterable) = call.machine, call.args[:2]
+    if acts(machine, function) or stepped(call, (iterable,)):
+        return lazily(call, "filter", function, iterable)
     known, rest = machine.iterate(iterable)
     kept: list[Value] = []
     exact = rest is None
@@ -118,7 +127,7 @@ def _reversed(call: NativeCall) -> Value:
 
 def _iter(call: NativeCall) -> Value:
     if len(call.args) > 1:
-        return iterator(call.machine, Items((), unknown_from(call.machine, "iter", "", call.args[0])))
+        return lazily(call, "iter_calls", *call.args[:2])
     first = call.args[0]
     if isinstance(first, Ref):
         obj = call.machine.obj(first)
@@ -205,6 +214,8 @@ _BEST: Final = {"min": _least, "max": _greatest}
 def _quantified(call: NativeCall) -> Value:
     """any and all."""
     machine, wanted = call.machine, call.name.endswith("any")
+    if stepped(call, call.args[:1]):
+        return lazily(call, "any" if wanted else "all", call.args[0])
     items = machine.iterate(call.args[0])
     answers = {machine.truth(o) for v in items.known for o in options(v)} if items.known else set()
     several = any(len(options(v)) > 1 for v in items.known)

@@ -15,6 +15,7 @@ from typing import Final
 from rosward.domain.choice import join_all
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Descriptor, Function, Native, Partial, Tuple, Unbound, Value
+from rosward.models.lazy import lazily, stepped
 from rosward.models.native import Items, NativeCall, NativeFunction
 from rosward.models.std_support import int_of
 
@@ -132,15 +133,30 @@ def _combine(call: NativeCall) -> Value:
 
 
 def _islice(call: NativeCall) -> Value:
-    items = call.machine.iterate(call.args[0])
     bounds = [None if a == NONE else int_of(a) for a in call.args[1:]]
+    if stepped(call, call.args[:1]) and 2 <= len(call.args) <= 4:
+        start, stop, step = (NONE, call.args[1], NONE) if len(call.args) == 2 else (*call.args[1:], NONE)[:3]
+        begin, width = Const(0) if start == NONE else start, Const(1) if step == NONE else step
+        return lazily(call, "islice", call.args[0], begin, stop, width)
+    items = call.machine.iterate(call.args[0])
     exact = all(b is not None or a == NONE for a, b in zip(call.args[1:], bounds, strict=True))
     if not exact or items.rest is not None or any(b is not None and b < 0 for b in bounds):
         return _listed(call, (), _element(items))
     return _listed(call, itertools.islice(items.known, *bounds))
 
 
+def _followed(call: NativeCall) -> Value:
+    """itertools._followed(iterables): whether there is one among them that is followed step by step."""
+    iterables = call.args[0]
+    if stepped(call, (iterables,)):
+        return Const(True)
+    known, rest = call.machine.iterate(iterables)
+    return Const(stepped(call, (*known, *(() if rest is None else (rest,)))))
+
+
 def _zip_longest(call: NativeCall) -> Value:
+    if stepped(call, call.args):
+        return lazily(call, "zip_longest", *call.args, fillvalue=call.keywords.get("fillvalue", NONE))
     inputs = [call.machine.iterate(a) for a in call.args]
     fill = call.keywords.get("fillvalue", NONE)
     if any(i.rest is not None for i in inputs):
@@ -149,6 +165,8 @@ def _zip_longest(call: NativeCall) -> Value:
 
 
 def _pairwise(call: NativeCall) -> Value:
+    if stepped(call, call.args[:1]):
+        return lazily(call, "pairwise", call.args[0])
     items = call.machine.iterate(call.args[0])
     if items.rest is not None:
         return _listed(call, (), Tuple((_element(items),) * 2))
@@ -156,6 +174,8 @@ def _pairwise(call: NativeCall) -> Value:
 
 
 def _cycle(call: NativeCall) -> Value:
+    if stepped(call, call.args[:1]):
+        return lazily(call, "cycle", call.args[0])
     return _listed(call, None, _element(call.machine.iterate(call.args[0])))
 
 
@@ -184,6 +204,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "itertools.combinations": _combine,
     "itertools.combinations_with_replacement": _combine,
     "itertools.permutations": _combine,
+    "itertools._followed": _followed,
     "itertools.islice": _islice,
     "itertools.zip_longest": _zip_longest,
     "itertools.pairwise": _pairwise,

@@ -1,23 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
 """`itertools`: exact on known inputs; those that never end are lists of unknown length. The rest is models/std_functional.py."""
 import operator
+from _rosward import native
+
+@native
+def _followed(iterables): ...
 
 class chain:
     def __init__(self, *iterables):
-        self._iterables = iterables
+        self._items = _flat(iterables)
     def __iter__(self):
-        return _flat(self._iterables)
+        return self._items
     def __next__(self):
-        return next(iter(self))
+        return next(self._items)
     @classmethod
     def from_iterable(cls, iterable):
         return _flat(iterable)
 
 def _flat(iterable):
+    if _followed(iterable):
+        return _one_by_one(iterable)
     found = []
     for one in iterable:
         found += one
     return iter(found)
+
+def _one_by_one(iterable):
+    for one in iterable:
+        yield from one
 
 def count(start=0, step=1):
     while True:
@@ -75,9 +85,23 @@ def groupby(iterable, key=None):
             groups.append((this, [value]))
     yield from groups
 
+_END = object()
+
 def tee(iterable, n=2, /):
-    values = list(iterable)
-    return tuple([iter(values) for _ in range(n)])
+    shared = []
+    iterator = iter(iterable)
+    return tuple([_shared(iterator, shared) for _ in range(n)])
+
+def _shared(iterator, shared):
+    number = 0
+    while True:
+        if number == len(shared):
+            value = next(iterator, _END)
+            if value is _END:
+                return
+            shared.append(value)
+        yield shared[number]
+        number = number + 1
 
 def batched(iterable, n):
     batch = []

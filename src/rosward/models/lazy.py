@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""When is an iterator of a builtin computed item by item? Where it asks another one, or calls code of the program.
+
+map(self.make, names)        nothing is made before somebody asks for an item
+zip(words(), ['a', 'b'])     `words` is advanced twice, and no further than its third `yield`
+"""
+
+from __future__ import annotations
+
+from rosward.domain.choice import options
+from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Value
+from rosward.models.native import Machine, NativeCall
+
+
+def stepped(call: NativeCall, values: tuple[Value, ...]) -> bool:
+    """Whether one of the values is followed step by step."""
+    return any(call.machine.is_stepped(v) for v in values)
+
+
+def acts(machine: Machine, function: Value) -> bool:
+    """Whether calling a value runs code of the program."""
+    return any(_acts(machine, o) for o in options(function))
+
+
+def _acts(machine: Machine, function: Value) -> bool:
+    if isinstance(function, (BoundMethod, Partial)):
+        return _acts(machine, function.function)
+    if isinstance(function, Ref):
+        return machine.obj(function).kind == "instance"
+    return isinstance(function, (Function, Class))
+
+
+def lazily(call: NativeCall, name: str, *args: Value, **keywords: Value) -> Value:
+    """What the function of that name in stubs/_lazy.pyi gives."""
+    function = call.machine.load_attr(call.machine.load_module("_lazy"), name)
+    return call.machine.call(function, args, keywords)
