@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from domain.strategies import LOOP, covers, values
 from rosward.domain.choice import join, options, widen
 from rosward.domain.heap import Obj
-from rosward.domain.suspended import ANY_TURN, EACH, KEPT, NO_TURN, Point, Step, Suspension, join_suspended
+from rosward.domain.suspended import ANY_TURN, EACH, KEPT, NO_TURN, Point, Step, Suspension, add_points, join_suspended
 from rosward.domain.values import NONE, UNBOUND, Const, Function, ModuleValue, Tuple, Value
 from rosward.engine.state import join_objects
 from rosward.ir.program import Code, CodeKind, Parameters
@@ -40,7 +40,8 @@ def entries(draw: st.DrawFn) -> tuple[Point, tuple[Value, ...]]:
 
 @st.composite
 def suspensions(draw: st.DrawFn) -> Suspension:
-    return Suspension(dict(draw(st.lists(entries(), max_size=4))), ended=draw(st.booleans()))
+    """As a run makes them: where a yield may be in any turn, that is the only one of its points."""
+    return Suspension(add_points({}, dict(draw(st.lists(entries(), max_size=4)))), ended=draw(st.booleans()))
 
 
 def suspension_covers(above: Suspension, below: Suspension) -> bool:
