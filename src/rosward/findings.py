@@ -108,7 +108,12 @@ _TABLE: Final = (
         "Write the arguments in the source: remap rules among them rename nodes, topics and services.",
     ),
     # Analysis
-    Rule("RW201", "limit reached", _E, "The analysis stopped early here: the result lacks what comes after."),
+    Rule(
+        "RW201",
+        "limit reached",
+        _E,
+        "The analysis stopped early here: the result lacks what comes after. `--budget 4` gives it four times the steps.",
+    ),
     Rule(
         "RW202",
         "node handed to an unknown library",

@@ -62,6 +62,11 @@ class Result:
         return not any(f.rule.severity is Severity.ERROR for f in self.findings)
 
 
+def budget_of(factor: float) -> Budget:
+    """The limits of an analysis, with so many times the steps."""
+    return Budget().times(factor)
+
+
 def extract(
     *paths: SourcePath,
     distro: str = "jazzy",
@@ -91,7 +96,7 @@ def extract(
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
         assigned: enclaves that somebody chose for some of the processes.
-        budget: limits of the analysis.
+        budget: limits of the analysis; `Budget().times(4)` has four times the steps.
         progress: called as the work goes on.
 
     Raises:

@@ -280,7 +280,8 @@ class _Versions:
     def __init__(self) -> None:
         self.last = 1_000_000
 
-    def __call__(self) -> int:
+    def __call__(self, compared: int = 0) -> int:
+        assert compared >= 0
         self.last += 1
         return self.last
 

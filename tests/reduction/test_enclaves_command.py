@@ -81,7 +81,7 @@ def test_without_need_nothing_is_compacted(fleet: tuple[str, ...]) -> None:
     [
         ("enclaves",),
         ("enclaves", "suggest", "--max", "0"),
-        ("enclaves", "suggest", "--max", "2", "--budget", "3"),
+        ("enclaves", "suggest", "--max", "2", "--price", "3"),
         ("extract", "--enclaves", "nowhere"),
     ],
 )

@@ -149,6 +149,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "ament-prefix-path": Key(_flag, "true, false"),
     "tests": Key(_flag, "true, false"),
     "exclude": Key(_exclusions, "list of patterns"),
+    "budget": Key(_number, "number"),
     "launch": Key(_launches, 'list of `"FILE"` or `"PKG:FILE"`, with arguments'),
     "all-launch": Key(_flag, "true, false"),
     "arg": Key(_texts, 'list of `"NAME:=VALUE"`'),
@@ -172,7 +173,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "allow": Key(_texts, "list of names", command="audit"),
     "accept": Key(_path, "file", command="audit"),
     "max": Key(_number, "number", command="enclaves"),
-    "budget": Key(_number, "number", command="enclaves"),
+    "price": Key(_number, "number", command="enclaves"),
     "ignore-given": Key(_flag, "true, false", command="enclaves"),
     "git": Key(_text, "`REV..REV` or `REV`", command="diff"),
 }

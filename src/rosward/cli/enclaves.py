@@ -51,7 +51,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     cut = suggest.add_mutually_exclusive_group()
     cut.add_argument("--max", type=_positive, metavar="N", help="at most N enclaves")
     cut.add_argument(
-        "--budget",
+        "--price",
         type=_natural,
         metavar="PRICE",
         help="as few enclaves as this price allows",
@@ -85,8 +85,8 @@ def _run(options: argparse.Namespace) -> int:
     wish, limit = Wish.FREE, 0
     if options.max is not None:
         wish, limit = Wish.MOST, options.max
-    elif options.budget is not None:
-        wish, limit = Wish.BUDGET, options.budget
+    elif options.price is not None:
+        wish, limit = Wish.BUDGET, options.price
     options.enclaves = "process"
     result = extracted(options, options.paths, request_of(options))
     if not result.network.nodes:

@@ -16,12 +16,14 @@ from rosward.source.exclude import PatternError, pattern_of
 
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
+    from rosward.engine.budget import Budget
     from rosward.findings import Finding
     from rosward.network.assigned import Assignment
     from rosward.pipeline import Progress, Result
     from rosward.source.exclude import Exclusion
 
 DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
+MOST_BUDGET: Final = 1_000
 MODES: Final = ("node", "process", "launch")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -36,6 +38,7 @@ class _Reading(TypedDict):
     follow_links: bool
     request: Request
     underlays: list[str]
+    budget: Budget
 
 
 class _WantedEnclaves(TypedDict, total=False):
@@ -90,8 +93,25 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         "--follow-links", action="store_true", help="enter symbolic links that lead out of the PATHs, too"
     )
     parser.add_argument(
+        "--budget",
+        type=_factor,
+        default=1.0,
+        metavar="N",
+        help="N times the steps for each program before the analysis stops and says so (RW201) (default: 1)",
+    )
+    parser.add_argument(
         "--no-config", action="store_true", help="do not read rosward.toml or pyproject.toml of what is analysed"
     )
+
+
+def _factor(text: str) -> float:
+    try:
+        factor = float(text)
+    except ValueError:
+        factor = 0.0
+    if not 0 < factor <= MOST_BUDGET:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number above 0, up to {MOST_BUDGET}")
+    return factor
 
 
 def _pattern(text: str) -> str:
@@ -183,7 +203,10 @@ def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> N
 
 def reading(options: argparse.Namespace, request: Request) -> _Reading:
     """What the options ask to read, as `extract` and `launched` are told."""
+    from rosward.pipeline import budget_of
+
     return {
+        "budget": budget_of(options.budget),
         "distro": options.distro,
         "models": options.models,
         "tests": options.tests,

@@ -76,9 +76,9 @@ class Heap:
                 if obj is not None:
                     yield (number << SHIFT) + offset, obj
 
-    def cover(self, other: Heap, merge: Callable[[Obj, Obj], Obj]) -> bool:
-        """Take over what only the other has, and merge what both have; whether that changed anything here."""
-        changed = False
+    def cover(self, other: Heap, merge: Callable[[Obj, Obj], Obj]) -> tuple[int, bool]:
+        """Take over what only the other has, and merge what both have: how many objects differed, and whether anything changed here."""
+        changed, compared = False, 0
         for number, theirs in other.pages.items():
             ours = self.pages.get(number)
             if ours is theirs:
@@ -91,6 +91,7 @@ class Heap:
             for offset, (a, b) in enumerate(zip(ours, theirs, strict=True)):
                 if a is b:
                     continue
+                compared += 1
                 both = a if b is None else b if a is None else merge(a, b)
                 as_there = as_there and both is b
                 if both is not a:
@@ -105,7 +106,7 @@ class Heap:
             else:
                 self.pages[number] = merged
                 self._own.add(number)
-        return changed
+        return compared, changed
 
     def fill(self, other: Heap) -> None:
         """Take over what only the other has."""

@@ -11,22 +11,29 @@ from rosward.source.location import Place
 class Budget(NamedTuple):
     """Limits of the interpretation of one process.
 
-    `steps`: operations interpreted before the process is given up; `entry_steps`: the same for each callback, afterwards.
-    `coarse`: the part of either after which precision is given up, so that what computes much comes to rest: loops are no longer followed
-    turn by turn, nor calls in contexts of their own. `loop_steps`: the same for one outermost loop, until it ends.
+    Steps are operations interpreted, and what takes as long: joins of states by the objects that differ, natives by their cost. So what is
+    found does not depend on the machine.
+
+    `steps`: those of the main body before it is given up; `entry_steps`: those of each callback; `callback_steps`: those of all callbacks.
+    `coarse`: the part of the main body's, and of those of all callbacks, after which precision is given up, so that
+    what computes much comes to rest: loops are no longer followed turn by turn, nor calls in contexts of their own.
+    `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`:
+    those of one outermost loop, until it ends.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
     known; `unroll_forever`: for `while True`.
     `turns`: turns of loops, nested ones included, that are followed one by one within one outermost loop.
     `fixpoint`: turns after which a loop that is followed by joining must have come to rest; `widen_after`: turns before widening.
     `rounds`: rounds in which all callbacks run before widening forces an end. `items`: elements of one collection kept apart.
-    `seconds`: of CPU time for one process.
+    `seconds`: of CPU time for one process: a net below all the others, many times what the steps take.
     `net`: what fails in rosward itself is a finding (RW299) and costs one piece of input; without it, it is raised.
     """
 
-    steps: int = 300_000
-    entry_steps: int = 60_000
-    coarse: float = 0.4
+    steps: int = 500_000
+    entry_steps: int = 1_000_000
+    callback_steps: int = 2_000_000
+    coarse: float = 0.25
+    entry_coarse: int = 30_000
     loop_steps: int = 120_000
     depth: int = 60
     recursion: int = 4
@@ -38,7 +45,14 @@ class Budget(NamedTuple):
     widen_after: int = 2
     rounds: int = 8
     items: int = 1_000
-    seconds: float = 12.0
+    seconds: float = 600.0
+
+    def times(self, factor: float) -> Budget:
+        """The budget with its steps multiplied: what `--budget` asks for."""
+        counted = ("steps", "entry_steps", "entry_coarse", "callback_steps", "loop_steps", "seconds")
+        more = {name: type(value)(value * factor) for name, value in self._asdict().items() if name in counted}
+        return self._replace(**more)
+
     net: bool = True
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import builtins
+from collections import Counter
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
@@ -177,19 +178,22 @@ def _seal(machine: Interpreter, cls: Class, body: Frame) -> None:
 
 def _linearise(bases: tuple[Value, ...]) -> tuple[Value, ...]:
     """The C3 merge of the bases' orders; where Python would refuse them, a plain depth-first order."""
-    sequences: list[list[Value]] = [list(b.mro) if isinstance(b, Class) else [b] for b in bases]
-    sequences.append(list(bases))
+    orders = [b.mro if isinstance(b, Class) else (b,) for b in bases]
+    if len(orders) == 1:
+        return orders[0]
+    sequences = [list(order[::-1]) for order in (*orders, bases)]  # the next of each stands last
+    waiting = Counter(cls for sequence in sequences for cls in sequence[:-1])  # how often a class stands behind another
     result: list[Value] = []
-    while any(sequences):
-        sequences = [s for s in sequences if s]
-        head = next((s[0] for s in sequences if not any(s[0] in t[1:] for t in sequences)), None)
+    while sequences := [s for s in sequences if s]:
+        head = next((s[-1] for s in sequences if not waiting[s[-1]]), None)
         if head is None:
-            flat = [c for b in bases for c in (b.mro if isinstance(b, Class) else (b,))]
-            return tuple(dict.fromkeys(flat))
+            return tuple(dict.fromkeys(c for order in orders for c in order))
         result.append(head)
         for sequence in sequences:
-            if sequence and sequence[0] == head:
-                del sequence[0]
+            if sequence[-1] == head:
+                sequence.pop()
+                if sequence:
+                    waiting[sequence[-1]] -= 1
     return tuple(result)
 
 

@@ -62,6 +62,8 @@ if TYPE_CHECKING:
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
+_OBJECTS_A_STEP: Final = 3
+"""How many objects are joined in the time of one step, about."""
 _LONGEST_PATH: Final = 12
 
 
@@ -176,8 +178,9 @@ class Interpreter:
         if time.process_time() > self.deadline:
             raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", self.place)
 
-    def fresh_version(self) -> int:
-        """A version number never used before."""
+    def fresh_version(self, compared: int = 0) -> int:
+        """A version number never used before, for a state that took as many comparisons of objects to make."""
+        self.steps += compared // _OBJECTS_A_STEP
         self._versions += 1
         return self._versions
 

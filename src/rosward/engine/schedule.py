@@ -35,6 +35,8 @@ def _fails(effect: EntityEffect) -> bool:
 
 
 _MOST_RAISED: Final = 12
+_STEPS_OF_EACH: Final = 300
+"""What each callback may take on top of what all may take together: a large program has many small ones."""
 _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 
 
@@ -61,11 +63,13 @@ class Entry:
 class Schedule:
     """All that was registered so far, by callback, arguments and event."""
 
-    __slots__ = ("_event", "_raised", "_settled", "by_library", "entries", "running")
+    __slots__ = ("_begun", "_event", "_raised", "_settled", "by_library", "entries", "running", "spent")
 
     def __init__(self) -> None:
         self.entries: dict[object, Entry] = {}
         self.running = False
+        self.spent = 0  # steps of all callbacks, but for those that are running
+        self._begun = 0  # how many steps there were when these began
         self.by_library = False  # something that the program handed out may be called by a library
         self._event = ""  # of the entry that is running
         self._raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
@@ -123,7 +127,8 @@ class Schedule:
         frames, machine.frames = machine.frames, []
         loops, machine.loops = machine.loops, 0
         fixpoints, machine.fixpoints = machine.fixpoints, 0
-        coarse, limits = machine.coarse, (machine.coarse_limit, machine.loop_limit)
+        coarse, self._begun = machine.coarse, machine.steps
+        limits = machine.step_limit, machine.coarse_limit, machine.loop_limit
         try:
             yield
         finally:
@@ -131,7 +136,10 @@ class Schedule:
             machine.frames = frames
             machine.catchers, machine.handling = catchers, handling
             machine.loops, machine.fixpoints = loops, fixpoints
-            machine.coarse, (machine.coarse_limit, machine.loop_limit) = coarse, limits
+            spent = machine.steps - self._begun  # by callbacks: the main body has its own steps
+            self.spent += spent
+            machine.coarse = coarse
+            machine.step_limit, machine.coarse_limit, machine.loop_limit = (limit + spent for limit in limits)
 
     def _context(self, machine: Interpreter, callback: Value, event: str) -> int:
         """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
@@ -189,12 +197,26 @@ class Schedule:
             for entry in [e for e in self.entries.values() if not e.exhausted]:
                 base = machine.state
                 machine.state = base.copy()
+                if not self._afford(machine, entry):
+                    continue
                 self._call(machine, entry)
                 machine.state = join_states(base, machine.state, machine.fresh_version, merge)
             if start == (len(self.entries), machine.state.version):
                 return
             machine.check_time()
         machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
+
+    def _afford(self, machine: Interpreter, entry: Entry) -> bool:
+        """Whether there are steps left for a callback. Where many are gone, precision goes first."""
+        budget = machine.budget
+        most = budget.callback_steps + _STEPS_OF_EACH * len(self.entries)
+        spent = self.spent + machine.steps - self._begun
+        if spent > most:
+            entry.exhausted = True
+            machine.report("RW201", f"more than {most} steps in all callbacks; what they do later is missing")
+            return False
+        entry.coarse = entry.coarse or spent > most * budget.coarse
+        return True
 
     def _call(self, machine: Interpreter, entry: Entry) -> None:
         self._event = entry.event
@@ -205,12 +227,10 @@ class Schedule:
         frame.uncertain = 1
         machine.frames.append(frame)
         machine.loops = machine.fixpoints = 0
-        machine.step_limit = max(machine.step_limit, machine.steps + machine.budget.entry_steps)
+        machine.step_limit = machine.steps + machine.budget.entry_steps
         heavy = len(machine.heavy)
         machine.coarse = machine.always_coarse = entry.coarse
-        machine.coarse_limit = machine.loop_limit = machine.steps + int(
-            machine.budget.entry_steps * machine.budget.coarse
-        )
+        machine.coarse_limit = machine.loop_limit = machine.steps + machine.budget.entry_coarse
         try:
             if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
                 machine.iterate(entry.callback)

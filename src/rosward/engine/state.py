@@ -39,16 +39,19 @@ class State:
         return State(self.heap.copy(), self.version, self.done)
 
 
-def join_states(left: State, right: State, fresh: Callable[[], int], merge: Merge = join) -> State:
+def join_states(left: State, right: State, fresh: Callable[[int], int], merge: Merge = join) -> State:
     """The least state that covers both (`merge` may widen instead: left is then the older one). Reuses `left` in place.
 
-    The version of the result is left's where left already covers right: so a fixpoint shows by its version.
+    The version of the result is left's where left already covers right: so a fixpoint shows by its version. `fresh` gives a new one, and is
+    told how many objects were looked at.
     """
     left.done &= right.done
     if left.version == right.version:
         return left
-    if left.heap.cover(right.heap, lambda ours, theirs: join_objects(ours, theirs, merge)):
-        left.version = fresh()
+    compared, changed = left.heap.cover(right.heap, lambda ours, theirs: join_objects(ours, theirs, merge))
+    version = fresh(compared)
+    if changed:
+        left.version = version
     return left
 
 

@@ -49,6 +49,7 @@ from rosward.models.plain import (
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000
+_COMPARED_A_STEP: Final = 2
 _ORDER: Final[dict[str, Callable[..., object]]] = {
     "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
 }  # fmt: skip
@@ -179,6 +180,7 @@ def _sequences(machine: Machine, left: tuple[Value, ...], right: tuple[Value, ..
         return False
     if not depth or len(left) > MAX_COMPARED:
         return None
+    machine.spend(len(left) // _COMPARED_A_STEP)
     answers = [equal(machine, a, b, depth - 1) for a, b in zip(left, right, strict=True)]
     return False if False in answers else (None if None in answers else True)
 
@@ -275,6 +277,7 @@ def contains(machine: Machine, container: Value, item: Value) -> tuple[bool | No
 def _among(machine: Machine, items: tuple[Value, ...], rest: Value | None, item: Value) -> bool | None:
     if len(items) > MAX_COMPARED:
         return None
+    machine.spend(len(items) // _COMPARED_A_STEP)
     answers = {equal(machine, item, other) for other in items}
     if True in answers:
         return True

@@ -76,7 +76,8 @@ class LaunchPython:
         self._context = PerformedContext(self._read.texts, self.test)
         self._log.launch = self._context
         self._expressions = Expressions(self._machine)
-        self._end = time.process_time() + _CALLS * self._budget.seconds
+        self._most = _CALLS * self._budget.steps
+        self._end = time.process_time() + self._budget.seconds
         self._roots: dict[str, Code] = {}
         self._turns = 0
         self._started: Performer | None = None  # the execution whose command line sys.argv is
@@ -229,8 +230,8 @@ class LaunchPython:
         self._context.performers.append(performer)
         limits = machine.step_limit, machine.deadline
         if not frames:
-            machine.step_limit = machine.steps + self._budget.steps
-            machine.deadline = min(time.process_time() + self._budget.seconds, self._end)
+            machine.step_limit = min(machine.steps + self._budget.steps, self._most)
+            machine.deadline = self._end
         try:
             yield self._turns
         finally:
