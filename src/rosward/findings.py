@@ -90,6 +90,12 @@ _TABLE: Final = (
         _W,
         "colcon does not install what is beside it. Name its folder as a PATH, too, so that its programs are found.",
     ),
+    Rule(
+        "RW016",
+        "executable from elsewhere",
+        _E,
+        "Add the package of the module to the analysis: what it creates is missing.",
+    ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the value that is missing a default in the source."),
     Rule("RW102", "partly known name", _W, "Supply the missing part, or accept the wildcard in the policy."),
@@ -117,14 +123,14 @@ _TABLE: Final = (
     Rule(
         "RW202",
         "node handed to an unknown library",
-        _W,
+        _E,
         "Describe the library in a stub file (--models), or check by hand what it creates.",
     ),
-    Rule("RW203", "code made at run time", _W, "exec, eval, dynamic imports and the like are not followed."),
+    Rule("RW203", "code made at run time", _E, "exec, eval, dynamic imports and the like are not followed."),
     Rule(
         "RW204",
         "base class not among the sources",
-        _W,
+        _E,
         "Add its package to the analysis, or describe it in a stub file (--models).",
     ),
     Rule(
@@ -134,7 +140,7 @@ _TABLE: Final = (
     Rule(
         "RW207",
         "module not among the sources",
-        _W,
+        _E,
         "Add its package to the analysis, or install it beside the workspace.",
     ),
     Rule(
@@ -144,8 +150,15 @@ _TABLE: Final = (
     Rule(
         "RW210",
         "starts another program",
-        _W,
+        _E,
         "The program started here is not part of the result; analyse or declare it.",
+    ),
+    Rule("RW211", "starts a tool of ROS", _N, "Tools of the command line are no part of the system."),
+    Rule(
+        "RW212",
+        "entity in code that may run",
+        _E,
+        "Something unknown may call it: make known what it is called on, or what it is called by.",
     ),
     Rule(
         "RW299",
@@ -181,7 +194,7 @@ _TABLE: Final = (
     Rule(
         "RW305",
         "topic outside the ROS name space",
-        _W,
+        _E,
         "avoid_ros_namespace_conventions has no form in policy.xml: write the DDS permission by hand.",
     ),
     Rule(
@@ -227,7 +240,7 @@ _TABLE: Final = (
     Rule(
         "RW315",
         "parameter file not found",
-        _W,
+        _E,
         "launch goes on without it, and so does the analysis: correct the path, or build what makes the file.",
     ),
     Rule("RW316", "launch condition not known", _N, "Both ways are taken; settle it with --arg NAME:=VALUE."),
@@ -238,7 +251,7 @@ _TABLE: Final = (
         _W,
         "Nothing starts the container that this component is loaded into: it is analysed as if something did.",
     ),
-    Rule("RW319", "program that is no known node", _W, "If it talks over ROS, declare its interface (--models)."),
+    Rule("RW319", "program that is no known node", _E, "If it talks over ROS, declare its interface (--models)."),
     Rule(
         "RW320",
         "launch fails here",

@@ -48,6 +48,7 @@ class Run(NamedTuple):
     entered: frozenset[int]
     instantiated: frozenset[Place]
     reached: frozenset[int]
+    asked: frozenset[tuple[str, str, str]] = frozenset()
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
@@ -82,7 +83,13 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
     except Exception as error:
         log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
     return Run(
-        entry, log, done, frozenset(machine.entered), frozenset(machine.instantiated), frozenset(machine.reached)
+        entry,
+        log,
+        done,
+        frozenset(machine.entered),
+        frozenset(machine.instantiated),
+        frozenset(machine.reached),
+        frozenset(machine.asked),
     )
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Entities in code that no process reaches: left out of the result, and told (RW205; RW204 where a library may reach it all the same).
+"""Entities in code that no process reaches: left out of the result, and told.
+
+RW205 where it surely is not run; RW204 where a library may reach it all the same; RW212 where something unknown may call it.
 
 class N(Node):
     def later(self):                              # nothing calls it
@@ -11,9 +13,9 @@ class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, bu
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Final
+from typing import Final, final
 
-from rosward.domain.values import External, Unknown
+from rosward.domain.values import Class, External, Unknown
 from rosward.engine.attributes import CREATING
 from rosward.engine.escape import name_of
 from rosward.findings import Finding
@@ -46,6 +48,7 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
         entered |= run.entered
         reached |= run.reached
     bases = _unknown_bases(runs)
+    unseen = _Unseen(runs)
     found: dict[Finding, None] = {}
     for module in modules:
         libraries = {name.partition(".")[0] for name in module.imports}
@@ -58,6 +61,10 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
                     what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
                     found[Finding("RW204", what, Place(code.file, op.line, op.column))] = None
                     continue
+                if dead and unseen.may_call(code):
+                    what = f"nothing that is known calls {code.qualname}, but something unknown may: its {name} is left out"
+                    found[Finding("RW212", what, Place(code.file, op.line, op.column))] = None
+                    continue
                 if dead:
                     what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
                 elif name in CREATING and id(op) not in reached:
@@ -66,6 +73,29 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
                     continue
                 found[Finding("RW205", what, Place(code.file, op.line, op.column))] = None
     return list(found)
+
+
+@final
+class _Unseen:
+    """What may be called without that a call of it is seen."""
+
+    def __init__(self, runs: Sequence[Run]) -> None:
+        asked = {each for run in runs for each in run.asked}
+        self._names = {name for _, _, name in asked if name}  # read from something unknown
+        self._owners = {(file, owner) for file, owner, name in asked if not name}  # of which something unknown was read
+        self._made = {
+            (base.place.file, base.qualname)
+            for run in runs
+            for cls in run.log.classes
+            if cls.place in run.instantiated
+            for base in cls.mro
+            if isinstance(base, Class)
+        }
+
+    def may_call(self, code: Code) -> bool:
+        """Whether something unknown may call a function: a method of an object that there is, by name; or by a name that is not known."""
+        owner, _, name = code.qualname.rpartition(".")
+        return (code.file, owner) in self._owners or (name in self._names and (code.file, owner) in self._made)
 
 
 def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:

@@ -18,7 +18,7 @@ from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Tu
 from rosward.engine import declared
 from rosward.engine.havoc import change, contents, holds_node
 from rosward.models.contents import CONTENTS
-from rosward.models.readers import only_reads
+from rosward.models.readers import creates_nothing, only_reads
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -34,12 +34,14 @@ _DEPTH: Final = 4
 def escape(machine: Interpreter, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
     """Values reach `library`: callables may be called with anything, later, any number of times; a node may get entities.
 
-    What can be changed may come back changed, unless it is known of `callee` that it only reads.
+    What can be changed may come back changed, unless it is known of `callee` that it only reads. `library` is '' in what follows where it
+    is known of it that it creates nothing on a node.
     """
     seen: set[int] = set()
+    foreign = callee is not None and creates_nothing(callee)
     reads = callee is not None and only_reads(callee)
     for value in values:
-        _reach(machine, value, library, 0, seen)
+        _reach(machine, value, "" if foreign else library, 0, seen)
         if not reads:
             change(machine, value, library)
 
@@ -81,6 +83,8 @@ def _reach_object(machine: Interpreter, ref: Ref, library: str, depth: int, seen
         machine.schedule_book.add(machine, ref, (), BY_LIBRARY)
     elif obj.kind == "instance":
         machine.handed.setdefault(ref, machine.place)
+        if not library:
+            return  # it knows nothing of ROS
         if machine.log.is_node(ref.address):
             machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
         elif holds_node(machine, ref):

@@ -108,6 +108,7 @@ class Interpreter:
         self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
         self.entered: set[int] = set()  # id() of each code body that was run
         self.reached: set[int] = set()  # id() of each operation that was run and reads a method that creates an entity
+        self.asked: set[tuple[str, str, str]] = set()  # what may be called without being seen: see `unreached.py`
         self._versions = 0
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}

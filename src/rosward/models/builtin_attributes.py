@@ -25,6 +25,7 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
+from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import kind_of
 from rosward.models.plain import Raised, native, origins, spread, text_of, unknown_from, with_origins
@@ -118,11 +119,23 @@ def _get_one(call: NativeCall, value: Value, name: Value) -> Value:
         return with_origins(join(found, default[0]) if failed or not there else found, origins(name))
     if isinstance(name, Const):
         raise Raised("TypeError", "attribute name must be string")
+    note_any(machine, value)
     unknown = unknown_from(machine, "getattr", "", name, value)
     if not isinstance(name, Text):
         return join_all((unknown, *default))
     fitting = [n for n in attribute_names(machine, value) if matches(name, n)][:MAX_MATCHES]
     return join_all((*(machine.load_attr(value, n) for n in fitting), unknown, *default))
+
+
+def note_any(machine: Machine, value: Value) -> None:
+    """An attribute of a name that is not known is read: whatever the classes of the program have there may be called unseen."""
+    asked = host(machine).asked
+    for option in options(value):
+        cls = machine.obj(option).cls if isinstance(option, Ref) else option
+        if isinstance(cls, Class):
+            asked.update((b.place.file, b.qualname, "") for b in cls.mro if isinstance(b, Class) and not b.stub)
+        elif isinstance(option, ModuleValue):
+            asked.add((option.file, "", ""))
 
 
 def _set(call: NativeCall) -> Value:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which libraries without a model are known to change no list, dict or object that they are given?
+"""Which libraries without a model are known to change no list, dict or object that they are given, or to create nothing on a node?
 
 cv2.imshow('image', frame)       reads
 random.shuffle(self.names)       changes: the exceptions have names of their own
@@ -39,6 +39,43 @@ _WRITE: Final = frozenset(
     {"shuffle", "copyto", "put", "putmask", "place", "fill_diagonal", "put_along_axis", "unpack_to"}
 )
 """The last words of the names of those that change it all the same."""
+
+
+_FOREIGN: Final = _READ | frozenset(
+    (
+        *(
+            "PyQt4",
+            "PyQt5",
+            "PyQt6",
+            "PySide2",
+            "PySide6",
+            "python_qt_binding",
+            "tkinter",
+            "Tkinter",
+            "customtkinter",
+            "pygame",
+        ),
+        *(
+            "can",
+            "serial",
+            "smbus",
+            "smbus2",
+            "RPi",
+            "selectors",
+            "selectors2",
+            "asyncio",
+            "threading",
+            "socket",
+            "ros2node",
+        ),
+    )
+)
+"""Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
+
+
+def creates_nothing(callee: Value) -> bool:
+    """Whether it is known of what is called that it creates nothing on a node."""
+    return _dotted(callee).partition(".")[0] in _FOREIGN
 
 
 def only_reads(callee: Value) -> bool:

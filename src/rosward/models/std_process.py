@@ -40,9 +40,26 @@ def launches(call: NativeCall, command: Value) -> None:
     for option in options(command):
         words = _words(call, option)
         names = [w.rpartition("/")[2].strip("'\"();&|") for w in words]
+        if names and names[0] in _ONLY_LOOK:
+            continue
         if any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names) or _runs_python(names):
-            call.machine.report("RW210", f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`")
+            code = "RW211" if _is_tool(names) else "RW210"
+            call.machine.report(code, f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`")
             return
+
+
+_ONLY_LOOK: Final = frozenset({"pgrep", "pkill", "killall", "kill", "grep", "echo", "which"})
+"""Programs that look for others, or end them: what stands behind starts nothing."""
+
+_STARTING: Final = frozenset({"run", "launch", "component", "bag"})
+"""Subcommands of ros2 by which nodes are started."""
+
+
+def _is_tool(names: list[str]) -> bool:
+    """Whether a command is one of ROS's own tools that asks or tells something and starts no node."""
+    return (
+        len(names) > 1 and names[0] == "ros2" and names[1].isalpha() and names[1] not in _STARTING and "&&" not in names
+    )
 
 
 def _runs_python(names: list[str]) -> bool:

@@ -32,8 +32,9 @@ def executables(described: Described, resolver: ImportResolver) -> tuple[list[Ex
         target = resolver.entry_module(module, package)
         file = target.file if target is not None else None
         if file is None:
+            own = os.path.isdir(os.path.join(package.path, module.partition(".")[0]))  # noqa: PTH112, PTH118
             message = f"The executable {name!r} starts the module {module!r}, which is not among the sources."
-            findings.append(Finding("RW009", message, place))
+            findings.append(Finding("RW009" if own else "RW016", message, place))
         elif target is not None and target.guess:
             message = f"The executable {name!r} starts the module {module!r}, taken to be {file.relative}."
             findings.append(Finding("RW009", message, place))
