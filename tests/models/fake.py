@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from rosward.domain.choice import options
@@ -13,6 +14,7 @@ from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import (
     UNBOUND,
     BoundMethod,
+    Class,
     Const,
     Hole,
     Native,
@@ -37,7 +39,6 @@ from rosward.models import (
     strings,
 )
 from rosward.models.builtin_constructors import type_of
-from rosward.models.builtin_functions import is_subclass
 from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.source.location import Place
@@ -55,6 +56,20 @@ NATIVES: dict[str, NativeFunction] = {
     **strings.NATIVES,
 }
 REASON = Reason(Cause.PARAMETER, "p", Place("demo.py", 1))
+
+
+def is_subclass(cls: Value, wanted: Value) -> bool | None:
+    """issubclass(cls, wanted) of classes of Python; None where that is not known."""
+    if isinstance(wanted, Tuple):
+        answers = [is_subclass(cls, w) for w in wanted.items]
+        return True if True in answers else (None if None in answers else False)
+    if isinstance(cls, Native) and isinstance(wanted, Native):
+        ours, theirs = (getattr(builtins, c.name.removeprefix("builtins."), None) for c in (cls, wanted))
+        return issubclass(ours, theirs) if isinstance(ours, type) and isinstance(theirs, type) else None
+    if isinstance(cls, Class) and isinstance(wanted, (Class, Native)):
+        known = all(isinstance(b, (Class, Native)) for b in cls.mro)
+        return True if wanted in cls.mro or wanted == Native("builtins.object") else False if known else None
+    return True if cls == wanted else None
 
 
 class FakeMachine:
@@ -104,6 +119,10 @@ class FakeMachine:
             return
         self.heap[target.address] = self.heap[target.address].with_attr(name, value)
 
+    def delete_attr(self, target: Value, name: str) -> None:
+        if isinstance(target, Ref) and name in self.obj(target).attrs:
+            self.update(target, self.obj(target).with_attr(name, UNBOUND))
+
     def load_item(self, value: Value, index: Value) -> Value:
         return operators.load_item(self, value, index)
 
@@ -139,6 +158,10 @@ class FakeMachine:
 
     def is_instance(self, value: Value, classes: Value) -> bool | None:
         answers = {is_subclass(type_of(self, v), classes) for v in options(value)}
+        return answers.pop() if len(answers) == 1 else None
+
+    def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
+        answers = {is_subclass(c, wanted) for c in options(cls)}
         return answers.pop() if len(answers) == 1 else None
 
     def obj(self, ref: Ref) -> Obj:

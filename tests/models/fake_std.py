@@ -122,6 +122,10 @@ class FakeMachine:
         assert isinstance(target, (Ref, Class))
         self.heap[target.address] = self.heap[target.address].with_attr(name, value)
 
+    def delete_attr(self, target: Value, name: str) -> None:
+        if isinstance(target, Ref) and name in self.obj(target).attrs:
+            self.update(target, self.obj(target).with_attr(name, UNBOUND))
+
     def load_item(self, value: Value, index: Value) -> Value:
         assert isinstance(index, Const)
         if isinstance(value, Tuple):
@@ -187,6 +191,9 @@ class FakeMachine:
 
     def is_instance(self, value: Value, classes: Value) -> bool | None:
         return None if value is classes else False
+
+    def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
+        return None if cls is wanted else False
 
     def obj(self, ref: Ref) -> Obj:
         return self.heap[ref.address]

@@ -369,8 +369,8 @@ def test_types() -> None:
     assert machine.native("builtins.issubclass", Native("builtins.bool"), Native("builtins.int")) == TRUE
     assert machine.native("builtins.callable", Native("builtins.len")) == TRUE
     assert machine.native("builtins.callable", Const(1)) == FALSE
-    assert machine.native("builtins.property", Native("f")) == Descriptor("property", Native("f"), None)
-    assert machine.native("builtins.staticmethod", Native("f")) == Descriptor("staticmethod", Native("f"), None)
+    assert machine.native("builtins.property", Native("f")) == Descriptor("property", Native("f"), None, None)
+    assert machine.native("builtins.staticmethod", Native("f")) == Descriptor("staticmethod", Native("f"), None, None)
     assert machine.native("builtins.slice", Const(1)) == Slice(NONE, Const(1), NONE)
     assert machine.native("builtins.range", Const(3)) == Range(Const(0), Const(3), Const(1))
     assert machine.native("builtins.print", Const(3)) == NONE

@@ -356,7 +356,9 @@ class Partial(
 
 class Descriptor(
     _Record,
-    NamedTuple("_Descriptor", [("kind", "str"), ("getter", "Value"), ("setter", "Value | None")]),
+    NamedTuple(
+        "_Descriptor", [("kind", "str"), ("getter", "Value"), ("setter", "Value | None"), ("deleter", "Value | None")]
+    ),
 ):
     """A wrapped function in a class: kind is 'property', 'cached_property', 'staticmethod' or 'classmethod'."""
 

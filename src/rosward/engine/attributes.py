@@ -37,6 +37,7 @@ from rosward.domain.values import (
 )
 from rosward.engine import modules
 from rosward.engine.escape import name_of
+from rosward.engine.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.namespaces import table_of
 from rosward.models.builtin_attributes import may_hide
 from rosward.models.contents import KINDS
@@ -107,6 +108,7 @@ def _of_exception_class(machine: Interpreter, cls: str, name: str) -> Value:
     return Native(f"{cls}.{name}") if hasattr(getattr(builtins, cls), name) else machine.unknown(Cause.ERROR, name)
 
 
+_OF_TYPE: Final = frozenset({"__new__", "__init__", "__call__", "__prepare__"})
 _OBJECT: Final = Native("builtins.object")
 _TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
 
@@ -227,6 +229,16 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
         if name == "__class__":
             return obj.cls
         return BoundMethod(ref, Native(f"{obj.kind}.{name}"))
+    if machine.hooked:
+        hook = lookup(machine, obj.cls, "__getattribute__")
+        if hook.__class__ is Function:
+            return machine.call(hook, (ref, Const(name)))
+    return plain_attribute(machine, ref, name)
+
+
+def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
+    """What `object.__getattribute__` gives."""
+    obj = machine.obj(ref)
     cls = obj.cls
     own = obj.attrs.get(name)
     in_class = lookup(machine, cls, name)
@@ -292,13 +304,16 @@ def is_interface(value: Value) -> bool:
 
 
 def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
+    meta = in_metaclass(machine, cls, name)
+    if meta.__class__ is Descriptor and meta.kind == "property":
+        return bind(machine, meta, cls, metaclass_of(machine, cls))
     found = lookup(machine, cls, name)
     if found is not None:
         if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
             return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
-        if found.__class__ is Native:
-            return found
         return found
+    if meta is not None:
+        return bind(machine, meta, cls, metaclass_of(machine, cls))
     if name in ("__name__", "__qualname__"):
         return Const(cls.name if name == "__name__" else cls.qualname)
     if name == "__module__":
@@ -306,6 +321,11 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     if name in ("__mro__", "mro"):
         order = Tuple((*(b for b in cls.mro if b != _OBJECT), _OBJECT))
         return order if name == "__mro__" else Partial(Native("builtins.list"), (order,), ())
+    if name == "__class__":
+        return metaclass_of(machine, cls)
+    if name == "__subclasses__":
+        below = Tuple(tuple(c for c in machine.log.classes if cls in c.bases))
+        return Partial(Native("builtins.list"), (below,), ())
     if name == "__bases__":
         return Tuple(cls.bases or (_OBJECT,))
     if name == "__dict__":
@@ -313,6 +333,9 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     for base in cls.mro:
         if base.__class__ is External:
             return External(f"{base.name}.{name}")
+    fallback = in_metaclass(machine, cls, "__getattr__")
+    if fallback is not None:
+        return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
     if name in (
         "__init__",
         "__new__",
@@ -331,6 +354,8 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
 def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
     receiver = value.receiver
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
+    if cls.__class__ is Class and receiver is cls and value.after not in cls.mro:
+        cls = metaclass_of(machine, cls)
     mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()
     if name == "__class__":
         return Native("builtins.super")
@@ -349,6 +374,9 @@ def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
         elif base.__class__ is Unknown:
             return join(perhaps, Unknown(base.reasons))
         elif base.__class__ is Native:
+            if base.name == "builtins.type" and name in _OF_TYPE:
+                made = Native(f"type.{name}")
+                return made if name == "__new__" else BoundMethod(receiver, made)
             inherited = _of_native_class(machine, base.name, name)
             if inherited is not None:
                 return join(perhaps, inherited if name == "__new__" else BoundMethod(receiver, inherited))
@@ -361,7 +389,7 @@ def _through_super(machine: Interpreter, found: Value, receiver: Value, cls: Val
     """What an attribute of a base becomes when it is read through `super()`."""
     if name == "__new__":  # a static method, without being called one
         return found.getter if found.__class__ is Descriptor else found
-    if receiver.__class__ is Class and found.__class__ is Function:
+    if receiver is cls and found.__class__ is Function:
         return found
     return bind(machine, found, receiver, cls)
 
@@ -389,6 +417,8 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
                 return several
         elif option.__class__ in (Class, ModuleValue):
             address = option.address
+            if isinstance(option, ModuleValue) and machine.library.is_model_file(option.file):
+                machine.may_call((value,))  # a library may call what the program puts in its place
             record = machine.at(address)
             old = record.attrs.get(name)
             changed = record.with_attr(name, join(old, value) if several and old is not None else value)
@@ -440,11 +470,3 @@ def _setter(machine: Interpreter, in_class: Value | None) -> Value | None:
     if not isinstance(in_class, Ref) or machine.obj(in_class).kind != "instance":
         return None
     return lookup(machine, machine.obj(in_class).cls, "__set__")
-
-
-def delete(machine: Interpreter, target: Value, name: str) -> None:
-    """del target.name."""
-    if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
-        record = machine.at(target.address)
-        if name in record.attrs and not record.many:
-            machine.put(target.address, record.with_attr(name, UNBOUND))

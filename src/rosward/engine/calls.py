@@ -31,11 +31,12 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import activation, attributes, classes, declared, native_calls
+from rosward.engine import activation, attributes, classes, declared, native_calls, removal
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
 from rosward.engine.catcher import LIBRARY, note, note_call
 from rosward.engine.escape import escape, name_of
+from rosward.engine.metaclass_of import metaclass_of
 from rosward.ir.ops import Argument
 from rosward.models.contents import bare
 from rosward.models.exceptions import is_exception
@@ -178,6 +179,10 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
 
 def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
     """A builtin, or a model in code."""
+    if name.startswith(("type.", "builtins.type")):
+        made = _of_type(machine, name.removeprefix("builtins."), args, keywords)
+        if made is not None:
+            return made
     native = machine.library.native(name)
     if native is not None:
         return native_calls.invoke(machine, native, name, args, keywords)
@@ -198,6 +203,22 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
     return machine.unknown(Cause.CALL, short)
 
 
+def _of_type(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value | None:
+    """The methods that every metaclass has from `type`; None for any other use of it."""
+    known = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY) and k[0] != MAYBE}
+    if name == "type.__new__" and len(args) >= 4:
+        return classes.make_by_call(machine, args[0], args[1:], known)
+    if name == "type" and len(args) == 3:
+        return classes.make_by_call(machine, Native("builtins.type"), args, known)
+    if name == "type.__call__" and args and args[0].__class__ is Class:
+        return classes.make_instance(machine, args[0], args[1:], keywords)
+    if name == "type.__init__":
+        return NONE
+    if name == "type.__prepare__":
+        return machine.new_dict({})
+    return None
+
+
 def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
     """The methods that every class has from `object`."""
     if name == "object":
@@ -209,6 +230,10 @@ def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
             if cls.__class__ is Class
             else machine.unknown(Cause.CALL, name)
         )
+    if name == "object.__getattribute__" and len(args) == 2:
+        return _plain_attribute(machine, args[0], args[1])
+    if name == "object.__delattr__" and len(args) == 2 and args[1].__class__ is Const:
+        removal.remove(machine, args[0], str(args[1].value))
     if name == "object.__setattr__" and len(args) == 3 and args[0].__class__ is Ref and args[1].__class__ is Const:
         ref, key = args[0], str(args[1].value)
         machine.update(ref, machine.obj(ref).with_attr(key, args[2]))
@@ -217,11 +242,20 @@ def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
     return NONE
 
 
+def _plain_attribute(machine: Interpreter, target: Value, name: Value) -> Value:
+    """`object.__getattribute__(target, name)`."""
+    if target.__class__ is Ref and machine.obj(target).kind == "instance" and name.__class__ is Const:
+        return attributes.plain_attribute(machine, target, str(name.value))
+    return machine.unknown(Cause.OPERATION, "object.__getattribute__")
+
+
 def _descriptor(args: Arguments, name: str) -> Value:
     """`@x.setter` and its like."""
     found, function = args[0], args[1] if len(args) > 1 else NONE
     if found.__class__ is Descriptor and name == "descriptor.setter":
-        return Descriptor(found.kind, found.getter, function)
+        return found._replace(setter=function)
+    if found.__class__ is Descriptor and name == "descriptor.deleter":
+        return found._replace(deleter=function)
     return found
 
 
@@ -255,6 +289,9 @@ def _super_of(machine: Interpreter, after: Value, receiver: Value) -> Value:
     """`super(after, receiver)`: where `after` is one of several classes, those that the receiver has. Python refuses the others."""
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
     order: Arguments = cls.mro if cls.__class__ is Class else ()
+    meta = metaclass_of(machine, receiver)
+    if receiver.__class__ is Class and meta.__class__ is Class:  # a method of a metaclass
+        order = (*order, *meta.mro)
     fitting = [Super(each, receiver) for each in options(after) if each in order]
     if fitting:
         return join_all(fitting)

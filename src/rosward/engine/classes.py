@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import builtins
 from collections import Counter
 from typing import TYPE_CHECKING, Final
 
@@ -19,16 +18,13 @@ from rosward.domain.values import (
     Descriptor,
     External,
     Function,
-    ModuleValue,
     Native,
-    Partial,
     Ref,
-    Text,
     Tuple,
     Unknown,
     Value,
 )
-from rosward.engine import attributes, contents
+from rosward.engine import attributes, contents, metaclasses
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
@@ -36,7 +32,6 @@ from rosward.engine.handed import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.exceptions import builtin_base, own_class
-from rosward.models.plain import LOOSE_HINTS
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -51,7 +46,7 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     """Run a class statement: a class for each combination of bases that it may have."""
     written, keywords = _bases(machine, op, frame)
     return each_apart(
-        machine, _combinations(machine, written), lambda bases: _make(machine, op, frame, bases, keywords)
+        machine, _combinations(machine, written), lambda bases: _make(machine, op, frame, bases, dict(keywords))
     )
 
 
@@ -86,6 +81,8 @@ def _make(
     bases = combination.items
     code = op.code
     place = Place(code.file, op.line, op.column)
+    meta = metaclasses.chosen(machine, keywords.pop("metaclass", None), bases)
+    prepared = metaclasses.prepare(machine, meta, code.name, combination, keywords)
     # A class is one object for each place, chain of calls and bases; the module's own classes are there once.
     address = machine.place_at(("class", frame.context, code.key, bases), Obj("class", Native("builtins.type")))
     record = machine.at(address)
@@ -101,23 +98,53 @@ def _make(
     body.namespace = address
     if not frame.stub:
         machine.put(address, machine.at(address).with_attr("__doc__", Const(code.doc)))
+    for name, value in prepared.items():
+        machine.put(address, machine.at(address).with_attr(name, value))
     machine.frames.append(body)
     try:
         machine.run(code.ops, body)
     finally:
         machine.frames.pop()
     _seal(machine, cls, body)
+    if isinstance(meta, Class) and not any(_is_enum_base(b) for b in cls.mro):
+        return metaclasses.finish(machine, cls, meta, combination, keywords, complete)
+    return complete(machine, cls, keywords)
+
+
+def complete(machine: Interpreter, cls: Class, keywords: dict[str, Value]) -> Class:
+    """A class that has its names is told to its members and to its bases."""
     machine.log.defined(cls)
+    if not cls.stub and "__getattribute__" in machine.at(cls.address).attrs:
+        machine.hooked = True
     _tell_members(machine, cls)
     if any(_is_enum_base(b) for b in cls.mro[1:]):
         machine.call(Native("enum.make_members"), (cls,))
-    for base in bases:
-        hook = attributes.lookup(machine, base, "__init_subclass__")
-        if hook is not None:
-            function = hook.getter if hook.__class__ is Descriptor else hook
-            machine.call(BoundMethod(cls, function), (), keywords)
-            break
+    for base in cls.mro[1:]:
+        if isinstance(base, Class):
+            hook = machine.at(base.address).attrs.get("__init_subclass__")
+            if hook is not None and hook is not UNBOUND:
+                function = hook.getter if hook.__class__ is Descriptor else hook
+                machine.call(BoundMethod(cls, function), (), keywords)
+                break
     return cls
+
+
+def make_by_call(machine: Interpreter, meta: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+    """`type.__new__(metaclass, name, bases, names)`: the class whose body was just run, or one without a body."""
+    name, bases, names = args[:3]
+    pending = machine.making[-1] if machine.making else None
+    known = bases.items if isinstance(bases, Tuple) else machine.iterate(bases).known
+    plain = tuple(b for b in known if b.__class__ in (Class, External, Native) and b != Native("builtins.object"))
+    if pending is not None and name == Const(pending.name):
+        cls = pending
+        if plain != pending.bases:
+            cls = Class(cls.address, cls.name, cls.qualname, cls.module, plain, _linearise(plain), cls.place, cls.stub)
+    else:
+        label = name.value if isinstance(name, Const) else "class made by type()"
+        address = machine.place_at(("type", machine.place, name, plain), Obj("class", meta))
+        cls = Class(address, str(label), str(label), "", plain, _linearise(plain), machine.place, False)
+    metaclasses.fill(machine, cls, names)
+    return complete(machine, cls, keywords)
 
 
 def _tell_members(machine: Interpreter, cls: Class) -> None:
@@ -129,16 +156,6 @@ def _tell_members(machine: Interpreter, cls: Class) -> None:
                 machine.call(hook, (cls, Const(name)))
 
 
-def _tell_metaclass(machine: Interpreter, metaclass: Value) -> None:
-    """A metaclass of the program may change how a class and its instances are made: that is not followed."""
-    for option in options(metaclass):
-        if option.__class__ is Class and not option.stub:
-            for name in ("__call__", "__new__", "__init__", "__prepare__"):
-                if attributes.lookup(machine, option, name) is not None:
-                    machine.report("RW206", f"{name} of the metaclass {option.name} is not followed")
-                    return
-
-
 def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[Value], dict[str, Value]]:
     """The base classes as written, and the keywords."""
     bases: list[Value] = []
@@ -146,18 +163,28 @@ def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[
     for argument in op.arguments:
         value = frame.registers[argument.register]
         if argument.kind == "keyword":
-            if argument.name == "metaclass":
-                _tell_metaclass(machine, value)
-            else:
-                keywords[argument.name] = value
+            keywords[argument.name] = value
             continue
         several = machine.iterate(value).known if argument.kind == "star" else (value,)
-        for base in several:
+        for each in several:
+            entries = _entries(machine, each, tuple(several))
+            if entries is not None:
+                bases.extend(entries)
+                continue
+            base = each
             if base.__class__ in (Class, External, Native, Unknown, Choice):
                 bases.append(base)
             else:
                 bases.append(machine.unknown(Cause.OPERATION, "base class"))
     return bases, keywords
+
+
+def _entries(machine: Interpreter, base: Value, bases: tuple[Value, ...]) -> list[Value] | None:
+    """What an object that stands for bases (`__mro_entries__`) gives; None for any other."""
+    if base.__class__ is not Ref or machine.obj(base).kind != "instance":
+        return None
+    hook = attributes.method(machine, base, "__mro_entries__")
+    return None if hook is None else list(machine.iterate(machine.call(hook, (Tuple(bases),))).known)
 
 
 def _seal(machine: Interpreter, cls: Class, body: Frame) -> None:
@@ -167,7 +194,7 @@ def _seal(machine: Interpreter, cls: Class, body: Frame) -> None:
         machine.update(cell, machine.obj(cell).with_attr("value", cls))
     record = machine.at(cls.address)
     changed = {
-        name: Descriptor("classmethod", record.attrs[name], None)
+        name: Descriptor("classmethod", record.attrs[name], None, None)
         for name in _IMPLICIT_CLASSMETHODS
         if record.attrs.get(name).__class__ is Function
     }
@@ -221,6 +248,14 @@ def new_instance(
 
 def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """cls(*args, **keywords)."""
+    caller = metaclasses.method(machine, cls, "__call__")
+    if caller is not None:
+        return machine.call(caller, args, keywords)
+    return make_instance(machine, cls, args, keywords)
+
+
+def make_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+    """What `type.__call__` does: `__new__`, then `__init__`."""
     if is_enum(machine, cls) and args:
         return machine.call(Native("enum.lookup"), (cls, args[0]))
     maker = attributes.lookup(machine, cls, "__new__")
@@ -290,66 +325,6 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
     for name, method in own_methods(machine, cls, ref):
         if not name.startswith("__"):
             machine.schedule_book.add(machine, method, None, BY_BASE)
-
-
-def type_of(machine: Interpreter, value: Value) -> Value | None:
-    """The class of a value; None where it is not known."""
-    kind = value.__class__
-    if kind is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
-        return obj.cls if obj.kind != "generator" else Native("builtins.generator")
-    if kind in (Const, Text, Tuple):
-        return Native(f"builtins.{attributes.type_name(value)}")
-    if kind is Unknown and value.hint and value.hint not in LOOSE_HINTS:  # type: ignore[attr-defined]
-        return Native(f"builtins.{value.hint}")  # type: ignore[attr-defined]
-    if kind in (Class,):
-        return Native("builtins.type")
-    if kind in (Function, BoundMethod, Partial):
-        return Native("builtins.function")
-    if kind is ModuleValue:
-        return Native("builtins.module")
-    return None
-
-
-def is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | None:
-    """isinstance(value, wanted)."""
-    answers: set[bool | None] = set()
-    for option in options(value):
-        cls = type_of(machine, option)
-        answers.add(None if cls is None else is_subclass(machine, cls, wanted))
-    return answers.pop() if len(answers) == 1 else None
-
-
-def is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
-    """issubclass(cls, wanted)."""
-    if wanted.__class__ is Tuple:
-        found = [is_subclass(machine, cls, w) for w in wanted.items]
-        return True if True in found else (None if None in found else False)
-    if wanted.__class__ in (Unknown, Choice, Ref):
-        return None
-    if cls == wanted or wanted == Native("builtins.object"):
-        return True
-    if cls.__class__ is Native:
-        return _native_subclass(cls.name, wanted)
-    if cls.__class__ is Class:
-        if wanted in cls.mro:
-            return True
-        natives = [_native_subclass(b.name, wanted) for b in cls.mro if b.__class__ is Native]
-        if True in natives:
-            return True
-        return None if any(b.__class__ in (External, Unknown) for b in cls.mro) or None in natives else False
-    return None
-
-
-def _native_subclass(name: str, wanted: Value) -> bool | None:
-    """The order of builtin classes, asked of Python itself (exceptions, bool of int)."""
-    if wanted.__class__ is not Native:
-        return None if wanted.__class__ is External else False
-    ours = getattr(builtins, name.removeprefix("builtins."), None)
-    theirs = getattr(builtins, wanted.name.removeprefix("builtins."), None)
-    if isinstance(ours, type) and isinstance(theirs, type):
-        return issubclass(ours, theirs)
-    return None
 
 
 def exception_object(

@@ -30,6 +30,7 @@ from rosward.models.ros_effects import perform
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
+_PURE: Final = Tuple((Const("pure"),))
 MODEL_PREFIX = "models:"
 """How the file name of every code body of a model begins."""
 
@@ -104,8 +105,10 @@ def apply(machine: Interpreter, function: Function, registers: list[Value]) -> V
 
 
 def result(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
-    """A value of the return annotation."""
+    """A value of the return annotation. What the library was given and can call, it may call, unless the model says `@pure`."""
     code = function.code
+    if _PURE not in function.effects:
+        machine.may_call(registers)
     dotted = f"{function.module.name}.{code.qualname}"
     if code.returns is None:
         return machine.unknown(Cause.CALL, dotted)

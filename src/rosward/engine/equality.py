@@ -26,8 +26,9 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes
+from rosward.engine import attributes, specials
 from rosward.engine.alternatives import each_apart
+from rosward.engine.specials import special
 from rosward.models import operators
 from rosward.models.contents import bare, contents
 
@@ -41,6 +42,7 @@ _BINARY: Final = {
     "&": "and", "|": "or", "^": "xor", "<<": "lshift", ">>": "rshift",
 }  # fmt: skip
 _COMPARE: Final = {"==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
+_REFLECTED: Final = {"lt": "gt", "le": "ge", "gt": "lt", "ge": "le"}
 _UNARY: Final = {"-": "neg", "+": "pos", "~": "invert"}
 _CALLABLE: Final = (Function, Class, Native, BoundMethod, Partial, ModuleValue)
 
@@ -55,17 +57,6 @@ def join_texts(values: list[Value]) -> Value:
     return result
 
 
-def _special(machine: Interpreter, value: Value, name: str) -> Value | None:
-    """The special method of an instance of a class of the program, bound; None where there is none."""
-    if value.__class__ is Ref:
-        obj = machine.obj(value)
-        if obj.kind == "instance" and obj.cls.__class__ is Class:
-            found = attributes.lookup(machine, obj.cls, name)
-            if found is not None:
-                return attributes.bind(machine, found, value, obj.cls)
-    return None
-
-
 def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, inplace: bool) -> Value:
     """left operator right."""
     if _several_objects(machine, left):
@@ -75,21 +66,23 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
     if left.__class__ is Ref or right.__class__ is Ref:
         name = _BINARY[operator]
         if inplace:
-            method = _special(machine, left, f"__i{name}__")
-            if method is not None:
-                return machine.call(method, (right,))
+            made = specials.first_of(machine, [(left, f"__i{name}__", right)])
+            if made is not None and not specials.refused(made):
+                return made
             if operator == "+" and left.__class__ is Ref and machine.obj(left).kind == "list":
                 machine.call(BoundMethod(left, Native("list.extend")), (right,))
                 return left
             if operator == "|" and left.__class__ is Ref and machine.obj(left).kind in ("dict", "set"):
                 machine.call(attributes.load(machine, left, "update"), (right,))
                 return left
-        method = _special(machine, left, f"__{name}__")
-        if method is not None:
-            return machine.call(method, (right,))
-        method = _special(machine, right, f"__r{name}__")
-        if method is not None:
-            return machine.call(method, (left,))
+        tries = [(left, f"__{name}__", right), (right, f"__r{name}__", left)]
+        if specials.goes_first(machine, left, right, f"__r{name}__"):
+            tries.reverse()
+        made = specials.first_of(machine, tries)
+        if made is not None:
+            return (
+                machine.unknown(Cause.ERROR, f"unsupported operand for {operator}") if specials.refused(made) else made
+            )
         left, right = bare(machine, left), bare(machine, right)
         formats = operator == "%" and left.__class__ is not Ref  # str % object
         if not formats and (_is_instance_object(machine, left) or _is_instance_object(machine, right)):
@@ -118,10 +111,18 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
     if left.__class__ is not Ref and _several_objects(machine, right):
         return each_apart(machine, options(right), lambda o: compare(machine, operator, left, o))
     name = _COMPARE.get(operator)
-    if name is not None and (left.__class__ is Ref or right.__class__ is Ref):
-        method = _special(machine, left, f"__{name}__")
-        if method is not None:
-            return machine.call(method, (right,))
+    if name is not None and (left.__class__ in (Ref, Class) or right.__class__ in (Ref, Class)):
+        reflected = f"__{_REFLECTED.get(name, name)}__"
+        tries = [(left, f"__{name}__", right), (right, reflected, left)]
+        if specials.goes_first(machine, left, right, reflected):
+            tries.reverse()
+        made = specials.first_of(machine, tries)
+        if made is not None and not specials.refused(made):
+            return made
+        if operator == "!=" and made is None:  # without `__ne__`, the contrary of `__eq__`
+            made = specials.first_of(machine, [(left, "__eq__", right), (right, "__eq__", left)])
+            if made is not None and not specials.refused(made):
+                return unary(machine, "not", made)
         left, right = bare(machine, left), bare(machine, right)
         if operator in ("==", "!=") and _same(machine, left, right) is not None and not _plain(machine, left):
             same = _same(machine, left, right)
@@ -129,7 +130,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
                 return TRUE if same is (operator == "==") else FALSE
             return machine.unknown(Cause.OPERATION, operator, "bool")
     if operator in ("in", "not-in"):
-        method = _special(machine, right, "__contains__")
+        method = special(machine, right, "__contains__")
         if method is not None:
             answer = truth(machine, machine.call(method, (left,)))
             if answer is None:
@@ -191,7 +192,7 @@ def unary(machine: Interpreter, operator: str, value: Value) -> Value:
         if decided is None:
             return machine.unknown(Cause.OPERATION, "not", "bool")
         return FALSE if decided else TRUE
-    method = _special(machine, value, f"__{_UNARY[operator]}__")
+    method = special(machine, value, f"__{_UNARY[operator]}__")
     if method is not None:
         return machine.call(method, ())
     return operators.unary(machine, operator, bare(machine, value))
@@ -211,7 +212,7 @@ def truth(machine: Interpreter, value: Value) -> bool | None:
         obj: Obj = machine.obj(value)  # type: ignore[arg-type]
         if obj.kind == "instance":
             for name in ("__bool__", "__len__"):
-                method = _special(machine, value, name)
+                method = special(machine, value, name)
                 if method is not None:
                     answer = machine.call(method, ())
                     return None if answer is value else truth(machine, answer)

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
 BY_LIBRARY: Final = "call by a library"
+BY_PYTHON: Final = "call by Python itself"
 BY_BASE: Final = "call by the base class"
 """Events whose callbacks give their results to code that is not known."""
 
@@ -44,6 +45,14 @@ def escape(machine: Interpreter, values: Iterable[Value], library: str, callee: 
         _reach(machine, value, "" if foreign else library, 0, seen)
         if not reads:
             change(machine, value, library)
+
+
+def may_call(machine: Interpreter, values: Iterable[Value]) -> None:
+    """Functions of the program reach a library that is described: it may call them, later, with anything."""
+    for value in values:
+        for option in options(value):
+            if isinstance(option, (Function, BoundMethod, Partial)) and not _is_library(option):
+                machine.schedule_book.add(machine, option, None, BY_LIBRARY)
 
 
 def name_of(value: Value) -> str:

@@ -14,8 +14,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
-from rosward.engine import attributes
-from rosward.engine.escape import BY_LIBRARY
+from rosward.engine import attributes, implicit
+from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -34,6 +35,8 @@ def follow(machine: Interpreter) -> None:
         for value, place in list(machine.handed.items()):
             for callback in _not_called(machine, value):
                 machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
+        for callback in implicit.callbacks(machine):
+            machine.schedule_book.add(machine, callback, None, BY_PYTHON, _place(callback))
         if len(machine.schedule_book.entries) == before:
             return
         machine.spin()
@@ -70,3 +73,9 @@ def _called(machine: Interpreter, name: str, method: Value) -> bool:
     """Whether a method was run. One that a decorator replaced is another function, which may stand for many."""
     function = method.function if isinstance(method, BoundMethod) else method
     return isinstance(function, Function) and function.code.name == name and id(function.code) in machine.entered
+
+
+def _place(callback: Value) -> Place:
+    """Where a method is written."""
+    function = callback.function if isinstance(callback, BoundMethod) else callback
+    return Place(function.code.file, function.code.line) if isinstance(function, Function) else Place("", 0)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join
+from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
@@ -20,6 +20,7 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
     NONE,
     UNBOUND,
+    Class,
     Function,
     Native,
     Ref,
@@ -32,17 +33,18 @@ from rosward.engine import (
     attributes,
     calls,
     catcher,
-    classes,
     contexts,
     equality,
     escape,
     failing,
     generators,
+    instances,
     items,
     iteration,
     modules,
     namespaces,
     raised,
+    removal,
     stepping,
     suspending,
 )
@@ -53,6 +55,7 @@ from rosward.engine.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.engine.transfer import HANDLERS
 from rosward.findings import Finding
 from rosward.ir import ops
+from rosward.models.operators_compare import compares
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -88,6 +91,8 @@ class Interpreter:
         self.heavy: set[int] = set()  # id() of the outermost loops that took too many steps
         self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
         self.deadline = time.process_time() + budget.seconds
+        self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
+        self.hooked = False  # whether a class of the program has `__getattribute__`
         self.choosing = False  # what is being called is one of several alternatives
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
@@ -271,7 +276,10 @@ class Interpreter:
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new set."""
-        return self._collection("set", Series(tuple(dict.fromkeys(items)), rest))
+        known = tuple(dict.fromkeys(items))
+        if len(known) > 1 and any(compares(self, v) for v in known):  # how many of them are equal is not known
+            known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
+        return self._collection("set", Series(known, rest))
 
     def _collection(self, kind: str, series: Series) -> Ref:
         return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind, self.budget.items)))
@@ -368,6 +376,10 @@ class Interpreter:
         """target.name = value."""
         attributes.store(self, target, name, value)
 
+    def delete_attr(self, target: Value, name: str) -> None:
+        """del target.name."""
+        removal.delete(self, target, name)
+
     def load_item(self, value: Value, index: Value) -> Value:
         """value[index]."""
         return items.load(self, value, index)
@@ -398,11 +410,19 @@ class Interpreter:
 
     def is_instance(self, value: Value, wanted: Value) -> bool | None:
         """isinstance(value, wanted)."""
-        return classes.is_instance(self, value, wanted)
+        return instances.is_instance(self, value, wanted)
+
+    def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
+        """issubclass(cls, wanted)."""
+        return instances.is_subclass(self, cls, wanted)
 
     def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
         """An unknown that arises here."""
         return Unknown((Reason(cause, subject, self.place),), hint)
+
+    def may_call(self, values: Iterable[Value]) -> None:
+        """A described library may call those that are functions."""
+        escape.may_call(self, values)
 
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """Values reach unknown code."""

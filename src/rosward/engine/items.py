@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import options
+from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
@@ -25,13 +25,14 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes
+from rosward.engine import attributes, calls, classes, metaclasses
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.models import operators
 from rosward.models.containers_list import new_tuple
 from rosward.models.contents import bare
+from rosward.models.operators_compare import compares
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -86,6 +87,9 @@ def load(machine: Interpreter, value: Value, index: Value) -> Value:
     if cls is Class:
         if classes.is_enum(machine, value):  # type: ignore[arg-type]
             return machine.call(Native("enum.item"), (value, index))
+        of_class = metaclasses.method(machine, value, "__getitem__")
+        if of_class is not None:
+            return calls.call(machine, of_class, (index,), {})
         method = attributes.lookup(machine, value, "__class_getitem__")
         return (
             value
@@ -184,6 +188,9 @@ def _append(machine: Interpreter, target: Value, value: Value) -> None:
     if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
+    if obj.kind == "set" and obj.items and compares(machine, value):  # it may be equal to another element
+        machine.update(target, obj.replace(items=None, rest=join_all([*obj.items, value])))
+        return
     longer = fields_of(concatenated((obj.series(), Series((value,)))), obj.kind, machine.budget.items)
     if longer["items"] is not None or (longer["rest"], longer["ends"]) != (obj.rest, obj.ends):
         machine.update(target, obj.replace(**longer))

@@ -29,7 +29,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes, contents, stepping
+from rosward.engine import attributes, calls, classes, contents, metaclasses, stepping
 from rosward.engine.alternatives import each_apart
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
@@ -260,6 +260,9 @@ def iterate(machine: Interpreter, value: Value) -> Items:
             return _iterate_instance(machine, value)
     if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
         return machine.iterate(machine.call(Native("enum.iterate"), (value,)))
+    of_class = metaclasses.method(machine, value, "__iter__") if cls is Class else None
+    if of_class is not None:
+        return machine.iterate(machine.call(of_class, ()))
     if cls in (External, Native, Function, Class):
         return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
     return operators.iterate(machine, value)

@@ -17,7 +17,8 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.catcher import LIBRARY, OPERATION, Catcher, note, rethrow, throw
-from rosward.engine.classes import exception_object, is_subclass, type_of
+from rosward.engine.classes import exception_object
+from rosward.engine.instances import is_subclass, type_of
 from rosward.engine.state import State, join_states
 from rosward.models.exceptions import builtin_base
 

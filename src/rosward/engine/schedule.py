@@ -16,7 +16,7 @@ from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial
 from rosward.engine.binding import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import throw
-from rosward.engine.escape import BY_BASE, BY_LIBRARY
+from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.state import State, join_states
 from rosward.ir.ops import Op
@@ -241,7 +241,7 @@ class Schedule:
                     machine.iterate(result)
                 elif entry.callback.__class__ is Class:  # what a library makes is its own
                     machine.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
-                elif entry.event in (BY_LIBRARY, BY_BASE) and result is not UNBOUND:
+                elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON) and result is not UNBOUND:
                     machine.escape((result,), "a library")
         except LimitReachedError as limit:
             entry.exhausted = True

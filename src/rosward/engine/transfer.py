@@ -26,6 +26,7 @@ from rosward.engine import (
     iteration,
     modules,
     narrowing,
+    removal,
     suspending,
 )
 from rosward.engine.frame import Frame
@@ -143,7 +144,7 @@ def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
     elif op.kind == "name" and op.name in machine.at(frame.namespace).attrs:
         machine.put(frame.namespace, machine.at(frame.namespace).with_attr(op.name, UNBOUND))
     elif op.kind == "attr":
-        attributes.delete(machine, frame.registers[op.obj], op.name)
+        removal.delete(machine, frame.registers[op.obj], op.name)
 
 
 def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:

@@ -17,6 +17,7 @@ from rosward.domain.values import (
     NONE,
     TRUE,
     BoundMethod,
+    Class,
     Const,
     Descriptor,
     Function,
@@ -24,6 +25,7 @@ from rosward.domain.values import (
     Partial,
     Ref,
     Text,
+    Tuple,
     Value,
 )
 from rosward.models.host import host, text_of
@@ -84,9 +86,28 @@ def _awaited(call: NativeCall) -> Value:
     )
 
 
+REGISTERED: Final = "__registered__"
+"""Where a class keeps what `register` gave it, and those derived from it."""
+
+
+def _register(call: NativeCall) -> Value:
+    """`register(abstract, cls)`: from now on isinstance counts what is of `cls` as of `abstract`, and of the classes above it."""
+    machine, given = call.machine, call.args[1]
+    for option in options(call.args[0]):
+        for base in option.mro if isinstance(option, Class) else ():
+            if isinstance(base, Class) and not base.stub:
+                place = Ref(base.address)
+                record = machine.obj(place)
+                old = record.attrs.get(REGISTERED)
+                known = old.items if isinstance(old, Tuple) else ()
+                machine.update(place, record.with_attr(REGISTERED, Tuple((*known, given))))
+    return NONE
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.overridden": _overridden,
     "_rosward.ask": _ask,
+    "_rosward.register": _register,
     "_rosward.taken": _taken,
     "_rosward.awaited": _awaited,
 }

@@ -155,10 +155,20 @@ def _set(call: NativeCall) -> Value:
     return NONE
 
 
+def _has_hook(machine: Machine, value: Value) -> bool:
+    """Whether a class of the program answers for attributes that are not there."""
+    cls = machine.obj(value).cls if isinstance(value, Ref) else None
+    return isinstance(cls, Class) and any(
+        isinstance(b, Class) and not b.stub and "__getattr__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
+    )
+
+
 def _has(call: NativeCall) -> Value:
     def one(value: Value, name: Value) -> Value:
         known = text_of(name)
         there = None if known is None else has_attribute(call.machine, value, known)
+        if there is None and known is not None and _has_hook(call.machine, value):
+            call.machine.load_attr(value, known)  # `__getattr__` says whether it is there
         return (
             unknown_from(call.machine, "hasattr", "bool", value, name) if there is None else Const(there, origins(name))
         )
@@ -167,11 +177,9 @@ def _has(call: NativeCall) -> Value:
 
 
 def _delete(call: NativeCall) -> Value:
-    target, name = call.args[0], text_of(call.args[1])
-    if isinstance(target, Ref) and name is not None:
-        obj = call.machine.obj(target)
-        if name in obj.attrs:
-            call.machine.update(target, obj.with_attr(name, UNBOUND))
+    name = text_of(call.args[1])
+    if name is not None:
+        call.machine.delete_attr(call.args[0], name)
     return NONE
 
 

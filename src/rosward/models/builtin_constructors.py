@@ -145,16 +145,17 @@ def _slice(call: NativeCall) -> Value:
 
 def _property(call: NativeCall) -> Value:
     getter, setter = call.arg(0, "fget", NONE) or NONE, call.arg(1, "fset")
-    return Descriptor("property", getter, None if setter == NONE else setter)
+    deleter = call.arg(2, "fdel")
+    return Descriptor("property", getter, None if setter == NONE else setter, None if deleter == NONE else deleter)
 
 
 def _wrapped(call: NativeCall) -> Value:
     """staticmethod and classmethod."""
-    return Descriptor(call.name.rpartition(".")[2], call.args[0], None)
+    return Descriptor(call.name.rpartition(".")[2], call.args[0], None, None)
 
 
 def _type(call: NativeCall) -> Value:
-    """type(x); a class made by type(name, bases, namespace) is not known."""
+    """type(x); `type(name, bases, names)` is followed by the engine where its arguments are plain."""
     if len(call.args) != 1 and call.args:
         call.machine.report("RW203", "a class is made by type()")
         return unknown_from(call.machine, "type", "", *call.args)
@@ -166,8 +167,11 @@ def type_of(machine: Machine, value: Value) -> Value:
     if isinstance(value, Ref):
         obj = machine.obj(value)
         return Native("builtins.generator") if obj.kind == "generator" else obj.cls
-    if isinstance(value, (Class, Native, External)):
-        return Native("builtins.type") if isinstance(value, Class) else unknown_from(machine, "type", "", value)
+    if isinstance(value, Class):
+        found = machine.obj(Ref(value.address)).cls
+        return found if isinstance(found, Class) else Native("builtins.type")
+    if isinstance(value, (Native, External)):
+        return unknown_from(machine, "type", "", value)
     if isinstance(value, (Function, BoundMethod, Partial, ModuleValue)):
         return Native("builtins.module" if isinstance(value, ModuleValue) else "builtins.function")
     kind = kind_of(machine, value)

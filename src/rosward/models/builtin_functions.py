@@ -7,7 +7,6 @@ abs(-1), round(x, 2), isinstance(x, str), input(), eval('[1, 2]'); open() is in 
 from __future__ import annotations
 
 import ast
-import builtins
 from collections.abc import Callable
 from typing import Final
 
@@ -16,6 +15,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, Native, Ref, Tuple, Unknown, Value
 from rosward.models.builtin_attributes import attribute_names
 from rosward.models.builtin_constructors import is_callable
+from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import (
     evaluate,
@@ -66,35 +66,8 @@ def _is_instance(call: NativeCall) -> Value:
 
 
 def _is_subclass(call: NativeCall) -> Value:
-    def one(cls: Value, wanted: Value) -> Value:
-        decided = is_subclass(cls, wanted)
-        return unknown_from(call.machine, "issubclass", "bool", cls, wanted) if decided is None else Const(decided)
-
-    return spread(one, *call.args[:2])
-
-
-def is_subclass(cls: Value, wanted: Value) -> bool | None:
-    """issubclass(cls, wanted); None where that is not known."""
-    if isinstance(wanted, Tuple):
-        answers = [is_subclass(cls, w) for w in wanted.items]
-        return True if True in answers else (None if None in answers else False)
-    if isinstance(cls, Native) and isinstance(wanted, Native):
-        ours, theirs = (getattr(builtins, c.name.removeprefix("builtins."), None) for c in (cls, wanted))
-        return issubclass(ours, theirs) if isinstance(ours, type) and isinstance(theirs, type) else None
-    if isinstance(cls, Class) and isinstance(wanted, (Class, Native)):
-        if wanted in cls.mro or wanted == Native("builtins.object"):
-            return True
-        answers = [is_subclass(b, wanted) if isinstance(b, Native) else isinstance(b, Class) for b in cls.mro]
-        return (
-            None
-            if not all(isinstance(b, (Class, Native)) for b in cls.mro) or None in answers
-            else _by_native(cls, wanted)
-        )
-    return True if cls == wanted else None
-
-
-def _by_native(cls: Class, wanted: Value) -> bool:
-    return any(isinstance(b, Native) and is_subclass(b, wanted) for b in cls.mro)
+    decided = call.machine.is_subclass(call.args[0], call.args[1])
+    return unknown_from(call.machine, "issubclass", "bool", *call.args[:2]) if decided is None else Const(decided)
 
 
 def _callable(call: NativeCall) -> Value:
@@ -105,7 +78,19 @@ def _callable(call: NativeCall) -> Value:
     return spread(one, call.args[0])
 
 
-def _print(_call: NativeCall) -> Value:
+def _print(call: NativeCall) -> Value:
+    """What is printed goes to `file`, or to what the program put in the place of sys.stdout: its `write` runs."""
+    file = call.keywords.get("file")
+    if file is None or file == NONE:
+        machine = host(call.machine)
+        file = machine.load_attr(machine.load_module("sys"), "stdout")
+    for option in options(file):
+        cls = call.machine.obj(option).cls if isinstance(option, Ref) else None
+        if isinstance(cls, Class) and not cls.stub:
+            text = call.machine.unknown(Cause.CALL, "print", "str")
+            call.machine.call(call.machine.load_attr(option, "write"), (text,))
+            if call.keywords.get("flush") is not None:
+                call.machine.call(call.machine.load_attr(option, "flush"), ())
     return NONE
 
 
@@ -152,6 +137,10 @@ def _dir(call: NativeCall) -> Value:
     machine, names = call.machine, set(dir(object))
     for option in options(call.args[0]) if call.args else (NONE,):
         cls = machine.obj(option).cls if isinstance(option, Ref) else option
+        if isinstance(cls, Class) and any(
+            isinstance(b, Class) and "__dir__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
+        ):
+            return machine.call(Native("builtins.list"), (machine.call(machine.load_attr(option, "__dir__"), ()),))
         known = attribute_names(machine, option)
         if not known or not isinstance(cls, Class) or not all(isinstance(b, (Class, Native)) for b in cls.mro):
             return machine.unknown(Cause.LIVE, "dir", "list")

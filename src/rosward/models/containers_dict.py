@@ -31,7 +31,7 @@ from rosward.domain.values import (
 )
 from rosward.models.contents import bare, plain_data
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
-from rosward.models.operators_compare import equal
+from rosward.models.operators_compare import compares, equal
 from rosward.models.plain import Raised, all_of, listed, native, origins, unknown_from, with_origins
 
 MAX_ENTRIES: Final = 2_000
@@ -117,6 +117,8 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
             if isinstance(obj.payload, Ref):
                 machine.report("RW203", "an attribute or variable with a name that is not known is set")
             obj = _store_unknown(machine, obj, option, value)
+        elif compares(machine, key):  # it may be equal to another key
+            obj = _store_unknown(machine, obj, key, value)
         else:
             is_many = isinstance(key, Ref) and machine.obj(key).many
             obj = _store_known(obj, find(obj, key) or key, value, several or is_many)

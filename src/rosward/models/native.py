@@ -44,6 +44,9 @@ class Machine(Protocol):
     def store_attr(self, target: Value, name: str, value: Value) -> None:
         """target.name = value."""
 
+    def delete_attr(self, target: Value, name: str) -> None:
+        """del target.name."""
+
     def load_item(self, value: Value, index: Value) -> Value:
         """value[index]."""
 
@@ -82,6 +85,9 @@ class Machine(Protocol):
 
     def is_instance(self, value: Value, classes: Value) -> bool | None:
         """isinstance(value, classes)."""
+
+    def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
+        """issubclass(cls, wanted)."""
 
     def obj(self, ref: Ref) -> Obj:
         """The heap record behind a reference."""

@@ -235,11 +235,25 @@ def _instances(machine: Machine, left: Value, right: Value) -> bool | None:
     if left == right:
         return None if isinstance(left, Ref) and machine.obj(left).many else True
     classes = [machine.obj(v).cls for v in (left, right) if isinstance(v, Ref) and machine.obj(v).kind == "instance"]
-    plain_objects = all(isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) for c in classes)
+    plain_objects = all(
+        isinstance(c, Class) and all(isinstance(b, Class) for b in c.mro) and not _has_equality(machine, c)
+        for c in classes
+    )
     return (
         False
         if classes and plain_objects and not isinstance(left, External) and not isinstance(right, External)
         else None
+    )
+
+
+def compares(machine: Machine, value: Value) -> bool:
+    """Whether the program says by `__eq__` to what an object is equal."""
+    return isinstance(value, Ref) and _has_equality(machine, machine.obj(value).cls)
+
+
+def _has_equality(machine: Machine, cls: Value) -> bool:
+    return isinstance(cls, Class) and any(
+        isinstance(b, Class) and not b.stub and "__eq__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
     )
 
 

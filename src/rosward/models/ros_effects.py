@@ -388,6 +388,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.mark": _mark,
     "_rosward.spins": _marker("spins"),
     "_rosward.native": _marker("native"),
+    "_rosward.pure": _marker("pure"),
     "_rosward.create": _create,
     "_rosward.create_node": _create_node,
     "_rosward.init": _init,

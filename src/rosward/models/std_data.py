@@ -17,7 +17,7 @@ import yaml
 from rosward.domain.choice import lift, reasons_of
 from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Class, Const, Ref, Text, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import MAX_DEPTH, NotKnown, from_plain, text_of, to_plain, unknown_from
 
@@ -103,6 +103,8 @@ def _reader(parse: Callable[[str], object], name: str) -> NativeFunction:
         source = call.arg(0, name)
         if source is None:
             return call.machine.die("TypeError", f"{call.name}() missing 1 required positional argument: '{name}'")
+        if _hooked(call):
+            return unknown_from(call, "", (source,))
         loader = call.arg(1, "Loader") if call.name == "yaml.load" else None
         if isinstance(loader, Class) and loader.name == "BaseLoader":  # it leaves every scalar a text
             return unknown_from(call, "", (source,))
@@ -118,8 +120,20 @@ def _all_documents(call: NativeCall) -> Value:
     )
 
 
+_HOOKS: Final = ("default", "cls", "object_hook", "object_pairs_hook", "parse_float", "parse_int", "parse_constant")
+
+
+def _hooked(call: NativeCall) -> bool:
+    """Whether functions or classes of the program are given that take part: they are called."""
+    hooks = [v for k, v in call.keywords.items() if k in _HOOKS and v != NONE]
+    call.machine.escape(hooks, call.name)
+    return bool(hooks)
+
+
 def _dumps(call: NativeCall) -> Value:
     """json.dumps / yaml.dump of what is known; else an unknown text. Written to a file: None."""
+    if _hooked(call):
+        return unknown_from(call, "str", call.args)
     try:
         value, origins = to_plain(call.machine, call.args[0])
         options = {k: to_plain(call.machine, v)[0] for k, v in call.keywords.items()}

@@ -313,7 +313,7 @@ def _same(call: NativeCall) -> Value:
 
 
 def _property(call: NativeCall) -> Value:
-    return Descriptor("property", call.args[0], None) if call.args else NONE
+    return Descriptor("property", call.args[0], None, None) if call.args else NONE
 
 
 def _verify(_: NativeCall) -> Value:

@@ -64,7 +64,7 @@ def _cache(call: NativeCall) -> Value:
 
 
 def _cached_property(call: NativeCall) -> Value:
-    return Descriptor("cached_property", call.args[0], None) if call.args else NONE
+    return Descriptor("cached_property", call.args[0], None, None) if call.args else NONE
 
 
 def _reduce(call: NativeCall) -> Value:

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """`abc`: abstract methods are methods."""
 
+from _rosward import register
+
 class ABCMeta(type):
     def register(cls, subclass):
+        register(cls, subclass)
         return subclass
-class ABC: ...
+class ABC(metaclass=ABCMeta): ...
 
 def abstractmethod(funcobj):
     return funcobj

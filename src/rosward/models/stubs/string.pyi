@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`string`: its constants, and templates."""
-from _rosward import native
+from _rosward import ask, native, overridden, unknown
 
 @native
 def _substitute(template, mapping, safe): ...
@@ -24,6 +24,22 @@ class Template:
         return _substitute(self.template, {**mapping, **kws}, True)
 class Formatter:
     def format(self, format_string, /, *args, **kwargs):
-        return format_string.format(*args, **kwargs)
+        return self.vformat(format_string, args, kwargs)
     def vformat(self, format_string, args, kwargs):
+        if overridden(self, 'parse', 'get_field', 'get_value', 'check_unused_args', 'format_field', 'convert_field'):
+            name, spec = unknown('input', 'field of a format', 'str'), unknown('input', 'format of a field', 'str')
+            ask(self, 'parse', format_string)
+            ask(self, 'get_field', name, args, kwargs)
+            value = ask(self, 'get_value', name, args, kwargs)
+            ask(self, 'convert_field', value, spec)
+            ask(self, 'format_field', value, spec)
+            ask(self, 'check_unused_args', set(), args, kwargs)
+            return unknown('call', 'string.Formatter', 'str')
         return format_string.format(*args, **kwargs)
+    def parse(self, format_string): ...
+    def get_field(self, field_name, args, kwargs): ...
+    def get_value(self, key, args, kwargs): ...
+    def check_unused_args(self, used_args, args, kwargs) -> None: ...
+    def format_field(self, value, format_spec):
+        return format(value, format_spec)
+    def convert_field(self, value, conversion): ...

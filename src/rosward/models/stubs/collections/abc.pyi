@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections.abc`: bases without effect."""
 
-class _Abstract:
+from abc import ABCMeta
+
+class _Abstract(metaclass=ABCMeta):
     def __class_getitem__(cls, item):
         return cls
 class Awaitable(_Abstract): ...
