@@ -7,6 +7,7 @@ ROSWARD_ORDER=1 tries every pair of libraries in both orders.
 
 from __future__ import annotations
 
+import itertools
 import os
 import random
 from collections.abc import Iterable
@@ -168,3 +169,21 @@ def test_a_model_changes_no_other(tmp_path: Path) -> None:
             _module(library, name)
         shapes.append(_shape(library, "base"))
     assert shapes[0] == shapes[1] == shapes[2]
+
+
+def test_what_a_function_imports_comes_when_it_is_called(tmp_path: Path) -> None:
+    """A stub that a function imports is loaded by its call, also where the function is called while its own stub is loaded."""
+    (tmp_path / "late.pyi").write_text("import given\nclass Late(given.Given): ...\n")
+    (tmp_path / "given.pyi").write_text(
+        "class Given: ...\ndef make():\n    from late import Late\n    return Late()\ndef uncalled():\n    import more\n"
+    )
+    (tmp_path / "called.pyi").write_text("import given\nmade = given.make()\n")
+    (tmp_path / "more.pyi").write_text("MORE = 1\n")
+    shapes = []
+    for order in itertools.permutations(("late", "given", "called")):
+        library = Library(SourceTree(discover([tmp_path])), natives(), (tmp_path,))
+        for name in order:
+            _module(library, name)
+        assert "more" not in library._models
+        shapes.append([_shape(library, name) for name in ("late", "given", "called")])
+    assert all(shape == shapes[0] for shape in shapes)

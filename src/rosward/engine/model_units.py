@@ -57,12 +57,16 @@ def _closed(open_: dict[str, None], first: str) -> tuple[str, ...]:
 
 
 def _needed(stubs: StubFiles, name: str) -> list[str]:
-    """The models that have to be there before this one: its packages, and all that any of its code imports."""
+    """The models that have to be there before this one: its packages, and all that it imports before a function of it is called.
+
+    What a function imports is loaded when it is first called: most programs call few of them. That may be while the unit of the stub is loaded,
+    and then it is at the same point for whoever asks, since no unit that needs this one can have been loaded before.
+    """
     file = stubs.find(name)
     module = None if file is None else stubs.module(file)
     needed = set(_with_packages(name))
     if module is not None and file is not None:
-        for written in module.imports:
+        for written in module.first:
             level = len(written) - len(written.lstrip("."))
             needed.update(_with_packages(absolute(written[level:], level, name, file)))
     return sorted(n for n in needed if n != name and stubs.find(n) is not None)

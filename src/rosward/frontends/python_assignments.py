@@ -177,7 +177,7 @@ def _delete_one(body: Body, target: ast.expr) -> None:
 
 def _import(body: Body, node: ast.Import) -> None:
     for alias in node.names:
-        body.unit.imports.add(alias.name)
+        body.imports(alias.name)
         dst = body.register()
         leaf = alias.asname is not None
         body.ops.append(Import(node.lineno, alias.col_offset + 1, dst, alias.name, leaf))
@@ -187,13 +187,13 @@ def _import(body: Body, node: ast.Import) -> None:
 def _import_from(body: Body, node: ast.ImportFrom) -> None:
     module, level = node.module or "", node.level or 0
     prefix = "." * level + module
-    body.unit.imports.add(prefix)
+    body.imports(prefix)
     for alias in node.names:
         line, column = alias.lineno, alias.col_offset + 1
         if alias.name == "*":
             body.ops.append(ImportStar(line, column, module, level))
             continue
-        body.unit.imports.add(f"{prefix}.{alias.name}" if module else prefix + alias.name)
+        body.imports(f"{prefix}.{alias.name}" if module else prefix + alias.name)
         dst = body.register()
         body.ops.append(ImportFrom(line, column, dst, module, level, body.scope.mangle(alias.name)))
         body.store(alias, alias.asname or alias.name, dst)

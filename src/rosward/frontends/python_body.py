@@ -79,7 +79,7 @@ def misplaced(node: Located, message: str) -> FrontendError:
 class Unit:
     """What the bodies of one file share."""
 
-    __slots__ = ("bodies", "expressions", "file", "has_main", "imports", "statements", "symbols")
+    __slots__ = ("bodies", "expressions", "file", "first", "has_main", "imports", "statements", "symbols")
 
     def __init__(
         self,
@@ -93,6 +93,7 @@ class Unit:
         self.expressions = expressions
         self.statements = statements
         self.imports: set[str] = set()
+        self.first: set[str] = set()  # those of them that no function has to be called for
         self.has_main = False
         self.bodies = 0  # how many code bodies there are so far
 
@@ -125,6 +126,12 @@ class Body:
         self.registers = 0
         self.loops = 0
         self.effects = 0  # counts what may run code elsewhere: calls, awaits, yields
+
+    def imports(self, module: str) -> None:
+        """This code imports a module."""
+        self.unit.imports.add(module)
+        if not self.owner.in_function:
+            self.unit.first.add(module)
 
     # Registers and blocks
 

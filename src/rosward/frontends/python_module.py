@@ -102,7 +102,7 @@ def _lower(tree: ast.Module, file: str, lines: int) -> Module:
         line=1,
         doc=ast.get_docstring(tree, clean=False),
     )
-    return Module(file, code, frozenset(unit.imports), unit.has_main, lines)
+    return Module(file, code, frozenset(unit.imports), frozenset(unit.first), unit.has_main, lines)
 
 
 def _parse(text: str) -> ast.Module:

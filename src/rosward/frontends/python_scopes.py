@@ -58,6 +58,7 @@ class Scope:
         "free",
         "given",
         "global_names",
+        "in_function",
         "is_generator",
         "kind",
         "nonlocal_names",
@@ -76,6 +77,7 @@ class Scope:
         self.parent = parent
         self.owner: Scope = parent.owner if kind is ScopeKind.INLINE and parent is not None else self
         self.private = private  # the class name that `__x` is mangled with, or ''
+        self.in_function: bool = kind is ScopeKind.FUNCTION or (parent is not None and parent.in_function)
         self.sees_class = sees_class  # an INLINE scope right in a class body that sees the names of the class
         self.bound: dict[str, None] = {}
         self.used: dict[str, None] = {}

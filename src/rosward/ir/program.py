@@ -138,13 +138,20 @@ def _number(block: Block, last: int = 0) -> int:
 
 @final
 class Module:
-    """A lowered source file. `imports` are the dotted names of all modules that any of its code imports (relative ones with their dots)."""
+    """A lowered source file.
 
-    __slots__ = ("code", "file", "has_main", "imports", "lines")
+    `imports` are the dotted names of all modules that any of its code imports (relative ones with their dots), `first` those of them that
+    it imports before any of its functions is called.
+    """
 
-    def __init__(self, file: str, code: Code, imports: frozenset[str], has_main: bool, lines: int) -> None:
+    __slots__ = ("code", "file", "first", "has_main", "imports", "lines")
+
+    def __init__(
+        self, file: str, code: Code, imports: frozenset[str], first: frozenset[str], has_main: bool, lines: int
+    ) -> None:
         self.file = file
         self.code = code
         self.imports = imports
+        self.first = first
         self.has_main = has_main  # it has an `if __name__ == '__main__'` block
         self.lines = lines
