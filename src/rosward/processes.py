@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, ModuleValue, Value
+from rosward.domain.text import make
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import UNBOUND, Class, Hole, ModuleValue, Unknown, Value
 from rosward.engine import handed, modules
 from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
@@ -56,8 +57,7 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
     log = EffectLog(configuration)
     machine = Interpreter(library, budget, log)
     try:
-        if configuration is not None:
-            _give_words(machine, configuration)
+        _give_words(machine, entry, configuration)
         _main(machine, entry)
     except LimitReachedError as limit:
         place = limit.place
@@ -112,12 +112,17 @@ def _reached(error: Exception) -> Place | None:
     return found
 
 
-def _give_words(machine: Interpreter, configuration: Configuration) -> None:
-    """`sys.argv` of a process whose command line is known."""
+def _give_words(machine: Interpreter, entry: Entry, configuration: Configuration | None) -> None:
+    """`sys.argv`: the path of the program, as `ros2 run` starts it, then the words of its command line, or what somebody types."""
     module = machine.load_module("sys")
     if isinstance(module, ModuleValue):
-        program = machine.unknown(Cause.FILE, "path of the executable", "str")
-        words = machine.new_list((program, *configuration.words))
+        folder = Hole((Reason(Cause.FILE, "folder of the executable", Place(entry.file)),))
+        name = entry.executable or entry.file.rpartition("/")[2]
+        program = make((folder, f"/{name}")) if name and not entry.classes else Unknown(folder.reasons, "str")
+        if configuration is not None:
+            words = machine.new_list((program, *configuration.words))
+        else:
+            words = machine.new_list((program,), machine.unknown(Cause.ARGUMENT, "sys.argv", "str"))
         machine.put(module.address, machine.at(module.address).with_attr("argv", words))
 
 

@@ -25,6 +25,7 @@ class Cause(enum.Enum):
     SHARE = "share folder of the package"
     PREFIX = "install folder of the package"
     SOURCES = "folder of the sources"
+    BESIDE = "folder of a module"
     INPUT = "input when it runs"
     MESSAGE = "content of a message"
     CALL = "call that is not modelled"
@@ -40,7 +41,7 @@ class Cause(enum.Enum):
     ERROR = "expression that fails when it runs"
 
 
-FOLDERS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES))
+FOLDERS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES, Cause.BESIDE))
 """Unknown folders that are known for what they are: a text that begins with one of them is a path below it."""
 
 

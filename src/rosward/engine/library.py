@@ -147,13 +147,14 @@ class Library:
         return self._node
 
     def file_value(self, _machine: object, module: ModuleValue) -> Value:
-        """`__file__`: of a launch file in the share folder of its package; else only the file's own name is known."""
+        """`__file__`: of a launch file in the share folder of its package; else where the module is installed, which is beside what it is beside
+        in the sources."""
         shared = self.sources.shared(module.file)
         if shared is not None:
             cause = Cause.SHARE if shared[0] else Cause.SOURCES
             return make((Hole((Reason(cause, shared[0], Place(module.file)),)), "/" + shared[1]))
-        reason = Reason(Cause.FILE, "place of installation", Place(module.file))
-        return make((Hole((reason,)), "/" + module.file.rpartition("/")[2]))
+        folder, _, name = module.file.rpartition("/")
+        return make((Hole((Reason(Cause.BESIDE, folder or ".", Place(module.file)),)), "/" + name))
 
     # Modules
 

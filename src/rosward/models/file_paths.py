@@ -2,6 +2,7 @@
 """Which file of the analysed packages does a path lead to?
 
 os.path.join(get_package_share_directory('demo'), 'config', 'a.yaml')    Location('demo', 'config/a.yaml')
+os.path.join(os.path.dirname(__file__), 'a.yaml')                        Location('', 'src/demo/demo/a.yaml')
 Path(get_package_prefix('demo')) / 'share/demo/a.yaml'                   Location('demo', 'a.yaml')
 '/etc/robot.yaml'                                                        None: no file of the sources
 
@@ -83,6 +84,9 @@ def location_of(value: Value) -> Location | None:
     if len(folders) != 1:
         return None
     cause, package = folders.pop()
+    if cause is Cause.BESIDE:
+        beside = names_of_path(f"{package}{tail}")
+        return None if beside is None else Location("", "/".join(beside))
     parts = names_of_path(tail)
     if parts is None:
         return None
@@ -93,6 +97,12 @@ def location_of(value: Value) -> Location | None:
     if cause is Cause.PREFIX:
         return Location(package, "/".join(parts[2:])) if parts[:2] == ["share", package] else None
     return Location(package, "/".join(parts)) if cause is Cause.SHARE else None
+
+
+def is_beside(path: Value) -> bool:
+    """Whether a path begins with the folder of a module, which is not that of the sources where the module is installed."""
+    first = parts_of(path)[0]
+    return isinstance(first, Hole) and any(reason.cause is Cause.BESIDE for reason in first.reasons)
 
 
 def path_of(location: Location) -> Value:

@@ -81,10 +81,23 @@ def _compare(machine: Machine, op: str, left: Value, right: Value) -> Value:
 
 
 def _ordered(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+    if isinstance(left, Tuple) and isinstance(right, Tuple):
+        return _in_turn(machine, op, left.items, right.items)
     a, b = comparable(machine, left), comparable(machine, right)
     if a is NOT_PLAIN or b is NOT_PLAIN:
         return None
     return bool(run(_ORDER[op], a, b))
+
+
+def _in_turn(machine: Machine, op: str, left: tuple[Value, ...], right: tuple[Value, ...]) -> bool | None:
+    """Two tuples: the first elements that differ decide, else which one is longer. What stands behind need not be known."""
+    for a, b in zip(left, right, strict=False):
+        alike = equal(machine, a, b)
+        if alike is None:
+            return None
+        if not alike:
+            return _ordered(machine, op, a, b)
+    return bool(run(_ORDER[op], len(left), len(right)))
 
 
 def comparable(machine: Machine, value: Value, depth: int = MAX_DEPTH) -> object:

@@ -50,7 +50,11 @@ def _declare(call: NativeCall) -> Value:
                 continue
             value = _initial(machine, node, name, default, _hint(machine, type_), ignored)
             address = node.address if isinstance(node, Ref) else None
-            machine.log.parameters[ParameterEffect(address, name, default, value, type_, machine.place)] = None
+            machine.log.parameters[
+                ParameterEffect(
+                    address, name, _as_declared(machine, default), _as_declared(machine, value), type_, machine.place
+                )
+            ] = None
             table.put(machine, node, name, value, sure=alone)
             found.append(value)
     return join_all(found) if found else UNBOUND
@@ -366,9 +370,18 @@ def _declare_given(call: NativeCall) -> Value:
     return NONE
 
 
+def _as_declared(machine: Interpreter, value: Value) -> Value:
+    """The value as it stands at the declaration: of a list its elements, since what is recorded must not change with the list."""
+    if isinstance(value, Ref):
+        record = machine.obj(value)
+        if record.kind == "list" and record.items is not None and not record.many:
+            return Tuple(record.items)
+    return value
+
+
 def _declared_by(machine: Interpreter, node: Value, label: str, value: Value, *, sure: bool) -> None:
     address = node.address if isinstance(node, Ref) else None
-    effect = ParameterEffect(address, Const(label), NONE, value, NONE, machine.place)
+    effect = ParameterEffect(address, Const(label), NONE, _as_declared(machine, value), NONE, machine.place)
     machine.log.parameters[effect] = None
     table.put(machine, node, Const(label), value, sure=sure)
 

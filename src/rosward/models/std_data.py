@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data that stands in the program as text, and data in files: `json`, `yaml`.
+"""Data that stands in the program as text, and data in files: `json`, `yaml`, `tomllib`.
 
 json.loads('{"topic": "/scan"}')          a dict with 'topic': '/scan'
 yaml.safe_load(open(share + '/a.yaml'))   what is in the file, if it is one of the analysed packages
@@ -20,6 +20,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import MAX_DEPTH, NotKnown, from_plain, text_of, to_plain, unknown_from
+from rosward.source.toml import read_toml
 
 MAX_TEXT: Final = 1_000_000
 _MAX_ALIASES: Final = 100
@@ -40,6 +41,10 @@ def _yaml(text: str) -> object:
         raise NotKnown from error
     except yaml.YAMLError as error:
         raise ValueError(str(error).partition("\n")[0]) from error
+
+
+def _toml(text: str) -> object:
+    return read_toml(text)
 
 
 def _bound(text: str) -> None:
@@ -83,7 +88,7 @@ def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Va
 def _left_in(call: NativeCall, source: Value) -> Const | None:
     """What is still to be read of a file of the sources that `open` gave (stubs/_opened.pyi)."""
     left = call.machine.obj(source).attrs.get("_left") if isinstance(source, Ref) else None
-    return left if isinstance(left, Const) and isinstance(left.value, str) else None
+    return left if isinstance(left, Const) and isinstance(left.value, (str, bytes)) else None
 
 
 def _of_file(call: NativeCall, source: Value) -> Value:
@@ -157,6 +162,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "json.loads": _reader(_json, "s"),
     "json.load": _reader(_json, "fp"),
     "json.dumps": _dumps,
+    "tomllib.loads": _reader(_toml, "s"),
+    "tomllib.load": _reader(_toml, "fp"),
     "simplejson.loads": _reader(_json, "s"),
     "simplejson.load": _reader(_json, "fp"),
     "yaml.safe_load": _reader(_yaml, "stream"),

@@ -15,14 +15,14 @@ from rosward.domain.choice import lift, options
 from rosward.domain.text import concat, make, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, TRUE, Const, Unknown, Value
-from rosward.models.file_paths import location_of
+from rosward.models.file_paths import is_beside, location_of
 from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import FILE_HINT
 from rosward.models.std_paths import as_text
 from rosward.models.std_support import text_of
 
-_READING: Final = frozenset({"r", "rt", "tr"})
+_READING: Final = frozenset({"r", "rt", "tr", "rb", "br"})
 _MAGIC: Final = frozenset("*?[")
 
 
@@ -49,6 +49,9 @@ def _open(call: NativeCall) -> Value:
         if text is None:
             return call.machine.unknown(Cause.FILE, readable(path), FILE_HINT)
         opened = host(call.machine).load_module("_opened")
+        if mode is not None and "b" in mode:
+            data = Const(str(text.value).encode("utf-8", "surrogateescape"), text.origins)
+            return call.machine.call(call.machine.load_attr(opened, "BinaryFile"), (data, path))
         return call.machine.call(call.machine.load_attr(opened, "TextFile"), (text, path))
 
     return lift(one, _path(call, "file"))
@@ -65,10 +68,11 @@ def _is_there(*, files: bool, folders: bool) -> NativeFunction:
     def ask(call: NativeCall) -> Value:
         def one(path: Value) -> Value:
             where = location_of(path)
-            if where is not None and files and call.machine.files.is_file(*where):
-                return TRUE
-            if where is not None and folders and call.machine.files.is_folder(*where):
-                return TRUE
+            if where is not None and not is_beside(path):  # beside a module lies only what the build puts there
+                if files and call.machine.files.is_file(*where):
+                    return TRUE
+                if folders and call.machine.files.is_folder(*where):
+                    return TRUE
             return call.machine.unknown(Cause.FILE, text_of(path) or "", "bool")
 
         return lift(one, _path(call, next(iter(call.keywords), "path")))

@@ -99,8 +99,11 @@ def dirname(value: Value) -> Value:
 
 
 def _above(folder: Hole) -> Value:
-    """The folder above an unknown one: that of share/demo is share, in the install folder of the package."""
+    """The folder above an unknown one: that of share/demo is share, in the install folder of the package; that of a module is one of the sources."""
     causes = {(reason.cause, reason.subject) for reason in folder.reasons}
+    if len(causes) == 1 and folder.reasons[0].cause is Cause.BESIDE and folder.reasons[0].subject != ".":
+        above = posixpath.dirname(folder.reasons[0].subject) or "."
+        return Unknown(tuple(reason._replace(subject=above) for reason in folder.reasons), "str")
     if len(causes) == 1 and folder.reasons[0].cause is Cause.SHARE:
         prefix = tuple(reason._replace(cause=Cause.PREFIX) for reason in folder.reasons)
         return make((Hole(prefix), "/share"))

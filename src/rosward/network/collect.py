@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.domain.text import pattern
-from rosward.domain.values import Const, Ref, Tuple, Unknown, Value
+from rosward.domain.values import Const, Tuple, Value
 from rosward.findings import Finding
 from rosward.holes import HOLE, Holed
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
@@ -298,17 +298,20 @@ def _parameter(name: str, effect: ParameterEffect) -> Parameter:
 
 
 def plain(value: Value) -> object:
-    """The Python value of a constant; None where it is not known (lists of constants as such)."""
+    """The Python value of a constant, or of a list of constants; None where it is not known."""
     if isinstance(value, Const):
         return value.value if not isinstance(value.value, (bytes, complex)) else None
     if isinstance(value, Tuple):
-        return [plain(v) for v in value.items]
-    if isinstance(value, (Unknown, Ref)):
-        return None
+        items = [plain(v) for v in value.items]
+        return None if None in items else items
     return None
 
 
 def _type_name(value: object) -> str | None:
+    """The word of rcl for the type of a parameter's value. As for rclpy, a list without elements is one of bytes."""
+    if isinstance(value, list):
+        kinds = {_type_name(item) for item in value}
+        return f"{kinds.pop()}_array" if len(kinds) == 1 and None not in kinds else None if kinds else "byte_array"
     for kind, word in ((bool, "bool"), (int, "integer"), (float, "double"), (str, "string")):
         if isinstance(value, kind):
             return word

@@ -42,3 +42,19 @@ class TextFile:
         return False
     def seekable(self):
         return True
+
+class BinaryFile(TextFile):
+    """The same, opened to be read as bytes."""
+    mode = 'rb'
+    encoding = None
+    def read(self, size=-1):
+        if size is None or size < 0:
+            data = self._left
+            self._left = b''
+            return data
+        self._left = unknown('file', self.name, 'bytes')
+        return unknown('file', self.name, 'bytes')
+    def readline(self, size=-1):
+        lines = self._left.splitlines(True)
+        self._left = b''.join(lines[1:])
+        return lines[0] if lines else b''

@@ -1,77 +1,170 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`configparser`: what stands in the file is not known, unless the program sets it."""
-from _rosward import either, unknown
+"""`configparser`: what text says that stands in the program, or in a file of the sources (models/std_tables.py), and what the program sets.
+
+Once a text was read that is not known, there may be any section, and any value.
+"""
+from _rosward import either, native, unknown
+
+DEFAULTSECT = 'DEFAULT'
+
+@native
+def _sections(text, allows_no_value): ...
 
 class Error(Exception): ...
 class NoSectionError(Error): ...
 class NoOptionError(Error): ...
+class DuplicateSectionError(Error): ...
+class BasicInterpolation: ...
+class ExtendedInterpolation: ...
+
+_NOTHING = object()
 
 class SectionProxy:
     def __init__(self, parser, name):
         self._parser = parser
-        self._name = name
+        self.parser = parser
         self.name = name
     def __getitem__(self, key):
-        return self._parser.get(self._name, key)
+        value = self._parser.get(self.name, key, fallback=_NOTHING)
+        if value is _NOTHING:
+            raise KeyError(key)
+        return value
     def __setitem__(self, key, value):
-        self._parser.set(self._name, key, value)
-    def __contains__(self, key) -> bool: ...
+        self._parser.set(self.name, key, value)
+    def __contains__(self, key):
+        return self._parser.has_option(self.name, key)
     def get(self, option, fallback=None, *, raw=False, vars=None, _impl=None, **kwargs):
-        return either(fallback, self._parser.get(self._name, option))
+        return self._parser.get(self.name, option, fallback=fallback)
     def getint(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
-        return either(fallback, unknown('file', self._name + '.' + option, 'int'))
+        return self._parser.getint(self.name, option, fallback=fallback)
     def getfloat(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
-        return either(fallback, unknown('file', self._name + '.' + option, 'float'))
+        return self._parser.getfloat(self.name, option, fallback=fallback)
     def getboolean(self, option, fallback=None, *, raw=False, vars=None, **kwargs):
-        return either(fallback, unknown('file', self._name + '.' + option, 'bool'))
+        return self._parser.getboolean(self.name, option, fallback=fallback)
     def keys(self):
-        return unknown('file', self._name, 'list')
+        return self._parser.options(self.name)
+    def values(self):
+        return [value for _, value in self._parser.items(self.name)]
     def items(self):
-        return unknown('file', self._name, 'list')
+        return self._parser.items(self.name)
     def __iter__(self):
-        return iter(unknown('file', self._name, 'list'))
+        return iter(self._parser.options(self.name))
+    def __len__(self):
+        return len(self._parser.options(self.name))
 
 class RawConfigParser:
-    def __init__(self, defaults=None, dict_type=dict, allow_no_value=False, **kwargs):
-        self._set = {}
+    def __init__(self, defaults=None, dict_type=dict, allow_no_value=False, *, default_section='DEFAULT', interpolation=None, **kwargs):
+        self.default_section = default_section
+        self._allows = allow_no_value
+        self._known = {default_section: {}}
+        self._open = False
+        for name in defaults or {}:
+            self._known[default_section][self.optionxform(name)] = defaults[name]
+    def optionxform(self, optionstr):
+        return optionstr.lower()
+    def _take(self, text):
+        found = _sections(text, self._allows)
+        if found is None:
+            self._open = True
+        else:
+            for section, name, value in found:
+                if section not in self._known:
+                    self._known[section] = {}
+                if name is not None:
+                    self._known[section][self.optionxform(name)] = value
     def read(self, filenames, encoding=None):
+        for name in [filenames] if isinstance(filenames, str) or not isinstance(filenames, (list, tuple, set)) else filenames:
+            self._take(open(name).read())
         return unknown('file', filenames if isinstance(filenames, str) else '', 'list')
-    def read_file(self, f, source=None) -> None: ...
-    def read_string(self, string, source='<string>') -> None: ...
-    def read_dict(self, dictionary, source='<dict>') -> None: ...
-    def get(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
-        value = unknown('file', section + '.' + option, 'str')
-        if (section, option) in self._set:
-            value = either(value, self._set[(section, option)])
-        return value if fallback is None else either(fallback, value)
-    def getint(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
-        value = unknown('file', section + '.' + option, 'int')
-        return value if fallback is None else either(fallback, value)
-    def getfloat(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
-        value = unknown('file', section + '.' + option, 'float')
-        return value if fallback is None else either(fallback, value)
-    def getboolean(self, section, option, *, raw=False, vars=None, fallback=None, **kwargs):
-        value = unknown('file', section + '.' + option, 'bool')
-        return value if fallback is None else either(fallback, value)
+    def read_file(self, f, source=None):
+        self._take(''.join(f))
+    readfp = read_file
+    def read_string(self, string, source='<string>'):
+        self._take(string)
+    def read_dict(self, dictionary, source='<dict>'):
+        for section in dictionary:
+            if section not in self._known:
+                self._known[section] = {}
+            for name in dictionary[section]:
+                self._known[section][self.optionxform(name)] = str(dictionary[section][name])
+    def _of(self, section):
+        return {**self._known[self.default_section], **self._known.get(section, {})}
+    def get(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
+        known, name = self._of(section), self.optionxform(option)
+        if name in known:
+            return either(known[name], unknown('file', section + '.' + option, 'str')) if self._open else known[name]
+        if self._open:
+            value = unknown('file', section + '.' + option, 'str')
+            return value if fallback is _NOTHING else either(fallback, value)
+        if fallback is not _NOTHING:
+            return fallback
+        if section not in self._known:
+            raise NoSectionError(section)
+        raise NoOptionError(option, section)
+    def _as(self, convert, section, option, fallback):
+        value = self.get(section, option, fallback=_NOTHING if fallback is _NOTHING else None)
+        return fallback if value is None else convert(value)
+    def getint(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
+        return self._as(int, section, option, fallback)
+    def getfloat(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
+        return self._as(float, section, option, fallback)
+    def getboolean(self, section, option, *, raw=False, vars=None, fallback=_NOTHING, **kwargs):
+        return self._as(lambda value: value.lower() in ('1', 'yes', 'true', 'on'), section, option, fallback)
     def set(self, section, option, value=None):
-        self._set[(section, option)] = value
-    def add_section(self, section) -> None: ...
-    def has_section(self, section) -> bool: ...
-    def has_option(self, section, option) -> bool: ...
+        if section not in self._known:
+            if not self._open:
+                raise NoSectionError(section)
+            self._known[section] = {}
+        self._known[section][self.optionxform(option)] = value
+    def add_section(self, section):
+        self._known[section] = {}
+    def has_section(self, section):
+        return section in self._known and section != self.default_section or (unknown('file', section, 'bool') if self._open else False)
+    def has_option(self, section, option):
+        return self.optionxform(option) in self._of(section) or (unknown('file', section, 'bool') if self._open else False)
+    def remove_section(self, section):
+        return self._known.pop(section, None) is not None
+    def remove_option(self, section, option):
+        return self._known.get(section, {}).pop(self.optionxform(option), None) is not None
     def sections(self):
-        return [unknown('file', 'sections', 'str') for _ in unknown('file', 'sections', 'list')]
+        found = [name for name in self._known if name != self.default_section]
+        if self._open:
+            found += [unknown('file', 'sections', 'str') for _ in unknown('file', 'sections', 'list')]
+        return found
     def options(self, section):
-        return [unknown('file', section, 'str') for _ in unknown('file', section, 'list')]
+        found = list(self._of(section))
+        if self._open:
+            found += [unknown('file', section, 'str') for _ in unknown('file', section, 'list')]
+        return found
     def items(self, section=None, raw=False, vars=None):
-        return unknown('file', '', 'list')
+        if section is None:
+            return [(name, SectionProxy(self, name)) for name in [self.default_section, *self.sections()]]
+        found = list(self._of(section).items())
+        if self._open:
+            found += [(unknown('file', section, 'str'), unknown('file', section, 'str')) for _ in unknown('file', section, 'list')]
+        return found
+    def keys(self):
+        return [self.default_section, *self.sections()]
+    def values(self):
+        return [SectionProxy(self, name) for name in self.keys()]
+    def defaults(self):
+        return self._known[self.default_section]
     def __getitem__(self, key):
+        if key not in self._known and not self._open:
+            raise KeyError(key)
         return SectionProxy(self, key)
     def __setitem__(self, key, value):
+        self._known[key] = {}
         for option in value:
-            self._set[(key, option)] = value[option]
-    def __contains__(self, key) -> bool: ...
+            self._known[key][self.optionxform(option)] = value[option]
+    def __delitem__(self, key):
+        del self._known[key]
+    def __contains__(self, key):
+        return key == self.default_section or self.has_section(key)
     def __iter__(self):
-        return iter(self.sections())
+        return iter(self.keys())
+    def __len__(self):
+        return len(self.keys())
     def write(self, fp, space_around_delimiters=True) -> None: ...
 class ConfigParser(RawConfigParser): ...
 SafeConfigParser = ConfigParser

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`csv`: rows of a file, unknown."""
-from _rosward import unknown
+"""`csv`: rows of text that stands in the program, or in a file of the sources (models/std_tables.py)."""
+from _rosward import native
+
+@native
+def _rows(lines, dialect, options): ...
 
 QUOTE_MINIMAL = 0
 QUOTE_ALL = 1
@@ -11,16 +14,45 @@ class Error(Exception): ...
 class Dialect: ...
 class excel(Dialect): ...
 
-def reader(iterable, dialect='excel', *args, **kwargs):
-    return iter([unknown('file', 'rows of a file', 'list') for _ in unknown('file', 'rows of a file', 'list')])
-class DictReader:
-    def __init__(self, f, fieldnames=None, restkey=None, restval=None, dialect='excel', *args, **kwds):
-        self.fieldnames = unknown('file', 'rows of a file', 'list') if fieldnames is None else fieldnames
-        self.line_num = unknown('file', 'rows of a file', 'int')
+class excel_tab(excel): ...
+class unix_dialect(Dialect): ...
+
+class _Reader:
+    def __init__(self, rows):
+        self._rows = iter(rows)
+        self.line_num = 0
     def __iter__(self):
-        return iter([unknown('file', 'rows of a file', 'dict') for _ in unknown('file', 'rows of a file', 'list')])
+        return self
     def __next__(self):
-        return unknown('file', 'rows of a file', 'dict')
+        return next(self._rows)
+def reader(iterable, dialect='excel', **options):
+    return _Reader(_rows(iterable, dialect, options))
+class DictReader:
+    def __init__(self, f, fieldnames=None, restkey=None, restval=None, dialect='excel', **options):
+        self._rows = iter(_rows(f, dialect, options))
+        self._names = fieldnames
+        self._restkey = restkey
+        self._restval = restval
+        self.line_num = 0
+    @property
+    def fieldnames(self):
+        if self._names is None:
+            self._names = next(self._rows, None)
+        return self._names
+    def __iter__(self):
+        return self
+    def __next__(self):
+        names = self.fieldnames
+        row = next(self._rows)
+        while not row:
+            row = next(self._rows)
+        found = dict(zip(names, row))
+        if len(names) < len(row):
+            found[self._restkey] = row[len(names):]
+        elif len(names) > len(row):
+            for name in names[len(row):]:
+                found[name] = self._restval
+        return found
 class _Writer:
     def writerow(self, row) -> int: ...
     def writerows(self, rows) -> None: ...

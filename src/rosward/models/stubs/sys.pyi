@@ -27,6 +27,14 @@ class _Output:
     def isatty(self) -> bool: ...
     def close(self) -> None: ...
 
+class _Version(tuple):
+    """Some Python 3."""
+    major = 3
+    minor = unknown('live', 'sys.version_info', 'int')
+    micro = unknown('live', 'sys.version_info', 'int')
+    releaselevel = 'final'
+    serial = 0
+
 class _Hooks:
     """What nobody looks at twice."""
 
@@ -38,7 +46,8 @@ platform = 'linux'
 byteorder = 'little'
 maxsize = 9223372036854775807
 version = unknown('live', 'sys.version', 'str')
-version_info = unknown('live', 'sys.version_info')
+version_info = _Version((3, unknown('live', 'sys.version_info', 'int'), unknown('live', 'sys.version_info', 'int'), 'final', 0))
+hexversion = unknown('live', 'sys.version_info', 'int')
 stdin = _Input()
 stdout = _Output()
 stderr = _Output()
