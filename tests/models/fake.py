@@ -79,6 +79,7 @@ class FakeMachine:
         self.heap: dict[int, Obj] = {}
         self.findings: list[str] = []
         self.spent = 0
+        self.asked: set[tuple[str, str, str]] = set()
         self.deaths: list[str] = []
         self.escaped: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -246,9 +247,20 @@ def test_queue_and_configuration(stubs: Stubs) -> None:
     queue = Stubs(_any=lambda items: items[0]).load("queue").Queue(maxsize=3)
     queue.put("x")
     assert queue.get() == "x"
-    config = stubs.load("configparser").ConfigParser()
-    assert config["ros"]["topic"] == "?ros.topic"
-    assert repr(config.get("ros", "topic", fallback="/a")) == "'/a' or '?ros.topic'"
+
+
+def test_configuration(tmp_path: Path) -> None:
+    def sections(text: str, _allows: bool) -> list[tuple[str, str | None, str | None]] | None:
+        return [("ros", None, None), ("ros", "topic", text)] if text != "?" else None
+
+    config = Stubs(_sections=sections).load("configparser").ConfigParser()
+    config.read_string("/a")
+    assert (config["ros"]["topic"], config.get("ros", "other", fallback="/b")) == ("/a", "/b")
+    assert (config.sections(), config.has_option("ros", "other")) == (["ros"], False)
+    (tmp_path / "a.ini").write_text("?", encoding="utf-8")
+    config.read(str(tmp_path / "a.ini"))  # as a file of which nothing is known
+    assert repr(config["ros"]["topic"]) == "'/a' or '?ros.topic'"
+    assert repr(config.get("ros", "other", fallback="/b")) == "'/b' or '?ros.other'"
 
 
 @pytest.mark.parametrize(

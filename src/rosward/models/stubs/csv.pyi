@@ -25,10 +25,10 @@ class _Reader:
         return self
     def __next__(self):
         return next(self._rows)
-def reader(iterable, dialect='excel', **options):
+def reader(iterable, dialect='excel', *args, **options):
     return _Reader(_rows(iterable, dialect, options))
 class DictReader:
-    def __init__(self, f, fieldnames=None, restkey=None, restval=None, dialect='excel', **options):
+    def __init__(self, f, fieldnames=None, restkey=None, restval=None, dialect='excel', *args, **options):
         self._rows = iter(_rows(f, dialect, options))
         self._names = fieldnames
         self._restkey = restkey
