@@ -243,7 +243,7 @@ def test_single_dispatch_may_call_any(stubs: Stubs) -> None:
     assert repr(name(3)) == "'any' or 'int'"
 
 
-def test_queue_and_configuration(stubs: Stubs) -> None:
+def test_queue() -> None:
     queue = Stubs(_any=lambda items: items[0]).load("queue").Queue(maxsize=3)
     queue.put("x")
     assert queue.get() == "x"
