@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import random
 import subprocess
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -13,9 +14,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosward.network.connect import connect
+from rosward.network.graph import Network
 from rosward.outputs.dot import drawing, graph_dot
+from rosward.outputs.layers import steps_between_layers
 from rosward.outputs.svg import graph_svg
-from rosward.ros.entities import Resolution
+from rosward.ros.entities import Entity, Resolution
 
 from .networks import fleet, node, pub, sub, talker_and_listener
 
@@ -147,3 +150,42 @@ def test_any_text_gives_a_well_formed_picture(name: str, topic: str, type_: str)
         SVG + tag for tag in ("svg", "g", "title", "text", "ellipse", "polygon", "path", "a", "polyline")
     }
     assert not [key for element in root.iter() for key in element.attrib if key.startswith("on")]
+
+
+def dense(nodes: int, topics: int, seed: int) -> Network:
+    """Each topic has a publisher and a subscription somewhere: circles everywhere."""
+    random_ = random.Random(seed)
+    members: dict[int, list[Entity]] = {number: [] for number in range(nodes)}
+    for topic in range(topics):
+        members[random_.randrange(nodes)].append(pub(f"/t{topic}"))
+        members[random_.randrange(nodes)].append(sub(f"/t{topic}"))
+    return connect("jazzy", [node(f"/n{number}", *found, system=False) for number, found in members.items()])
+
+
+def test_a_dense_graph_is_drawn_by_its_size_not_by_a_clock() -> None:
+    """Its lines are straight, so that drawing ends soon; without the clock the picture would be the same."""
+    small, large = drawing(dense(20, 20, 1)), drawing(dense(80, 220, 1))
+    assert "splines=line" not in small.text
+    assert "splines=line" in large.text
+    assert 4_000 < large.steps <= 60_000
+
+
+def test_what_cannot_be_seen_is_not_drawn() -> None:
+    network = dense(200, 900, 1)
+    assert drawing(network).steps > 60_000
+    assert texts(graph_svg(network))[0] == "This graph is too large to draw."
+
+
+@given(st.sets(st.tuples(st.sampled_from("abcdefg"), st.sampled_from("abcdefg"))))
+def test_steps_between_layers(edges: set[tuple[str, str]]) -> None:
+    """Each edge takes at least one, and no more than there are shapes; in whichever order the edges come."""
+    proper = {edge for edge in edges if edge[0] != edge[1]}
+    steps = steps_between_layers(edges)
+    assert len(proper) <= steps <= len(proper) * 6
+    assert steps == steps_between_layers(sorted(edges, reverse=True))
+
+
+def test_a_long_way_round_takes_a_step_for_each_layer() -> None:
+    assert steps_between_layers([("a", "b"), ("b", "c"), ("a", "c")]) == 4
+    assert steps_between_layers([("a", "b"), ("b", "a")]) == 2
+    assert steps_between_layers([("a", "a")]) == 0

@@ -17,6 +17,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
+from rosward.outputs.layers import steps_between_layers
 from rosward.outputs.safe import encodable, printable
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 
@@ -45,6 +46,9 @@ _HEADER: Final = (
     'node [fontname=Arial, fontsize=11, style=filled, penwidth=1.2, margin="0.1,0.04", height=0.3]',
     "edge [fontname=Arial, fontsize=9, arrowsize=0.6, penwidth=1.1]",
 )
+_IN_SHORT: Final = "graph [splines=line, nslimit=1, nslimit1=1, mclimit=0.1]"
+_MOST_STEPS: Final = 4000
+"""Beyond them (about half a second of drawing) lines are straight, and Graphviz looks less long for a better order."""
 
 
 class _Vertex(NamedTuple):
@@ -62,11 +66,12 @@ class _Vertex(NamedTuple):
 
 
 class Drawing(NamedTuple):
-    """The text of a graph, and how large it is."""
+    """The text of a graph, and how large it is; `steps` are the layers that its edges cross (`layers.py`)."""
 
     text: str
     vertices: int
     edges: int
+    steps: int
 
 
 def graph_dot(network: Network, system: bool = False, types: bool = False) -> str:
@@ -83,8 +88,10 @@ def drawing(network: Network, system: bool = False, types: bool = False, links: 
         *_cluster("/", "/", _tree(network, vertices), types),
         *(_edge(*ends, look, conditional) for (ends, (look, conditional)) in sorted(edges.items())),
     ]
-    lines = ["digraph rosward {", *(f"  {line};" for line in _HEADER), *(f"  {line}" for line in body), "}"]
-    return Drawing("\n".join(lines) + "\n", len(vertices), len(edges))
+    steps = steps_between_layers(edges)
+    header = (*_HEADER, _IN_SHORT) if steps > _MOST_STEPS else _HEADER
+    lines = ["digraph rosward {", *(f"  {line};" for line in header), *(f"  {line}" for line in body), "}"]
+    return Drawing("\n".join(lines) + "\n", len(vertices), len(edges), steps)
 
 
 class _End(NamedTuple):
