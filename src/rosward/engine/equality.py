@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, join_all, lift2, options
+from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
-from rosward.domain.text import concat
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
@@ -23,6 +22,8 @@ from rosward.domain.values import (
     Native,
     Partial,
     Ref,
+    Text,
+    Tuple,
     Unknown,
     Value,
 )
@@ -35,7 +36,7 @@ from rosward.models.contents import bare, contents
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
-__all__ = ["binary", "compare", "join_all", "join_texts", "may", "truth", "unary"]
+__all__ = ["binary", "compare", "join_all", "may", "truth", "unary"]
 
 _BINARY: Final = {
     "+": "add", "-": "sub", "*": "mul", "/": "truediv", "//": "floordiv", "%": "mod", "**": "pow", "@": "matmul",
@@ -45,16 +46,6 @@ _COMPARE: Final = {"==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=
 _REFLECTED: Final = {"lt": "gt", "le": "ge", "gt": "lt", "ge": "le"}
 _UNARY: Final = {"-": "neg", "+": "pos", "~": "invert"}
 _CALLABLE: Final = (Function, Class, Native, BoundMethod, Partial, ModuleValue)
-
-
-def join_texts(values: list[Value]) -> Value:
-    """The concatenation of texts, for each combination of alternatives (bounded)."""
-    if not any(v.__class__ is Choice for v in values):
-        return concat(values)
-    result: Value = Const("")
-    for value in values:
-        result = lift2(lambda a, b: concat((a, b)), result, value)
-    return result
 
 
 def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, inplace: bool) -> Value:
@@ -126,7 +117,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
         left, right = bare(machine, left), bare(machine, right)
         if operator in ("==", "!=") and _same(machine, left, right) is not None and not _plain(machine, left):
             same = _same(machine, left, right)
-            if same or (_by_identity(machine, left) and _by_identity(machine, right)):
+            if same or (_asks_no_code(machine, left) and _asks_no_code(machine, right)):
                 return TRUE if same is (operator == "==") else FALSE
             return machine.unknown(Cause.OPERATION, operator, "bool")
     if operator in ("in", "not-in"):
@@ -149,9 +140,19 @@ def _by_identity(machine: Interpreter, value: Value) -> bool:
     cls = machine.obj(value).cls
     return (
         cls.__class__ is Class
-        and not any(b.__class__ is not Class or b.stub for b in cls.mro)
+        and not any(b.__class__ is not Class or (b.stub and not _is_enum(b)) for b in cls.mro)
         and attributes.lookup(machine, cls, "__eq__") is None
     )
+
+
+def _is_enum(base: Class) -> bool:
+    """Whether a class is one of those of which enumerations without other bases derive: their members are the same or differ."""
+    return base.module == "enum" and base.name in ("Enum", "Flag")
+
+
+def _asks_no_code(machine: Interpreter, value: Value) -> bool:
+    """Whether `==` with another object is False, as far as this one has a say: no `__eq__` of it takes objects of other types."""
+    return _by_identity(machine, value) or value.__class__ in (Text, Tuple) or _plain(machine, value)
 
 
 def _plain(machine: Interpreter, value: Value) -> bool:

@@ -10,9 +10,7 @@ from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
-    FALSE,
     NONE,
-    TRUE,
     UNBOUND,
     Choice,
     Class,
@@ -21,17 +19,14 @@ from rosward.domain.values import (
     Function,
     Native,
     Ref,
-    Tuple,
-    Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes, metaclasses
+from rosward.engine import attributes, calls, classes, matching, metaclasses
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.models import operators
 from rosward.models.containers_list import new_tuple
-from rosward.models.contents import bare
 from rosward.models.operators_compare import compares
 
 if TYPE_CHECKING:
@@ -161,27 +156,13 @@ def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Fr
         operators.store_item(machine, arguments[0], arguments[1], arguments[2])
     elif name == "annotate":
         _annotate(machine, arguments, frame)
-    elif name == "isinstance":
-        return _answer(machine, machine.is_instance(arguments[0], arguments[1]))
-    elif name in ("is_sequence", "is_mapping"):
-        return _answer(machine, _is_kind(machine, arguments[0], name))
-    elif name in ("length_is", "length_at_least"):
-        return _length(machine, name, arguments)
-    elif name == "match_args":
-        found = attributes.load(machine, arguments[0], "__match_args__")
-        return found if found.__class__ is Tuple else machine.unknown(Cause.OPERATION, "match")
     elif name == "unsupported":
         machine.report("RW206", "a construct of Python that is not understood")
         return machine.unknown(Cause.OPERATION, "construct")
     else:
-        return machine.unknown(Cause.LIVE, name)
+        asked = matching.ask(machine, name, arguments)
+        return machine.unknown(Cause.LIVE, name) if asked is None else asked
     return NONE
-
-
-def _answer(machine: Interpreter, answer: bool | None) -> Value:
-    if answer is None:
-        return machine.unknown(Cause.OPERATION, "match", "bool")
-    return TRUE if answer else FALSE
 
 
 def _append(machine: Interpreter, target: Value, value: Value) -> None:
@@ -206,30 +187,3 @@ def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> Non
         table = machine.allocate(Obj("dict", Native("builtins.dict"), entries={}), "annotations")
         machine.put(frame.namespace, machine.at(frame.namespace).with_attr("__annotations__", table))
     operators.store_item(machine, table, arguments[0], arguments[1])
-
-
-def _is_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
-    answers: set[bool | None] = set()
-    for option in options(bare(machine, value)):
-        if option.__class__ is Ref:
-            kind = machine.obj(option).kind
-            answers.add(
-                None if kind in ("instance", "generator") else kind == ("list" if name == "is_sequence" else "dict")
-            )
-        elif option.__class__ is Tuple:
-            answers.add(name == "is_sequence")
-        else:
-            answers.add(None if option.__class__ is Unknown else False)
-    return answers.pop() if len(answers) == 1 else None
-
-
-def _length(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
-    series, wanted = machine.series(arguments[0]), arguments[1]
-    if not isinstance(wanted, Const) or not isinstance(wanted.value, int):
-        return machine.unknown(Cause.OPERATION, "match", "bool")
-    count = wanted.value
-    if series.exact:
-        return TRUE if (series.least == count if name == "length_is" else series.least >= count) else FALSE
-    if name == "length_at_least" and series.least >= count:
-        return TRUE
-    return FALSE if name == "length_is" and series.least > count else machine.unknown(Cause.OPERATION, "match", "bool")

@@ -32,6 +32,7 @@ from rosward.engine import (
 from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.models.strings import format_value
+from rosward.models.strings_format import joined
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -198,7 +199,7 @@ def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
         register, conversion, spec = part
         spec_value = registers[spec] if spec != ops.NO_REGISTER else None
         known.append(format_value(machine, registers[register], conversion, spec_value))
-    frame.registers[op.dst] = equality.join_texts(known)
+    frame.registers[op.dst] = joined(machine, known)
 
 
 def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> None:

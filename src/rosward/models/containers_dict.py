@@ -265,12 +265,24 @@ def merge(machine: Machine, ref: Ref, source: Value, weak: bool = False) -> None
             anywhere = other.rest_key or unknown_from(machine, "key", "", other.rest)
             store(machine, ref, anywhere, other.rest, weak=True)
         return
+    if isinstance(source, Ref) and machine.obj(source).kind == "instance" and _has_keys(machine, source):
+        found = machine.iterate(machine.call(machine.load_attr(source, "keys"), ()))
+        for key in all_of(found):
+            store(machine, ref, key, machine.load_item(source, key), weak or key is found.rest)
+        return
     known, rest = machine.iterate(source)
     for pair in known:
         _merge_pair(machine, ref, pair, weak)
     if rest is not None:
         for option in options(rest):
             _merge_pair(machine, ref, option, weak=True)
+
+
+def _has_keys(machine: Machine, ref: Ref) -> bool:
+    """Whether an object is a mapping, as `dict` sees it: it has a method `keys`."""
+    cls = machine.obj(ref).cls
+    bases = cls.mro if isinstance(cls, Class) else ()
+    return any("keys" in machine.obj(Ref(b.address)).attrs for b in bases if isinstance(b, Class))
 
 
 def _merge_pair(machine: Machine, ref: Ref, pair: Value, weak: bool) -> None:

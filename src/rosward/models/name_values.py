@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import options, reasons_of
-from rosward.domain.text import origins_of, pattern
+from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import (
     BoundMethod,
@@ -29,9 +29,14 @@ from rosward.domain.values import (
 )
 from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Qos, Resolution
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+
+
+MAX_NODES: Final = 16
+"""Nodes that one call may make, each in its place: more of one beginning are one with a hole in its name."""
 
 
 class NameOption(NamedTuple):
@@ -41,6 +46,15 @@ class NameOption(NamedTuple):
     resolution: Resolution
     depends_on: tuple[str, ...]
     reasons: tuple[Reason, ...]
+
+
+def together(value: Value) -> Value:
+    """One pattern for many alternatives that begin alike, where each would be a node with all that belongs to it."""
+    several = options(value)
+    if len(several) <= MAX_NODES or not all(isinstance(o, Const) and isinstance(o.value, str) for o in several):
+        return value
+    pattern_of_all = common(several, (Reason(Cause.MANY, "", Place("", 0)),))
+    return pattern_of_all if isinstance(pattern_of_all, Text) else value
 
 
 def name_options(value: Value) -> list[NameOption]:

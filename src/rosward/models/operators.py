@@ -18,6 +18,7 @@ from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import (
+    Choice,
     Class,
     Const,
     External,
@@ -29,7 +30,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models import containers_dict
+from rosward.models import containers_dict, text_choices
 from rosward.models.containers_set import FROZEN, combine, distinct
 from rosward.models.list_alternatives import keep_told, told
 from rosward.models.native import Items, Machine
@@ -88,10 +89,20 @@ _SEQUENCES: Final = ("str", "bytes", "list", "tuple")
 @operation
 def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
     """left op right."""
+    if op == "+" and Choice in (left.__class__, right.__class__) and _are_texts(left) and _are_texts(right):
+        left, right = text_choices.bounded(machine, (left, right))
     result = spread_fresh(machine, ("operator", op), lambda a, b: _binary(machine, op, a, b), left, right)
     if op == "+" and isinstance(result, Ref):
         keep_told(machine, result, (told(machine, left), told(machine, right)))
     return result
+
+
+def _are_texts(value: Value) -> bool:
+    """Whether each alternative is a text, known or not."""
+    return all(
+        isinstance(o, Text) or text_of(o) is not None or (isinstance(o, Unknown) and o.hint == "str")
+        for o in options(value)
+    )
 
 
 def _binary(machine: Machine, op: str, left: Value, right: Value) -> Value | Fresh:

@@ -42,6 +42,7 @@ def _make(call: NativeCall) -> Value:
     given = exact_list(machine, defaults) or ()
     attrs: dict[str, Value] = {
         "_fields": Tuple(tuple(map(Const, names))),
+        "__match_args__": Tuple(tuple(map(Const, names))),
         "_field_defaults": machine.new_dict(
             {Const(n): v for n, v in zip(names[len(names) - len(given) :], given, strict=False)}
         ),

@@ -13,10 +13,12 @@ from collections.abc import Callable
 from typing import Any, Final
 
 from rosward.domain.choice import join_all
+from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.std_support import apply_plain, exact_list, int_of, joined_elements, unknown_from
+from rosward.models.std_support import apply_plain, exact_list, int_of, joined_elements, origins_in, unknown_from
+from rosward.models.text_choices import are_letters
 
 _INT_MATH: Final = ("ceil", "comb", "factorial", "floor", "gcd", "isqrt", "lcm", "perm", "trunc")
 _BOOL_MATH: Final = ("isclose", "isfinite", "isinf", "isnan")
@@ -118,7 +120,24 @@ def _random(hint: str) -> NativeFunction:
 def _choice(call: NativeCall) -> Value:
     sequence = call.arg(0, "seq") or call.arg(0, "a")
     found = UNBOUND if sequence is None else joined_elements(call, sequence)
-    return call.machine.die("IndexError", "Cannot choose from an empty sequence") if found is UNBOUND else found
+    if found is UNBOUND:
+        return call.machine.die("IndexError", "Cannot choose from an empty sequence")
+    return _drawn(call, found)
+
+
+def _drawn(call: NativeCall, found: Value) -> Value:
+    """One of what is drawn from: where it is one of many letters or texts, chance is why it is not known."""
+    chance = call.machine.unknown(Cause.RANDOM, call.name, "str")
+    if are_letters(found):
+        return chance
+    if isinstance(found, Text) or (isinstance(found, Unknown) and found.hint == "str"):
+        of_chance = Hole(chance.reasons)
+        return make([_by(p, of_chance) if isinstance(p, Hole) else p for p in parts_of(found)], origins_in((found,)))
+    return found
+
+
+def _by(hole: Hole, chance: Hole) -> Hole:
+    return chance if all(r.cause is Cause.MANY for r in hole.reasons) else hole
 
 
 def _choices(call: NativeCall) -> Value:
@@ -126,7 +145,7 @@ def _choices(call: NativeCall) -> Value:
     if population is None:
         return call.machine.unknown(Cause.RANDOM, call.name, "list")
     found = joined_elements(call, population)
-    return call.machine.new_list((), None if found is UNBOUND else found)
+    return call.machine.new_list((), None if found is UNBOUND else _drawn(call, found))
 
 
 def _shuffle(call: NativeCall) -> Value:

@@ -35,6 +35,7 @@ from rosward.models.plain import (
     unknown_from,
     with_origins,
 )
+from rosward.models.text_choices import bounded
 
 MAX_DEPTH: Final = 4
 _WIDE: Final = re.compile(r"\d{5}")
@@ -45,13 +46,13 @@ _ACCESS: Final = re.compile(r"\.([^.\[]+)|\[([^\]]+)\]")
 
 
 def joined(machine: Machine, pieces: list[Value]) -> Value:
-    """The concatenation of pieces, for each combination of their alternatives."""
+    """The concatenation of pieces, for each combination of their alternatives, where these are few."""
 
     def one(*values: Value) -> Value:
         text = concat(values)
         return from_python(machine, text.value, text.origins, "text") if isinstance(text, Const) else text
 
-    return spread(one, *pieces)
+    return spread(one, *bounded(machine, pieces))
 
 
 def too_wide(spec: str) -> bool:

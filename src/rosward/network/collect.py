@@ -11,7 +11,7 @@ from rosward.domain.values import Const, Tuple, Value
 from rosward.findings import Finding
 from rosward.holes import HOLE, Holed
 from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.models.name_values import NameOption, interface_types, name_options
+from rosward.models.name_values import NameOption, interface_types, name_options, together
 from rosward.models.ros_names import command_lines, final_name, remapped_by, remaps_of
 from rosward.network import implicit
 from rosward.network.doubts import invalid_name, unknown_name, unknown_node, unknown_type
@@ -64,8 +64,8 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
     name_value, space_value = final_name(log, effect)
     rules = remaps_of(log, effect)
     found: list[Identity] = []
-    spaces = name_options(space_value)
-    own = name_options(name_value)
+    spaces = name_options(together(space_value))
+    own = name_options(together(name_value))
     for space in spaces:
         for option in own:
             wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))

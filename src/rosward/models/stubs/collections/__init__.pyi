@@ -193,7 +193,8 @@ class deque:
         self._list.remove(value)
     def rotate(self, n=1, /):
         if self._list:
-            self._list = [either(*self._list) for _ in self._list]
+            split = -n % len(self._list)
+            self._list = self._list[split:] + self._list[:split]
     def reverse(self):
         self._list.reverse()
     def clear(self):
@@ -218,6 +219,8 @@ class deque:
         return len(self._list)
     def __contains__(self, value):
         return value in self._list
+    def __eq__(self, other):
+        return isinstance(other, deque) and self._list == other._list
     def __add__(self, other):
         return deque(self._list + list(other), self.maxlen)
     def __iadd__(self, other):
