@@ -132,7 +132,7 @@ def _main(machine: Interpreter, entry: Entry) -> None:
     name = "__main__" if plain else entry.module
     address = machine.place_key(("module", "__main__" if plain else entry.file))
     module = ModuleValue(address, name, entry.file)
-    alive = modules.run_module(machine, module, name)
+    alive = (plain or modules.run_packages(machine, module)) and modules.run_module(machine, module, name)
     if entry.function and alive:
         function: Value = module
         for part in entry.function.split("."):

@@ -106,6 +106,22 @@ class SourceTree:
         """Whether the first part of a dotted name is a package of the workspace."""
         return name.partition(".")[0] in self._packages
 
+    def python_package(self, file: str) -> str:
+        """The Python package in which a file lies, by its place; '' where it is no part of one, and for a script that is installed."""
+        source = self._files.get(file)
+        if source is None or source.module is None or self._resolver.is_script(source):
+            return ""
+        return source.module if source.is_package else source.module.rpartition(".")[0]
+
+    def leads_out(self, file: str, level: int) -> bool:
+        """Whether a relative import with so many dots leads out of the file's ROS package, or of all that is analysed; so any of a script."""
+        source = self._files.get(file)
+        if source is None or self._resolver.is_script(source):
+            return source is not None
+        top = source.package.relative if source.package is not None else ""
+        inner = file.removeprefix(f"{top}/") if top not in ("", ".") else file
+        return level > max(inner.count("/"), (source.module or "").count("."))
+
     def shared(self, file: str) -> tuple[str, str] | None:
         """The package and the path in it of a launch file, and of Python files in launch folders: they are installed into share/."""
         source = self._files.get(file)

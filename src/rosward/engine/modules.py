@@ -9,12 +9,15 @@ from __future__ import annotations
 import builtins
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.choice import join_all
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.catcher import note_import
 from rosward.engine.frame import Frame
+from rosward.engine.relative_imports import Relative, main_package, relative
 from rosward.ir import ops
+from rosward.models.failures import fail
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -26,6 +29,8 @@ _STARS: Final = "*"
 def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
     """import a.b.c [as d]."""
     leaf = load(machine, op.module, frame)
+    if leaf is UNBOUND:
+        return UNBOUND
     if not _surely_there(machine, leaf):
         note_import(machine)
     if op.leaf or "." not in op.module:
@@ -36,6 +41,8 @@ def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
 def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value:
     """from a.b import c."""
     module = load(machine, op.module, frame, op.level)
+    if module is UNBOUND:
+        return UNBOUND
     if module.__class__ is not ModuleValue:
         note_import(machine)
         return machine.load_attr(module, op.name)
@@ -57,9 +64,11 @@ def _surely_there(machine: Interpreter, module: Value) -> bool:
     return module.__class__ is ModuleValue and not machine.library.is_model_file(module.file)
 
 
-def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
-    """from a.b import *."""
+def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> bool:
+    """from a.b import *; False where no execution goes on."""
     module = load(machine, op.module, frame, op.level)
+    if module is UNBOUND:
+        return False
     if not _surely_there(machine, module):
         note_import(machine)
     here = machine.at(frame.module.address)
@@ -67,7 +76,7 @@ def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
         stars = here.attrs.get(_STARS, Tuple(()))
         assert isinstance(stars, Tuple)
         machine.put(frame.module.address, here.with_attr(_STARS, Tuple((*stars.items, module))))
-        return
+        return True
     record = machine.at(module.address)
     names = [n for n in record.attrs if not n.startswith("_")]
     listed = record.attrs.get("__all__")
@@ -83,33 +92,73 @@ def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
         before = here.attrs.get(_STARS)
         attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *theirs.items))
     machine.put(frame.module.address, here.replace(attrs=attrs))
+    return True
 
 
 def load(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
-    """The module of a name as written in `frame`, run if it has not been."""
-    importer = frame.module if frame is not None else None
+    """The module of a name as written in `frame`, run if it has not been; UNBOUND where no execution goes on."""
+    return load_for(machine, name, frame.module if frame is not None else None, level)
+
+
+def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, level: int = 0) -> Value:
+    """The module of a name as written in the module `importer`; the packages around it are run first."""
     if level == 0 and name.startswith("_rosward"):
         return External(name)
+    meant = Relative(name)
+    if level and importer is not None and not machine.library.is_model_file(importer.file):
+        meant = relative(machine, importer, name, level)
+        if meant.refused and not meant.may:
+            return fail(
+                machine, Native("builtins.ImportError"), f"ImportError: {meant.refused}", (Const(meant.refused),)
+            )
+        if meant.may:
+            note_import(machine)
+        if importer.name == "__main__" and machine.library.find(meant.name, 0, importer) is not None:
+            name, level = meant.name, 0
     found = machine.library.find(name, level, importer)
+    if found is None and not level and (space := machine.place_key(("module", name))) in machine.state.heap:
+        return ModuleValue(space, name, "")
     if found is None:
         if machine.library.sources.belongs(name) and not _is_interface_module(name):
             machine.report("RW207", f"{'.' * level}{name} is not among the sources")
         return External(name or "." * level)
     if found.model:
         return machine.library.load_model(found)
-    parts = found.name.split(".")
+    whole = meant.name if level and meant.name else found.name
+    parts = whole.split(".")
     parent: Value | None = None
-    if level == 0 and len(parts) > 1 and found.name == name:
-        parent = load(machine, ".".join(parts[:-1]), frame)
+    if len(parts) > 1 and whole == meant.name:
+        above = name.rpartition(".")[0] if name else ""
+        parent = load_for(machine, above, importer, level if name or not level else level + 1)
+        if parent is UNBOUND:
+            return UNBOUND
+        if parent.__class__ is External and not found.guess:  # a namespace package of folders alone
+            parent = ModuleValue(machine.place_key(("module", above)), ".".join(parts[:-1]), "")
+            run_module(machine, parent, parent.name)
     address = machine.place_key(("module", found.key))
-    module = ModuleValue(address, found.name, found.file)
-    if address not in machine.state.heap:
-        run_module(machine, module, found.name)
+    module = ModuleValue(address, whole, found.file)
+    if address not in machine.state.heap and not run_module(machine, module, whole):
+        return UNBOUND
     if parent.__class__ is ModuleValue and parent != module:
         record = machine.at(parent.address)
         if record.attrs.get(parts[-1]) != module:
             machine.put(parent.address, record.with_attr(parts[-1], module))
     return module
+
+
+def run_packages(machine: Interpreter, module: ModuleValue) -> bool:
+    """Run the packages around a module that an entry point names, from the outermost; False where one does not come to its end."""
+    parts = module.name.split(".")
+    for number in range(1, len(parts)):
+        name = ".".join(parts[:number])
+        found = machine.library.find(name, 0, module)
+        if found is None or found.model or not found.file:
+            continue
+        address = machine.place_key(("module", found.key))
+        package = ModuleValue(address, name, found.file)
+        if address not in machine.state.heap and not run_module(machine, package, name):
+            return False
+    return True
 
 
 def _is_interface_module(name: str) -> bool:
@@ -124,7 +173,7 @@ def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int =
     attrs: dict[str, Value] = {
         "__name__": Const(name),
         "__file__": machine.library.file_value(machine, module),
-        "__package__": Const(package),
+        "__package__": join_all(main_package(machine, module.file)) if name == "__main__" else Const(package),
         "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
     }
     lowered = machine.library.module(module.file)
@@ -183,9 +232,9 @@ def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | 
     if found.model:
         return machine.library.load_model(found)
     address = machine.place_key(("module", found.key))
-    value = ModuleValue(address, found.name, found.file)
-    if address not in machine.state.heap:
-        run_module(machine, value, found.name)
+    value = ModuleValue(address, f"{module.name}.{name}", found.file)
+    if address not in machine.state.heap and not run_module(machine, value, value.name):
+        return UNBOUND
     return value
 
 

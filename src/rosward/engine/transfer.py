@@ -219,9 +219,11 @@ def _make_class(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> None:
     frame.registers[op.dst] = classes.make(machine, op, frame)
 
 
-def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> None:
+def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    frame.registers[op.dst] = modules.import_module(machine, op, frame)
+    value = modules.import_module(machine, op, frame)
+    frame.registers[op.dst] = value
+    return DEAD if value is UNBOUND else None
 
 
 def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> bool | None:
@@ -231,9 +233,9 @@ def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> bool
     return DEAD if value is UNBOUND else None
 
 
-def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> None:
+def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    modules.import_star(machine, op, frame)
+    return None if modules.import_star(machine, op, frame) else DEAD
 
 
 def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool | None:

@@ -103,6 +103,10 @@ class ImportResolver:
                 return found
         return self._guess(parts, package, package.path)
 
+    def is_script(self, file: SourceFile) -> bool:
+        """Whether a file is installed to be run by its path."""
+        return os.fspath(file.path) in self._scripts
+
     def is_left_out(self, path: str) -> bool:
         """Whether the file is not to be read: the user excludes it, or a link leads out of the sources."""
         return self._excluded.of(path) is not None or self._boundary.leads_out(path)
