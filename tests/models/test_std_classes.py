@@ -8,7 +8,7 @@ import pytest
 from models.fake_std import FakeMachine
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Native, Ref, Tuple, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Value
 
 
 @pytest.fixture
@@ -138,15 +138,15 @@ def test_members_have_name_and_value(machine: FakeMachine) -> None:
 def test_functional_form(machine: FakeMachine) -> None:
     base = machine.cls("Enum", {}, stub=True)
     for names in (Const("LEFT, RIGHT"), machine.new_list([Const("LEFT"), Const("RIGHT")])):
-        cls = machine.native("enum._make_class", base, Const("Side"), names)
+        cls = machine.native("enum._make_class", base, Const("Side"), names, NONE, Const(1))
         assert isinstance(cls, Class)
         assert machine.plain(machine.heap[cls.address].attrs["RIGHT"]) == {"name": "RIGHT", "value": 2}
 
 
 def test_auto(machine: FakeMachine) -> None:
-    auto = machine.native("enum.auto")
-    for base, expected in (("Enum", [1, 2, 7, 8]), ("Flag", [1, 2, 7, 8]), ("StrEnum", ["a", "b", 7, "d"])):
-        cls = enum(machine, base, A=auto, B=auto, C=Const(7), D=auto)
+    one, two, three = (External(f"enum.auto() {number}") for number in range(3))  # each call of auto() is another
+    for base, expected in (("Enum", [1, 2, 4, 5]), ("Flag", [1, 2, 4, 8]), ("StrEnum", ["a", "b", 4, "d"])):
+        cls = enum(machine, base, A=one, B=two, C=Const(4), D=three, E=one)
         members = machine.iterate(machine.native("enum.iterate", cls)).known
         assert [machine.plain(machine.load_attr(m, "value")) for m in members] == expected
 

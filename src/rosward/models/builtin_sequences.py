@@ -11,7 +11,7 @@ from typing import Final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Native, Range, Ref, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Native, Range, Ref, Tuple, Value
 from rosward.models.containers_list import ITERATOR, order, write_series
 from rosward.models.lazy import acts, lazily, stepped
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
@@ -250,6 +250,8 @@ def _len_of(call: NativeCall, value: Value) -> Value:
         if obj.kind == "instance":
             return machine.call(machine.load_attr(value, "__len__"), ())
         return machine.unknown(Cause.OPERATION, "len", "int")
+    if isinstance(value, Class):
+        return machine.call(Native("enum.length"), (value,))
     return unknown_from(machine, "len", "int", value)
 
 

@@ -20,6 +20,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
     UNBOUND,
+    Choice,
     Class,
     Const,
     Descriptor,
@@ -28,6 +29,7 @@ from rosward.domain.values import (
     Native,
     Partial,
     Ref,
+    Text,
     Tuple,
     Unknown,
     Value,
@@ -35,7 +37,8 @@ from rosward.domain.values import (
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.std_support import bare, class_obj, exact_dict, exact_list, int_of, place, text_of
 
-AUTO: Final = External("enum.auto()")
+_AUTO: Final = "enum.auto()"
+_SEVERAL: Final = (Choice, Text, Unknown)
 _NO_MEMBER: Final = (Function, Descriptor, Class, Native, Partial)
 _MEMBERS: Final = "__members__"
 _OPERATORS: Final = {
@@ -74,28 +77,59 @@ def _data_type(cls: Class) -> str:
 
 
 def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) -> Value:
-    attrs = call.machine.obj(class_obj(cls)).attrs
-    custom = attrs.get("_generate_next_value_")
+    custom = _own(call, cls, "_generate_next_value_")
     if custom is not None:
         function = custom.getter if isinstance(custom, Descriptor) else custom
         return call.machine.call(function, (Const(name), Const(1), Const(len(before)), call.machine.new_list(before)))
     if _derives(cls, "enum.StrEnum"):
         return Const(name.lower())
     numbers = [n for n in map(int_of, before) if n is not None]
-    if len(numbers) != len(before):
+    if any(isinstance(value, _SEVERAL) for value in before):
         return call.machine.unknown(Cause.OPERATION, "enum.auto", "int")
     highest: int = max(numbers, default=0)
+    if len(numbers) != len(before):  # among others than numbers, the last number counts
+        highest = numbers[-1] if numbers else 0
     if _derives(cls, "enum.Flag", "enum.IntFlag"):
         return Const(1 << highest.bit_length())
     return Const(highest + 1 if numbers else 1)
 
 
-def _resolve(call: NativeCall, cls: Class, name: str, value: Value, before: list[Value]) -> Value:
-    if value == AUTO:
-        return _next_value(call, cls, name, before)
-    if isinstance(value, Tuple) and AUTO in value.items:
-        return Tuple(tuple(_next_value(call, cls, name, before) if v == AUTO else v for v in value.items))
-    return value
+def _own(call: NativeCall, cls: Class, name: str) -> Value | None:
+    """What the sources say of a method of an enumeration."""
+    for base in cls.mro:
+        if isinstance(base, Class) and not base.stub:
+            found = call.machine.obj(class_obj(base)).attrs.get(name)
+            if found is not None:
+                return found
+    return None
+
+
+def _is_auto(value: Value) -> bool:
+    return isinstance(value, External) and value.name.startswith(_AUTO)
+
+
+def _resolve(
+    call: NativeCall, cls: Class, name: str, value: Value, before: list[Value], given: dict[Value, Value]
+) -> Value:
+    """The value of a member; `given` holds what each `auto()` has become, since another name may stand for it."""
+    if isinstance(value, Tuple) and any(map(_is_auto, value.items)):
+        return Tuple(tuple(_resolve(call, cls, name, v, before, given) for v in value.items))
+    if _is_auto(value) and value not in given:
+        given[value] = _next_value(call, cls, name, before)
+    return given.get(value, value)
+
+
+def _key(call: NativeCall, value: Value) -> object:
+    """What equal values have in common (1 and True are equal); None where it is not known."""
+    value = bare(value)
+    if isinstance(value, Const):
+        return "value", value.value
+    if isinstance(value, Tuple):
+        parts = tuple(_key(call, v) for v in value.items)
+        return None if None in parts else parts
+    if isinstance(value, Ref) and call.machine.obj(value).many:
+        return None
+    return None if isinstance(value, _SEVERAL) else value
 
 
 def _is_member(name: str, value: Value) -> bool:
@@ -113,19 +147,23 @@ def make_members(call: NativeCall) -> Value:
     where = class_obj(cls)
     ignored = {"_ignore_", *_texts(call, machine.obj(where).attrs.get("_ignore_"))}
     members: dict[Value, Value] = {}
-    by_value: dict[Value, Value] = {}
+    by_value: dict[object, Value] = {}
     values: list[Value] = []
+    given: dict[Value, Value] = {}
     data = _data_type(cls)
+    hidden = f"_{cls.name.lstrip('_')}__"
     for name, written in tuple(machine.obj(where).attrs.items()):
-        if name in ignored or not _is_member(name, written):
+        if name in ignored or name.startswith(hidden) or not _is_member(name, written):
             continue
-        value = _resolve(call, cls, name, written, values)
+        value = _resolve(call, cls, name, written, values, given)
         values.append(value)
-        member = by_value.get(value)
+        key = _key(call, value)
+        member = None if key is None else by_value.get(key)
         if member is None:
             attrs = {"_name_": Const(name), "name": Const(name), "_value_": value, "value": value}
             member = place(machine, Obj("instance", cls, attrs, payload=value if data else None), ("member", name))
-            by_value[value] = member
+            if key is not None:
+                by_value[key] = member
             _initialise(call, cls, member, value)
         members[Const(name)] = member
         machine.store_attr(cls, name, member)
@@ -211,11 +249,22 @@ def _members(call: NativeCall, cls: Value) -> dict[Value, Value] | None:
 
 
 def iterate(call: NativeCall) -> Value:
-    """enum.iterate(cls): the members in order, aliases left out."""
-    members = _members(call, call.args[0])
+    """enum.iterate(cls): the members in order, aliases left out; a flag of several bits is one of them since Python 3.11, not before."""
+    cls = call.args[0]
+    members = _members(call, cls)
     if members is None:
         return call.machine.new_list((), call.machine.unknown(Cause.CALL, "enum.Enum"))
-    return call.machine.new_list(dict.fromkeys(members.values()))
+    sure = [m for m in dict.fromkeys(members.values()) if _is_canonical(call, cls, m)]
+    others = [m for m in members.values() if m not in sure]
+    return call.machine.new_list(sure, join_all(others) if others else None)
+
+
+def _is_canonical(call: NativeCall, cls: Value, member: Value) -> bool:
+    """Whether every Python iterates over a member: of a flag, it has one bit."""
+    if not isinstance(cls, Class) or not _derives(cls, "enum.Flag", "enum.IntFlag") or not isinstance(member, Ref):
+        return True
+    number = int_of(bare(call.machine.obj(member).attrs.get("_value_", NONE)))
+    return number is not None and number.bit_count() == 1
 
 
 def lookup(call: NativeCall) -> Value:
@@ -228,21 +277,28 @@ def lookup(call: NativeCall) -> Value:
     if members is None:
         return call.machine.unknown(Cause.CALL, "enum.Enum")
     machine = call.machine
-    by_value: dict[Value, Value] = {}
+    by_value: dict[object, Value] = {}
+    open_: list[Value] = []  # members whose value is not known
     for member in members.values():
         if isinstance(member, Ref):
-            by_value.setdefault(bare(machine.obj(member).attrs.get("_value_", NONE)), member)
+            key = _key(call, machine.obj(member).attrs.get("_value_", NONE))
+            if key is None:
+                open_.append(member)
+            else:
+                by_value.setdefault(key, member)
     found: list[Value] = []
     for option in options(value):
-        if option in by_value.values():
+        key = _key(call, option)
+        if option in members.values():
             found.append(option)
-        elif isinstance(option, (Const, Tuple)) and bare(option) in by_value:
-            found.append(by_value[bare(option)])
-        elif isinstance(option, Const) and not any(isinstance(v, Unknown) for v in by_value):
+        elif key is not None and key in by_value:
+            found.append(by_value[key])
+            found.extend(open_)
+        elif isinstance(option, Const) and not open_:
             missing = _missing(call, cls, option)
             found.append(missing)
         else:
-            found.extend(by_value.values())
+            found.extend(members.values())
     return join_all(found)
 
 
@@ -282,30 +338,52 @@ def item(call: NativeCall) -> Value:
 
 def _make_class(call: NativeCall) -> Value:
     """enum._make_class(base, name, names): `Enum('Side', 'LEFT RIGHT')`."""
-    machine, (base, name, names) = call.machine, call.args
+    machine, (base, name, names, kind, start) = call.machine, call.args
+    first = int_of(start)
     if not isinstance(base, Class) or names == NONE:
         return machine.unknown(Cause.CALL, "enum.Enum")
     plain = text_of(names)
     entries = exact_dict(machine, names)
     if plain is not None:
-        pairs: list[tuple[Value, Value]] = [(Const(n), AUTO) for n in plain.replace(",", " ").split()]
+        pairs: list[tuple[Value, Value | None]] = [(Const(n), None) for n in plain.replace(",", " ").split()]
     elif entries is not None:
         pairs = list(entries.items())
     else:
         listed = [(i, exact_list(machine, i)) for i in exact_list(machine, names) or ()]
-        pairs = [(p[0], p[1]) if p is not None and len(p) == 2 else (i, AUTO) for i, p in listed]
-    members = {text: value for key, value in pairs if (text := text_of(key))}
+        pairs = [(p[0], p[1]) if p is not None and len(p) == 2 else (i, None) for i, p in listed]
+    numbered = not _derives(base, "enum.Flag", "enum.StrEnum") and _own(call, base, "_generate_next_value_") is None
+    members: dict[str, Value] = {}
+    for number, (key, value) in enumerate(pairs):
+        text = text_of(key)
+        if text is None or (value is None and numbered and first is None):
+            return machine.unknown(Cause.CALL, "enum.Enum")
+        automatic = Const((first or 0) + number) if numbered else External(f"{_AUTO} {number}")
+        members[text] = automatic if value is None else value
     if not members:
         return machine.unknown(Cause.CALL, "enum.Enum")
     made = text_of(name) or "Enum"
     where = machine.allocate(Obj("class", Native("builtins.type"), members))
-    cls = Class(where.address, made, made, machine.place.file, (base,), base.mro, machine.place, False)
+    bases: tuple[Value, ...] = (base,) if kind == NONE else (kind, base)
+    kinds = kind.mro if isinstance(kind, Class) else bases[:-1]
+    cls = Class(where.address, made, made, machine.place.file, bases, (*kinds, *base.mro), machine.place, False)
     make_members(NativeCall(machine, "enum.make_members", (cls,), {}))
     return cls
 
 
-def _auto(_: NativeCall) -> Value:
-    return AUTO
+def _auto(call: NativeCall) -> Value:
+    place = call.machine.place
+    return External(f"{_AUTO} {place.line}:{place.column}")
+
+
+def length(call: NativeCall) -> Value:
+    """enum.length(cls): `len(Cls)`, aliases left out."""
+    members = _members(call, call.args[0])
+    if members is None:
+        return call.machine.unknown(Cause.OPERATION, "len", "int")
+    distinct = dict.fromkeys(members.values())
+    if not all(_is_canonical(call, call.args[0], m) for m in distinct):
+        return call.machine.unknown(Cause.OPERATION, "len", "int")
+    return Const(len(distinct))
 
 
 def _same(call: NativeCall) -> Value:
@@ -326,6 +404,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "enum.iterate": iterate,
     "enum.lookup": lookup,
     "enum.item": item,
+    "enum.length": length,
     "enum.auto": _auto,
     "enum.property": _property,
     "enum.member": _same,

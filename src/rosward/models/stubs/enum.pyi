@@ -3,17 +3,18 @@
 from _rosward import native
 
 @native
-def _make_class(base, name, names): ...
+def _make_class(base, name, names, kind, start): ...
 
 class EnumMeta(type): ...
 EnumType = EnumMeta
 
 class Enum:
-    def __new__(cls, value, names=None, **kwargs):
-        return _make_class(cls, value, names)
+    def __new__(cls, value, names=None, *, module=None, qualname=None, type=None, start=1, boundary=None):
+        return _make_class(cls, value, names, type, start)
     def __str__(self):
         return type(self).__name__ + '.' + self.name
-    def __repr__(self) -> str: ...
+    def __repr__(self):
+        return '<' + type(self).__name__ + '.' + self._name_ + ': ' + repr(self._value_) + '>'
     def __hash__(self) -> int: ...
     def __format__(self, spec):
         return format(str(self), spec)
@@ -27,6 +28,7 @@ class StrEnum(ReprEnum):
     def __str__(self):
         return self._value_
 class Flag(Enum):
+    def __repr__(self) -> str: ...
     def __contains__(self, other) -> bool: ...
     def __invert__(self): ...
 class IntFlag(ReprEnum, Flag):
