@@ -493,7 +493,7 @@ class Interpreter:
             name = f"{frame.module.name}.{frame.code.qualname}"
         return name.removesuffix(".__init__") if name else None
 
-    def load_module(self, name: str) -> Value:
-        """The module (or external thing) of a dotted name, run if it was not yet."""
+    def load_module(self, name: str, level: int = 0, *, asked: bool = False) -> Value:
+        """The module (or external thing) of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
         frame = next((f for f in reversed(self.frames) if not f.stub), None)
-        return modules.load(self, name, frame)
+        return (modules.load_asked if asked else modules.load)(self, name, frame, level)

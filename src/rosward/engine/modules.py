@@ -28,14 +28,18 @@ _STARS: Final = "*"
 
 def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
     """import a.b.c [as d]."""
-    leaf = load(machine, op.module, frame)
-    if leaf is UNBOUND:
-        return UNBOUND
-    if not _surely_there(machine, leaf):
-        note_import(machine)
-    if op.leaf or "." not in op.module:
+    leaf = load_asked(machine, op.module, frame)
+    if leaf is UNBOUND or op.leaf or "." not in op.module:
         return leaf
     return load(machine, op.module.partition(".")[0], frame)
+
+
+def load_asked(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
+    """The module of a name that the program asks for; a handler of ImportError may be reached where it may not be there."""
+    module = load(machine, name, frame, level)
+    if module is not UNBOUND and not _surely_there(machine, module):
+        note_import(machine)
+    return module
 
 
 def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value:

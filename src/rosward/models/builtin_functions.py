@@ -149,7 +149,7 @@ def _dir(call: NativeCall) -> Value:
 
 
 def _run_code(call: NativeCall) -> Value:
-    """exec, compile and __import__."""
+    """exec and compile."""
     name = call.name.rpartition(".")[2]
     call.machine.report("RW203", f"{name}() is not followed")
     return NONE if name == "exec" else unknown_from(call.machine, name, "", *call.args)
@@ -171,7 +171,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"builtins.{name}": native(_opaque) for name in _OPAQUE},
     **{f"builtins.{name}": native(_variables) for name in ("vars", "globals", "locals")},
     "builtins.dir": native(_dir),
-    **{f"builtins.{name}": native(_run_code) for name in ("exec", "compile", "__import__")},
+    **{f"builtins.{name}": native(_run_code) for name in ("exec", "compile")},
     "builtins.isinstance": native(_is_instance, 2),
     "builtins.issubclass": native(_is_subclass, 2),
     "builtins.callable": native(_callable, 1),

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Imports by a name that the program computes: followed where the name is known, told (RW203) where it is not."""
+"""Imports by a name that the program computes: followed where the name is known, told (RW203) where it is not.
+
+importlib.import_module('.lidar', package=__package__)     demo.drivers.lidar, where the package is demo.drivers
+__import__('demo.lidar')                                   demo: without `fromlist` the uppermost package
+"""
 
 from __future__ import annotations
 
@@ -7,21 +11,69 @@ from typing import Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, Value
+from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Value
 from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 
 
+def _text(value: Value) -> str | None:
+    return value.value if isinstance(value, Const) and isinstance(value.value, str) else None
+
+
+def _not_known(call: NativeCall) -> Value:
+    call.machine.report("RW203", "the name of the module that is imported here is not known")
+    return call.machine.unknown(Cause.CALL, call.name)
+
+
+def _absolute(name: Value, package: Value) -> str | None:
+    """The whole name of a module as `importlib` reads it; None where it is not known, or where Python refuses it."""
+    text = _text(name)
+    if text is None or not text.startswith("."):
+        return text or None
+    parts = (_text(package) or "").split(".")
+    level = len(text) - len(text.lstrip("."))
+    if level > len(parts) or not all(parts):
+        return None
+    return ".".join([*parts[: len(parts) - level + 1], *([text[level:]] if text[level:] else [])])
+
+
 def _import_module(call: NativeCall) -> Value:
-    """`importlib.import_module(name)`."""
+    """`importlib.import_module(name, package=None)`."""
     found: list[Value] = []
-    for name in options(call.args[0]) if call.args else ():
-        if isinstance(name, Const) and isinstance(name.value, str) and not name.value.startswith("."):
-            found.append(host(call.machine).load_module(name.value))
-        else:
-            call.machine.report("RW203", "the name of the module that is imported here is not known")
-            found.append(call.machine.unknown(Cause.CALL, call.name))
-    return join_all(found) if found else call.machine.unknown(Cause.CALL, call.name)
+    package = call.arg(1, "package", NONE) or NONE
+    for name in options(call.arg(0, "name", UNBOUND) or UNBOUND):
+        for base in options(package):
+            whole = _absolute(name, base)
+            found.append(_not_known(call) if whole is None else host(call.machine).load_module(whole, asked=True))
+    return join_all(found)
 
 
-NATIVES: Final[dict[str, NativeFunction]] = {"importlib.import_module": _import_module}
+def _import(call: NativeCall) -> Value:
+    """`__import__(name, globals=None, locals=None, fromlist=(), level=0)`; `globals` is taken for that of the calling module."""
+    machine = host(call.machine)
+    level = call.arg(4, "level", Const(0))
+    if not isinstance(level, Const) or not isinstance(level.value, int) or level.value < 0:
+        return _not_known(call)
+    names = call.arg(3, "fromlist", FALSE) or FALSE
+    wanted = call.machine.truth(names)
+    found: list[Value] = []
+    for option in options(call.arg(0, "name", UNBOUND) or UNBOUND):
+        name = _text(option)
+        if name is None or wanted is None or not (name or level.value):
+            found.append(_not_known(call))
+            continue
+        module = machine.load_module(name, level.value, asked=True)
+        if module is not UNBOUND and wanted:
+            for each in call.machine.iterate(names).known:  # submodules that are asked for are imported
+                if (text := _text(each)) is not None and text != "*":
+                    machine.load_attr(module, text)
+        elif module is not UNBOUND and "." in name:
+            module = _not_known(call) if level.value else machine.load_module(name.partition(".")[0])
+        found.append(module)
+    return join_all(found)
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "importlib.import_module": _import_module,
+    "builtins.__import__": _import,
+}
