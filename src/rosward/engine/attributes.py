@@ -39,9 +39,10 @@ from rosward.engine import modules
 from rosward.engine.escape import name_of
 from rosward.engine.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.namespaces import table_of
-from rosward.models.builtin_attributes import may_hide
+from rosward.models.builtin_attributes import ANY_ATTRIBUTE, may_hide
 from rosward.models.contents import KINDS
 from rosward.models.exceptions import MEMBERS, is_exception, member_of
+from rosward.models.ros_interfaces import INTERFACE_NAMES, interface_name
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -67,9 +68,7 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     if cls is Class:
         return _of_class(machine, value, name)  # type: ignore[arg-type]
     if cls is External:
-        if name in NODE_METHODS and "." in value.name and not is_interface(value):  # type: ignore[attr-defined]
-            return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)  # type: ignore[attr-defined]
-        return External(f"{value.name}.{name}")  # type: ignore[attr-defined]
+        return _of_external(machine, value, name)  # type: ignore[arg-type]
     if cls is Choice:
         return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))  # type: ignore[attr-defined]
     if cls is Unknown:
@@ -94,6 +93,14 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     if cls is Partial and name in ("func", "args"):
         return value.function if name == "func" else Tuple(value.arguments)  # type: ignore[attr-defined]
     return _of_builtin(machine, value, name)
+
+
+def _of_external(machine: Interpreter, value: External, name: str) -> Value:
+    if name in INTERFACE_NAMES and is_interface(value):
+        return Const(interface_name(value.name, name))
+    if name in NODE_METHODS and "." in value.name and not is_interface(value):
+        return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)
+    return External(f"{value.name}.{name}")
 
 
 def _of_exception_class(machine: Interpreter, cls: str, name: str) -> Value:
@@ -292,6 +299,8 @@ def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
         return machine.unknown(Cause.MODULE, subject)
     if any(b.__class__ is Class and may_hide(machine, b, name) for b in cls.mro):
         return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
+    if name.startswith("__") and hasattr(object, name):
+        return BoundMethod(ref, Native(f"object.{name}"))
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
 
@@ -405,7 +414,18 @@ def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
         return Const(function.module.name)
     if name == "__doc__":
         return Const(function.code.doc)
+    if kept is not None and ANY_ATTRIBUTE in kept.partial:
+        return machine.unknown(Cause.CALL, f"{function.code.name}.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
+
+
+def open_up(machine: Interpreter, value: Value) -> None:
+    """A library that is not read may have given a function attributes."""
+    if isinstance(value, Function):
+        address = machine.library.function_address(value)
+        record = machine.state.heap.get(address) or Obj("instance", NONE)
+        if ANY_ATTRIBUTE not in record.partial:
+            machine.put(address, record.replace(partial=record.partial | {ANY_ATTRIBUTE}))
 
 
 def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:

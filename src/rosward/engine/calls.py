@@ -171,9 +171,9 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
     note_call(machine)
     escape(machine, (*args, *keywords.values()), function.name, function)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
-        return args[
-            0
-        ]  # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
+        # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
+        attributes.open_up(machine, args[0])
+        return args[0]
     return machine.unknown(Cause.CALL, function.name)
 
 

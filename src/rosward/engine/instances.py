@@ -145,7 +145,7 @@ def _is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None
     if cls == wanted or wanted == Native("builtins.object"):
         return True
     if wanted.__class__ is Native and cls.__class__ is Native:
-        return _of_python(cls.name, getattr(builtins, wanted.name.removeprefix("builtins."), None))
+        return _of_python(cls.name, _python_class(wanted.name))
     if cls.__class__ not in (Native, Class) or wanted.__class__ not in (Native, Class):
         return None
     if wanted.__class__ is Class:
@@ -174,7 +174,7 @@ def _nominal(cls: Value, wanted: Value) -> bool | None:
     mro: tuple[Value, ...] = cls.mro  # type: ignore[attr-defined]
     if wanted in mro:
         return True
-    theirs = getattr(builtins, wanted.name.removeprefix("builtins."), None) if wanted.__class__ is Native else None
+    theirs = _python_class(wanted.name) if wanted.__class__ is Native else None
     natives = [_of_python(b.name, theirs) for b in mro if b.__class__ is Native] if wanted.__class__ is Native else []
     unknown = any(b.__class__ in (External, Unknown) for b in mro)
     return _any([*natives, None if unknown else False])
@@ -182,13 +182,21 @@ def _nominal(cls: Value, wanted: Value) -> bool | None:
 
 def _of_python(name: str, theirs: object) -> bool | None:
     """The order of classes of Python, asked of Python itself (exceptions, bool of int, abstract classes)."""
-    ours = _PYTHON.get(name, getattr(builtins, name.removeprefix("builtins."), None))
+    ours = _python_class(name)
     if isinstance(ours, type) and isinstance(theirs, type):
         return issubclass(ours, theirs)
     return None
 
 
-_PYTHON: Final[dict[str, type]] = {"builtins.generator": type(_ for _ in ()), "builtins.function": type(_of_python)}
+def _python_class(name: str) -> object:
+    return _PYTHON.get(name, getattr(builtins, name.removeprefix("builtins."), None))
+
+
+_PYTHON: Final[dict[str, type]] = {
+    "builtins.generator": type(_ for _ in ()),
+    "builtins.function": type(_of_python),
+    "builtins.NoneType": type(None),
+}
 
 
 def _abstract(wanted: Class) -> type | None:

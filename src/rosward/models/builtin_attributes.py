@@ -15,8 +15,10 @@ from rosward.domain.text import matches
 from rosward.domain.values import (
     NONE,
     UNBOUND,
+    BoundMethod,
     Class,
     Const,
+    Function,
     ModuleValue,
     Native,
     Range,
@@ -28,9 +30,28 @@ from rosward.domain.values import (
 from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import kind_of
-from rosward.models.plain import Raised, native, origins, spread, text_of, unknown_from, with_origins
+from rosward.models.plain import (
+    Raised,
+    native,
+    origins,
+    spread,
+    text_of,
+    unknown_from,
+    with_origins,
+)
 
 MAX_MATCHES: Final = 64
+ANY_ATTRIBUTE: Final = "*"
+"""Among the attributes of a function that may be there: a library that is not read may have set others."""
+
+
+class _Sample:
+    def method(self) -> None:
+        """A method: what all of them have is asked of it."""
+
+
+_METHOD: Final = _Sample().method
+_FUNCTION: Final = _Sample.method
 
 
 def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
@@ -48,15 +69,38 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         )
     if isinstance(value, ModuleValue):
         return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
+    if isinstance(value, (Function, BoundMethod, Native)):
+        return _of_callable(machine, value, name)
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
         found = getattr(builtins, kind_of(machine, value), None)
         return hasattr(None, name) if value == NONE else hasattr(found, name) if isinstance(found, type) else None
     return None
 
 
+def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
+    """Whether a function or method has an attribute: what was set on it, or what every function has."""
+    bound = isinstance(value, BoundMethod)
+    while isinstance(value, BoundMethod):
+        value = value.function
+    if isinstance(value, Native):
+        found = getattr(builtins, value.name.removeprefix("builtins."), None)
+        return hasattr(len if found is None and bound else found, name) if bound or found is not None else None
+    if not isinstance(value, Function):
+        return None
+    every = hasattr(_METHOD if bound else _FUNCTION, name)
+    interpreter = host(machine)
+    kept = interpreter.state.heap.get(interpreter.library.function_address(value))
+    if kept is None or every:
+        return every
+    own = kept.attrs.get(name, UNBOUND)
+    if own is UNBOUND:
+        return None if ANY_ATTRIBUTE in kept.partial else False
+    return None if name in kept.partial else True
+
+
 def may_hide(machine: Machine, cls: Class, name: str) -> bool:
     """Whether a class of a model may have an attribute that is not declared: unless it lists all such in `_rosward_hidden`."""
-    if not cls.stub:
+    if not cls.stub or name == "__call__":
         return False
     hidden = machine.obj(Ref(cls.address)).attrs.get("_rosward_hidden")
     if not isinstance(hidden, Tuple):
@@ -97,9 +141,25 @@ def attribute_names(machine: Machine, value: Value) -> list[str]:
         ]
     else:
         places = []
+    models = {b.address for b in _bases(machine, value) if isinstance(b, Class) and b.stub}
     return list(
-        dict.fromkeys(name for place in places for name in machine.obj(Ref(place)).attrs if name.isidentifier())
+        dict.fromkeys(
+            name
+            for place in places
+            for name in machine.obj(Ref(place)).attrs
+            if name.isidentifier() and not (_is_private(name) and (place in models or name.startswith("_rosward")))
+        )
     )
+
+
+def _bases(machine: Machine, value: Value) -> tuple[Value, ...]:
+    cls = machine.obj(value).cls if isinstance(value, Ref) else value
+    return cls.mro if isinstance(cls, Class) else ()
+
+
+def _is_private(name: str) -> bool:
+    """Whether a name of a model is its own: the library has others in its place."""
+    return name.startswith("_") and not name.endswith("__")
 
 
 def _get(call: NativeCall) -> Value:

@@ -31,6 +31,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models import containers_dict
+from rosward.models.builtin_attributes import has_attribute
 from rosward.models.containers_list import new_tuple
 from rosward.models.containers_set import new_set
 from rosward.models.list_alternatives import keep_told, told
@@ -208,6 +209,8 @@ def is_callable(machine: Machine, value: Value) -> bool | None:
         return False
     if isinstance(value, Ref) and machine.obj(value).kind != "instance":
         return False
+    if isinstance(value, Ref):
+        return has_attribute(machine, value, "__call__")
     return False if isinstance(value, Unknown) and value.hint else None
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`functools`: partial application; decorators that keep the function. The rest is models/std_functional.py."""
-from _rosward import either
+from _rosward import either, native
 import functools
 
 WRAPPER_ASSIGNMENTS = ('__module__', '__name__', '__qualname__', '__doc__', '__annotations__')
@@ -14,29 +14,39 @@ class partialmethod:
     def __get__(self, obj, cls=None):
         return functools.partial(self._func, obj, *self._args, **self._keywords)
 
+@native
+def _classes(cls, skip): ...
+@native
+def _choose(registered, value): ...
+
 class _Dispatched:
-    """A function with one body for each type of its first argument; any of them may run."""
+    """A function with one body for each type of its first argument; `_registered` are pairs of class and function."""
     def __init__(self, func, skip):
-        self._functions = [func]
+        self._registered = [(object, func)]
         self._skip = skip
+        self.func = func
+        self.__name__ = func.__name__
+        self.__doc__ = func.__doc__
     def register(self, cls, func=None):
-        if func is not None:
-            self._functions.append(func)
-            return func
-        if isinstance(cls, type):
-            return self._add
-        return self._add(cls)
-    def _add(self, func):
-        self._functions.append(func)
+        if func is None and isinstance(cls, type):
+            return functools.partial(self.register, cls)
+        if func is None:
+            func = cls
+        for one in _classes(cls, self._skip):
+            self._registered.append((one, func))
         return func
     def dispatch(self, cls):
-        return either(*self._functions)
+        return either(*[func for _, func in self._registered])
     def __call__(self, *args, **kwargs):
-        return either(*self._functions)(*args, **kwargs)
+        return _choose(self._registered, args[0])(*args, **kwargs)
+
+class _DispatchedMethod(_Dispatched):
     def __get__(self, obj, cls=None):
-        return functools.partial(self, obj) if self._skip else self
+        def method(*args, **kwargs):
+            return _choose(self._registered, args[0])(obj, *args, **kwargs)
+        return method
 
 def singledispatch(func):
     return _Dispatched(func, False)
 def singledispatchmethod(func):
-    return _Dispatched(func, True)
+    return _DispatchedMethod(func, True)

@@ -8,6 +8,10 @@ from _rosward import calls, init
 
 
 class Context:
+    _rosward_hidden = (
+        "_call_on_shutdown_callbacks", "_callbacks", "_lock", "_logging_fini", "_logging_initialized",
+        "_remove_callback", "_abc_impl", "_is_protocol",
+    )
     def __init__(self):
         self._nodes = []
 

@@ -32,6 +32,13 @@ class TimeoutObject:
 
 
 class Executor:
+    _rosward_hidden = (
+        "_cb_iter", "_clock", "_context", "_executor", "_futures", "_guard", "_is_protocol", "_abc_impl",
+        "_is_shutdown", "_last_args", "_last_kwargs", "_make_handler", "_nodes", "_nodes_lock", "_shutdown_lock",
+        "_sigint_gc", "_spin_once_impl", "_spin_once_until_future_complete", "_take_client",
+        "_take_guard_condition", "_take_service", "_take_subscription", "_take_timer", "_take_waitable", "_tasks",
+        "_tasks_lock", "_wait_for_ready_callbacks", "_work_tracker",
+    )
     def __init__(self, *, context=None):
         self._nodes = []
         ask(self, "wake")
@@ -97,6 +104,9 @@ class Executor:
 
 
 class SingleThreadedExecutor(Executor):
+    _rosward_hidden = (
+        "_cb_iter",
+    )
     def __init__(self, *, context=None):
         super().__init__(context=context)
 
@@ -112,6 +122,9 @@ class SingleThreadedExecutor(Executor):
 
 
 class MultiThreadedExecutor(Executor):
+    _rosward_hidden = (
+        "_cb_iter",
+    )
     def __init__(self, num_threads=None, *, context=None):
         super().__init__(context=context)
 

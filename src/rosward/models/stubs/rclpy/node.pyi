@@ -72,6 +72,20 @@ from rclpy.utilities import get_default_context as get_default_context
 HIDDEN_NODE_PREFIX = "_"
 
 
+class _Handle:
+    """What rclpy calls of C."""
+    _rosward_hidden = (
+        "_pybind11_conduit_v1_", "destroy_when_not_in_use", "get_action_client_names_and_types_by_node",
+        "get_action_names_and_types", "get_action_server_names_and_types_by_node", "get_count_clients",
+        "get_count_publishers", "get_count_services", "get_count_subscribers", "get_fully_qualified_name",
+        "get_namespace", "get_node_name", "get_node_names_and_namespaces",
+        "get_node_names_and_namespaces_with_enclaves", "get_parameters", "logger_name", "pointer",
+    )
+    def __enter__(self):
+        return self
+    def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
+
+
 class NodeNameNonExistentError(Exception): ...
 
 
@@ -154,25 +168,32 @@ class Node:
     # What the node has. None of these can be assigned (`self.timers = []` raises AttributeError), except `executor`.
 
     @property
-    def publishers(self): ...
+    def publishers(self):
+        return iter(unknown('live', 'rclpy.node.Node.publishers', 'list'))
 
     @property
-    def subscriptions(self): ...
+    def subscriptions(self):
+        return iter(unknown('live', 'rclpy.node.Node.subscriptions', 'list'))
 
     @property
-    def clients(self): ...
+    def clients(self):
+        return iter(unknown('live', 'rclpy.node.Node.clients', 'list'))
 
     @property
-    def services(self): ...
+    def services(self):
+        return iter(unknown('live', 'rclpy.node.Node.services', 'list'))
 
     @property
-    def timers(self): ...
+    def timers(self):
+        return iter(unknown('live', 'rclpy.node.Node.timers', 'list'))
 
     @property
-    def guards(self): ...
+    def guards(self):
+        return iter(unknown('live', 'rclpy.node.Node.guards', 'list'))
 
     @property
-    def waitables(self): ...
+    def waitables(self):
+        return iter(unknown('live', 'rclpy.node.Node.waitables', 'list'))
 
     @property
     def executor(self) -> Executor | None: ...
@@ -187,7 +208,8 @@ class Node:
     def default_callback_group(self) -> CallbackGroup: ...
 
     @property
-    def handle(self): ...
+    def handle(self):
+        return _Handle()
 
     # Names
 

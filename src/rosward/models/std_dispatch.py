@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`functools.singledispatch`: which function is registered for the class of an argument?
+
+@describe.register
+def _(value: int | str): …        for both classes, by the annotation of the first parameter
+describe(5)                       the function of the nearest class of `int`; of each that may be, where that is not known
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from typing import Final
+
+from rosward.domain.choice import join_all, lift
+from rosward.domain.unknown import Cause
+from rosward.domain.values import TRUE, BoundMethod, Descriptor, Function, Native, Ref, Tuple, Value
+from rosward.models.native import Machine, NativeCall, NativeFunction
+
+
+def _classes(call: NativeCall) -> Value:
+    """functools._classes(function or class): the classes that `register` means, a tuple."""
+    value, skip = call.args
+    while isinstance(value, (BoundMethod, Descriptor)):
+        value = value.function if isinstance(value, BoundMethod) else value.getter
+    if not isinstance(value, Function):
+        return Tuple((value,)) if not isinstance(value, Tuple) else value
+    names = value.code.parameters.positional[1 if call.machine.truth(skip) else 0 :]
+    text = value.code.annotations.get(names[0]) if names else None
+    if text is None:
+        return call.machine.die(
+            "TypeError", "register() takes a class, or a function whose first parameter is annotated"
+        )
+    return Tuple(tuple(_named(call.machine, value, _parsed(text))))
+
+
+def _parsed(text: str) -> ast.expr:
+    try:
+        tree = ast.parse(text, mode="eval").body
+        return (
+            ast.parse(tree.value, mode="eval").body
+            if isinstance(tree, ast.Constant) and isinstance(tree.value, str)
+            else tree
+        )
+    except SyntaxError:
+        return ast.Constant(Ellipsis)
+
+
+def _named(machine: Machine, function: Function, tree: ast.expr) -> list[Value]:
+    """The classes that an annotation names; those of a union apart."""
+    if isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.BitOr):
+        return [*_named(machine, function, tree.left), *_named(machine, function, tree.right)]
+    if isinstance(tree, ast.Subscript) and ast.unparse(tree.value).rpartition(".")[2] in ("Union", "Optional"):
+        inner = tree.slice.elts if isinstance(tree.slice, ast.Tuple) else [tree.slice]
+        more = [Native("builtins.NoneType")] if ast.unparse(tree.value).endswith("Optional") else []
+        return [*(c for e in inner for c in _named(machine, function, e)), *more]
+    if isinstance(tree, ast.Constant) and tree.value is None:
+        return [Native("builtins.NoneType")]
+    if isinstance(tree, ast.Name):
+        there = machine.obj(Ref(function.module.address)).attrs.get(tree.id)
+        return [machine.load_attr(function.module, tree.id) if there is not None else _builtin(machine, tree.id)]
+    if isinstance(tree, ast.Attribute):
+        return [machine.load_attr(v, tree.attr) for v in _named(machine, function, tree.value)]
+    return [machine.unknown(Cause.OPERATION, "annotation")]
+
+
+def _builtin(machine: Machine, name: str) -> Value:
+    known = name in (
+        "int",
+        "str",
+        "float",
+        "bool",
+        "list",
+        "dict",
+        "set",
+        "tuple",
+        "bytes",
+        "object",
+        "complex",
+        "frozenset",
+    )
+    return Native(f"builtins.{name}") if known else machine.unknown(Cause.OPERATION, "annotation")
+
+
+def _choose(call: NativeCall) -> Value:
+    """functools._choose(registered, value): the function for a value; `registered` are pairs of class and function, later ones first."""
+    machine = call.machine
+    known, rest = machine.iterate(call.args[0])
+    pairs = [p.items for p in known if isinstance(p, Tuple) and len(p.items) == 2]
+    if rest is not None or len(pairs) != len(known):
+        return machine.unknown(Cause.OPERATION, "functools.singledispatch")
+    return lift(lambda value: _for_one(machine, pairs, value), call.args[1])
+
+
+def _for_one(machine: Machine, pairs: Sequence[tuple[Value, ...]], value: Value) -> Value:
+    best: tuple[Value, ...] | None = None
+    perhaps: list[Value] = []
+    seen: list[Value] = []
+    for pair in reversed(pairs):  # of two for one class the later one counts
+        if pair[0] in seen:
+            continue
+        seen.append(pair[0])
+        answer = machine.is_instance(value, pair[0])
+        if answer is None:
+            perhaps.append(pair[1])
+        elif answer and (best is None or _is_nearer(machine, value, pair[0], best[0])):
+            best = pair
+    return join_all([*perhaps, *(() if best is None else (best[1],))])
+
+
+def _is_nearer(machine: Machine, value: Value, cls: Value, other: Value) -> bool:
+    """Whether a class stands before another one in the order of a value's class."""
+    if machine.call(Native("builtins.issubclass"), (cls, other)) == TRUE:
+        return True
+    if machine.call(Native("builtins.issubclass"), (other, cls)) == TRUE:
+        return False
+    order = machine.load_attr(machine.call(Native("builtins.type"), (value,)), "__mro__")
+    found = order.items if isinstance(order, Tuple) else ()
+    return cls in found and (other not in found or found.index(cls) < found.index(other))
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "functools._classes": _classes,
+    "functools._choose": _choose,
+}
