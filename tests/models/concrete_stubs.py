@@ -106,6 +106,9 @@ class Stubs:
                 schedule=lambda function, *args, event="timer": self.scheduled.append((function, args, event)),
                 spin=self._spin,
                 escape=lambda *_: None,
+                ask=lambda *_: None,
+                reads_only=lambda marked: marked,
+                spins=lambda function: function,
             )
         found = self.load(name)
         return found if names else self.load(name.partition(".")[0])

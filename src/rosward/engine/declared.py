@@ -25,6 +25,8 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import modules
+from rosward.engine.havoc import change
+from rosward.models.host import text_of
 from rosward.models.ros_effects import perform
 
 if TYPE_CHECKING:
@@ -100,6 +102,10 @@ def apply(machine: Interpreter, function: Function, registers: list[Value]) -> V
         kind = spec.items[0]
         if kind == Const("native"):
             return machine.call(Native(f"{function.module.name}.{function.code.qualname}"), tuple(registers))
+        if kind == Const("changes"):
+            assert isinstance(spec.items[1], Tuple)
+            for name in spec.items[1].items:
+                change(machine, named[text_of(name)], f"{function.module.name}.{function.code.qualname}")
         perform(machine, spec, named)
     return None
 

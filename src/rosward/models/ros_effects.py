@@ -64,6 +64,15 @@ def _marker(kind: str) -> NativeFunction:
     return lambda call: _mark(call._replace(args=(Tuple((Const(kind),)), call.args[0])))
 
 
+def _changes(call: NativeCall) -> Value:
+    return Partial(Native("_rosward.mark"), (Tuple((Const("changes"), Tuple(call.args))),), ())
+
+
+def _reads_only(call: NativeCall) -> Value:
+    """A mark for the reader: a declared function changes nothing in any case, unless a decorator says so."""
+    return call.args[0]
+
+
 def perform(machine: Interpreter, spec: Tuple, named: dict[str, Value]) -> None:
     """An effect that a decorator declares; `named` are the arguments of the call by parameter."""
     kind = text_of(spec.items[0])
@@ -389,6 +398,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.spins": _marker("spins"),
     "_rosward.native": _marker("native"),
     "_rosward.pure": _marker("pure"),
+    "_rosward.changes": _changes,
+    "_rosward.reads_only": _reads_only,
     "_rosward.create": _create,
     "_rosward.create_node": _create_node,
     "_rosward.init": _init,

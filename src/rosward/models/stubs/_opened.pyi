@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A file of the analysed packages that `open` has opened to be read as text (models/std_files.py)."""
-from _rosward import unknown
+from _rosward import reads_only, unknown
 
 class TextFile:
     """`_left` is what is still to be read."""
@@ -28,13 +28,18 @@ class TextFile:
         return iter(self.readlines())
     def __enter__(self):
         return self
+    @reads_only
     def __exit__(self, kind, value, trace) -> None: ...
+    @reads_only
     def close(self): ...
+    @reads_only
     def flush(self): ...
     def seek(self, offset, whence=0):
         self._left = self._whole if offset == 0 and whence == 0 else unknown('file', self.name, 'str')
         return offset
+    @reads_only
     def tell(self) -> int: ...
+    @reads_only
     def fileno(self) -> int: ...
     def readable(self):
         return True

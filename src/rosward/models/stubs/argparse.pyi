@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`argparse`: declared arguments become attributes of the namespace, by default or unknown; of known arguments, exactly."""
-from _rosward import default as only_default
+from _rosward import ask, default as only_default, reads_only, unknown
 from _rosward import either, escape, native, unknown
 import sys
 
@@ -31,6 +31,7 @@ class RawTextHelpFormatter(RawDescriptionHelpFormatter): ...
 class ArgumentDefaultsHelpFormatter(HelpFormatter): ...
 class MetavarTypeHelpFormatter(HelpFormatter): ...
 
+@reads_only
 class FileType:
     def __init__(self, mode='r', bufsize=-1, encoding=None, errors=None): ...
     def __call__(self, string):
@@ -43,6 +44,7 @@ class Namespace:
     def __contains__(self, key):
         return hasattr(self, key)
 
+@reads_only
 class Action:
     """One declared argument."""
     def __init__(self, option_strings, dest, nargs=None, const=None, default=None, type=None, choices=None, required=False, help=None, metavar=None):
@@ -152,6 +154,7 @@ class _ActionsContainer:
             if action.dest == dest:
                 return action.default
         return None
+    @reads_only
     def register(self, registry_name, value, object): ...
 
 class _Group(_ActionsContainer):
@@ -231,9 +234,13 @@ class ArgumentParser(_ActionsContainer):
         return self._parse(args, namespace, False)[0]
     def parse_known_intermixed_args(self, args=None, namespace=None):
         return self._parse(args, namespace, True)
-    def print_help(self, file=None) -> None: ...
-    def print_usage(self, file=None) -> None: ...
+    def print_help(self, file=None):
+        ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
+    def print_usage(self, file=None):
+        ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
+    @reads_only
     def format_help(self) -> str: ...
+    @reads_only
     def format_usage(self) -> str: ...
     def exit(self, status=0, message=None):
         sys.exit(status)

@@ -3,7 +3,7 @@
 
 A future that is awaited gives its `result()`.
 """
-from _rosward import native, schedule, spin, unknown
+from _rosward import native, reads_only, schedule, spin, unknown
 from threading import Condition as Condition
 from threading import Lock as Lock
 from threading import Semaphore as Semaphore
@@ -31,6 +31,7 @@ class QueueEmpty(Exception): ...
 class QueueFull(Exception): ...
 TimeoutError = TimeoutError
 
+@reads_only
 class Future:
     def __init__(self, *, loop=None):
         self._result = None
@@ -57,16 +58,20 @@ class Task(Future):
         schedule(self._run, event='task')
     def _run(self):
         self._result = _wait(self._coro)
+    @reads_only
     def get_name(self) -> str: ...
+    @reads_only
     def set_name(self, value, /) -> None: ...
     def get_coro(self):
         return self._coro
     def result(self):
         return _wait(self._coro)
 
+@reads_only
 class Handle:
     def cancel(self) -> None: ...
     def cancelled(self) -> bool: ...
+@reads_only
 class TimerHandle(Handle):
     def when(self) -> float: ...
 
@@ -103,17 +108,25 @@ class AbstractEventLoop:
         schedule(callback, *args, event='loop')
     def add_signal_handler(self, sig, callback, *args):
         schedule(callback, *args, event='signal')
+    @reads_only
     def remove_signal_handler(self, sig) -> bool: ...
     def set_exception_handler(self, handler):
         schedule(handler, self, unknown('live', 'context of an exception', 'dict'), event='loop')
+    @reads_only
     def set_default_executor(self, executor) -> None: ...
+    @reads_only
     def set_debug(self, enabled) -> None: ...
+    @reads_only
     def stop(self) -> None: ...
+    @reads_only
     def close(self) -> None: ...
+    @reads_only
     def is_running(self) -> bool: ...
+    @reads_only
     def is_closed(self) -> bool: ...
     def time(self):
         return unknown('random', 'asyncio loop time', 'float')
+    @reads_only
     async def shutdown_asyncgens(self) -> None: ...
 
 _loop = AbstractEventLoop()
@@ -126,12 +139,15 @@ def get_running_loop():
     return _loop
 def new_event_loop():
     return _loop
+@reads_only
 def set_event_loop(loop) -> None: ...
+@reads_only
 def set_event_loop_policy(policy) -> None: ...
 
 def run(main, *, debug=None):
     result = _wait(main)
     return result
+@reads_only
 class Runner:
     def __init__(self, *, debug=None, loop_factory=None): ...
     def __enter__(self):
@@ -151,10 +167,15 @@ def run_coroutine_threadsafe(coro, loop):
     return Task(coro)
 def wrap_future(future, *, loop=None):
     return future
+@reads_only
 def current_task(loop=None): ...
+@reads_only
 def all_tasks(loop=None): ...
+@reads_only
 def iscoroutine(obj) -> bool: ...
+@reads_only
 def iscoroutinefunction(func) -> bool: ...
+@reads_only
 def isfuture(obj) -> bool: ...
 
 async def sleep(delay, result=None):
@@ -176,6 +197,7 @@ def as_completed(fs, *, timeout=None):
     return iter(list(fs))
 async def to_thread(func, /, *args, **kwargs):
     return func(*args, **kwargs)
+@reads_only
 class timeout:
     def __init__(self, delay): ...
     async def __aenter__(self):
@@ -184,10 +206,12 @@ class timeout:
 class TaskGroup:
     async def __aenter__(self):
         return self
+    @reads_only
     async def __aexit__(self, et, exc, tb) -> None: ...
     def create_task(self, coro, *, name=None, context=None):
         return Task(coro)
 
+@reads_only
 class Event:
     def is_set(self) -> bool: ...
     def set(self) -> None: ...
@@ -211,9 +235,13 @@ class Queue:
         return _any(self._items)
     async def join(self):
         spin()
+    @reads_only
     def qsize(self) -> int: ...
+    @reads_only
     def empty(self) -> bool: ...
+    @reads_only
     def full(self) -> bool: ...
+    @reads_only
     def task_done(self) -> None: ...
 class LifoQueue(Queue): ...
 class PriorityQueue(Queue): ...

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`click`: a command calls its function with what its options declare."""
-from _rosward import either, escape, unknown
+from _rosward import ask, either, escape, reads_only, unknown
 import argparse
 import sys
 
@@ -86,8 +86,11 @@ def group(name=None, cls=None, **attrs):
     if callable(name):
         return _command(name)
     return _command
-def echo(message=None, file=None, nl=True, err=False, color=None) -> None: ...
-def secho(message=None, file=None, nl=True, err=False, color=None, **styles) -> None: ...
+def echo(message=None, file=None, nl=True, err=False, color=None):
+    ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
+def secho(message=None, file=None, nl=True, err=False, color=None, **styles):
+    ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
+@reads_only
 def style(text, **styles) -> str: ...
 def prompt(text, **kwargs):
     return unknown('input', 'click.prompt', 'str')

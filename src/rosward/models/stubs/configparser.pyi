@@ -3,7 +3,7 @@
 
 Once a text was read that is not known, there may be any section, and any value.
 """
-from _rosward import either, native, unknown
+from _rosward import ask, either, native, unknown
 
 DEFAULTSECT = 'DEFAULT'
 
@@ -165,6 +165,7 @@ class RawConfigParser:
         return iter(self.keys())
     def __len__(self):
         return len(self.keys())
-    def write(self, fp, space_around_delimiters=True) -> None: ...
+    def write(self, fp, space_around_delimiters=True):
+        ask(fp, 'write', unknown('call', 'text that a library writes', 'str'))
 class ConfigParser(RawConfigParser): ...
 SafeConfigParser = ConfigParser

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contextlib`: what is entered, what leaves, and what is swallowed on the way."""
-from _rosward import native
+from _rosward import ask, native, reads_only, schedule, unknown
 
 @native
 def _begin(generator): ...
@@ -14,12 +14,14 @@ class AbstractContextManager:
         return cls
     def __enter__(self):
         return self
+    @reads_only
     def __exit__(self, exc_type, exc_value, traceback) -> None: ...
 class AbstractAsyncContextManager:
     def __class_getitem__(cls, item):
         return cls
     async def __aenter__(self):
         return self
+    @reads_only
     async def __aexit__(self, exc_type, exc_value, traceback) -> None: ...
 class ContextDecorator:
     def _recreate_cm(self):
@@ -74,9 +76,11 @@ class nullcontext(AbstractContextManager, AbstractAsyncContextManager):
         self.enter_result = enter_result
     def __enter__(self):
         return self.enter_result
+    @reads_only
     def __exit__(self, *excinfo) -> None: ...
     async def __aenter__(self):
         return self.enter_result
+    @reads_only
     async def __aexit__(self, *excinfo) -> None: ...
 
 class closing(AbstractContextManager):
@@ -97,6 +101,7 @@ class aclosing(AbstractAsyncContextManager):
 class suppress(AbstractContextManager):
     def __init__(self, *exceptions):
         self._exceptions = exceptions
+    @reads_only
     def __enter__(self): pass
     def __exit__(self, exctype, excinst, exctb):
         return exctype is not None and issubclass(exctype, self._exceptions)
@@ -105,9 +110,12 @@ class redirect_stdout(AbstractContextManager):
     def __init__(self, new_target):
         self._new_target = new_target
     def __enter__(self):
+        schedule(ask, self._new_target, 'write', unknown('call', 'text that a library writes', 'str'), event='print')
         return self._new_target
+    @reads_only
     def __exit__(self, exctype, excinst, exctb) -> None: ...
 class redirect_stderr(redirect_stdout): ...
+@reads_only
 class chdir(AbstractContextManager):
     def __init__(self, path):
         self.path = path

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`csv`: rows of text that stands in the program, or in a file of the sources (models/std_tables.py)."""
-from _rosward import native
+from _rosward import ask, native, unknown
 
 @native
 def _rows(lines, dialect, options): ...
@@ -54,11 +54,19 @@ class DictReader:
                 found[name] = self._restval
         return found
 class _Writer:
-    def writerow(self, row) -> int: ...
-    def writerows(self, rows) -> None: ...
-    def writeheader(self) -> None: ...
+    def __init__(self, f):
+        self._file = f
+    def writerow(self, row):
+        ask(self._file, 'write', unknown('call', 'text that a library writes', 'str'))
+        return unknown('call', 'what a writer returns')
+    def writerows(self, rows):
+        for row in rows:
+            self.writerow(row)
+    def writeheader(self):
+        return self.writerow(())
 def writer(fileobj, dialect='excel', *args, **kwargs):
-    return _Writer()
+    return _Writer(fileobj)
 class DictWriter(_Writer):
     def __init__(self, f, fieldnames, restval='', extrasaction='raise', dialect='excel', *args, **kwds):
+        _Writer.__init__(self, f)
         self.fieldnames = fieldnames

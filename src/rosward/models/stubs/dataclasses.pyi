@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`dataclasses`: see models/std_records.py."""
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 MISSING = object()
 KW_ONLY = object()
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`enum`: see models/std_enum.py for how members are made and found."""
-from _rosward import native
+from _rosward import native, reads_only
 
 @native
 def _make_class(base, name, names, kind, start): ...
@@ -15,6 +15,7 @@ class Enum:
         return type(self).__name__ + '.' + self.name
     def __repr__(self):
         return '<' + type(self).__name__ + '.' + self._name_ + ': ' + repr(self._value_) + '>'
+    @reads_only
     def __hash__(self) -> int: ...
     def __format__(self, spec):
         return format(str(self), spec)
@@ -27,10 +28,12 @@ class IntEnum(ReprEnum):
 class StrEnum(ReprEnum):
     def __str__(self):
         return self._value_
+@reads_only
 class Flag(Enum):
     def __repr__(self) -> str: ...
     def __contains__(self, other) -> bool: ...
     def __invert__(self): ...
+@reads_only
 class IntFlag(ReprEnum, Flag):
     def __contains__(self, other) -> bool: ...
     def __invert__(self) -> int: ...

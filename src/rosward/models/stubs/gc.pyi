@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`gc`: without effect."""
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 def collect(generation=2) -> int: ...
 def enable() -> None: ...
 def disable() -> None: ...

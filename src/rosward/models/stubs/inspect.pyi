@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`inspect`: questions only."""
-from _rosward import native
+from _rosward import native, reads_only
+
+reads_only(__name__)
 
 @native
 def _kind_of(object): ...

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """`json`: text that stands in the program is read, files are not (models/std_data.py)."""
 
+from _rosward import ask, reads_only, unknown
+
 import json
+
+reads_only(__name__)
 
 class JSONDecodeError(ValueError):
     def __init__(self, msg, doc, pos):
@@ -10,7 +14,9 @@ class JSONDecodeError(ValueError):
         self.pos = pos
 
 def dump(obj, fp, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, cls=None, indent=None, separators=None,
-         default=None, sort_keys=False, **kw) -> None: ...
+         default=None, sort_keys=False, **kw):
+    json.dumps(obj, cls=cls, default=default)
+    ask(fp, 'write', unknown('call', 'text that a library writes', 'str'))
 
 class JSONEncoder:
     def __init__(self, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, sort_keys=False, indent=None,

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`logging`: harmless, but for handlers that the program writes."""
-from _rosward import schedule, unknown
+from _rosward import ask, escape, reads_only, schedule, unknown
+
+reads_only(__name__)
 
 NOTSET = 0
 DEBUG = 10
@@ -53,6 +55,8 @@ class StreamHandler(Handler):
     def __init__(self, stream=None):
         super().__init__()
         self.stream = stream
+        if stream is not None:
+            schedule(ask, stream, 'write', unknown('call', 'text that a library writes', 'str'), event='log')
 class FileHandler(StreamHandler):
     def __init__(self, filename, mode='a', encoding=None, delay=False, errors=None):
         super().__init__()
@@ -101,7 +105,8 @@ def disable(level=CRITICAL) -> None: ...
 def shutdown(handlerList=None) -> None: ...
 def addLevelName(level, levelName) -> None: ...
 def getLevelName(level): ...
-def setLoggerClass(klass) -> None: ...
+def setLoggerClass(klass):
+    escape(klass)
 def getLoggerClass():
     return Logger
 def debug(msg, *args, **kwargs) -> None: ...

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """`multiprocessing`: a process is a thread that shares nothing."""
-from _rosward import schedule, spin, unknown
+from _rosward import reads_only, schedule, spin, unknown
 from queue import Queue as _Queue
 from threading import Thread, Timer, Condition, Event, Semaphore, BoundedSemaphore, Barrier, Lock, RLock
 
 class ProcessError(Exception): ...
 class TimeoutError(ProcessError): ...
 
+@reads_only
 class Process(Thread):
     def __init__(self, group=None, target=None, name=None, args=(), kwargs={}, *, daemon=None):
         super().__init__(group, target, name, args, kwargs, daemon=daemon)
@@ -18,6 +19,7 @@ class Process(Thread):
     def kill(self) -> None: ...
     def close(self) -> None: ...
 
+@reads_only
 class _Result:
     def __init__(self, value):
         self._value = value
@@ -56,11 +58,15 @@ class Pool:
         if callback is not None:
             callback(value)
         return _Result(value)
+    @reads_only
     def close(self) -> None: ...
+    @reads_only
     def terminate(self) -> None: ...
+    @reads_only
     def join(self) -> None: ...
     def __enter__(self):
         return self
+    @reads_only
     def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
 
 def Queue(maxsize=0):
@@ -86,6 +92,7 @@ def RawValue(typecode_or_type, *args):
 def Array(typecode_or_type, size_or_initializer, *, lock=True):
     return unknown('live', 'multiprocessing.Array', 'list')
 
+@reads_only
 class _Connection:
     def __init__(self):
         self._items = []
@@ -113,11 +120,15 @@ class _Manager:
         return RLock()
     def Value(self, typecode, value):
         return _Shared(value)
+    @reads_only
     def Namespace(self): ...
+    @reads_only
     def start(self) -> None: ...
+    @reads_only
     def shutdown(self) -> None: ...
     def __enter__(self):
         return self
+    @reads_only
     def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
 def Manager():
     return _Manager()
@@ -137,8 +148,11 @@ class _Context:
         return (_Connection(), _Connection())
 def get_context(method=None):
     return _Context()
+@reads_only
 def set_start_method(method, force=False) -> None: ...
+@reads_only
 def get_start_method(allow_none=False) -> str: ...
+@reads_only
 def freeze_support() -> None: ...
 def current_process():
     return Process(name='MainProcess')

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """numpy: an array of known items can be iterated and indexed; all arithmetic is unknown."""
-from _rosward import either, native, unknown
+from _rosward import either, native, reads_only, unknown
 
 @native
 def _elements(items, dtype): ...
@@ -30,6 +30,7 @@ class ndarray:
         return _unknown()
     def __setitem__(self, index, value):
         self._items = unknown('operation', 'item of an array', 'list')
+    @reads_only
     def __contains__(self, value) -> bool: ...
     def _changed(self):
         self._items = unknown('operation', 'items of an array', 'list')
@@ -73,8 +74,11 @@ class ndarray:
     def __le__(self, other): return _unknown()
     def __gt__(self, other): return _unknown()
     def __ge__(self, other): return _unknown()
+    @reads_only
     def __bool__(self) -> bool: ...
+    @reads_only
     def __float__(self) -> float: ...
+    @reads_only
     def __int__(self) -> int: ...
 
 def _unknown():

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """`operator`: the operators as functions; most of them in models/std_numbers.py."""
-from _rosward import unknown
+from _rosward import reads_only, unknown
 
 def neg(a, /):
     return -a
 def pos(a, /):
     return +a
+@reads_only
 def abs(a, /): ...
+@reads_only
 def index(a, /) -> int: ...
 def setitem(a, b, c, /):
     a[b] = c
 def delitem(a, b, /):
     del a[b]
+@reads_only
 def countOf(a, b, /) -> int: ...
+@reads_only
 def indexOf(a, b, /) -> int: ...
 def iadd(a, b, /):
     a += b

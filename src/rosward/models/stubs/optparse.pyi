@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`optparse`: as `argparse`, with options only."""
-from _rosward import unknown
+from _rosward import ask, reads_only, unknown
 import argparse
 import sys
 
+@reads_only
 class Values(argparse.Namespace):
     def __init__(self, defaults=None): ...
     def ensure_value(self, attr, value):
@@ -33,7 +34,9 @@ class OptionParser(OptionContainer):
         for name in self._defaults:
             setattr(target, name, self._defaults[name])
         return target, unknown('argument', 'sys.argv', 'list')
-    def print_help(self, file=None) -> None: ...
-    def print_usage(self, file=None) -> None: ...
+    def print_help(self, file=None):
+        ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
+    def print_usage(self, file=None):
+        ask(file, 'write', unknown('call', 'text that a library writes', 'str'))
     def error(self, msg):
         sys.exit(2)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pathlib`: a path is its text."""
-from _rosward import native, unknown
+from _rosward import native, reads_only, unknown
 import os
 
 @native
@@ -89,7 +89,9 @@ class PurePath:
         return os.path.isabs(self._text)
     def relative_to(self, other, *_deprecated):
         return Path(os.path.relpath(self._text, other))
+    @reads_only
     def is_relative_to(self, other, *_deprecated) -> bool: ...
+    @reads_only
     def match(self, path_pattern) -> bool: ...
     def as_uri(self):
         return 'file://' + self._text
@@ -118,6 +120,7 @@ class Path(PurePath):
         return os.path.isdir(self._text)
     def is_symlink(self):
         return os.path.islink(self._text)
+    @reads_only
     def samefile(self, other_path) -> bool: ...
     def open(self, mode='r', buffering=-1, encoding=None, errors=None, newline=None):
         return open(self._text, mode)
@@ -125,7 +128,9 @@ class Path(PurePath):
         return _read_text(self._text)
     def read_bytes(self):
         return unknown('file', self._text, 'bytes')
+    @reads_only
     def write_text(self, data, encoding=None, errors=None, newline=None) -> int: ...
+    @reads_only
     def write_bytes(self, data) -> int: ...
     def _below(self):
         for name in os.listdir(self._text):
@@ -136,15 +141,25 @@ class Path(PurePath):
         return self._below()
     def rglob(self, pattern):
         return self._below()
+    @reads_only
     def stat(self, *, follow_symlinks=True): ...
+    @reads_only
     def lstat(self): ...
+    @reads_only
     def owner(self) -> str: ...
+    @reads_only
     def mkdir(self, mode=0o777, parents=False, exist_ok=False) -> None: ...
+    @reads_only
     def rmdir(self) -> None: ...
+    @reads_only
     def touch(self, mode=0o666, exist_ok=True) -> None: ...
+    @reads_only
     def unlink(self, missing_ok=False) -> None: ...
+    @reads_only
     def chmod(self, mode, *, follow_symlinks=True) -> None: ...
+    @reads_only
     def symlink_to(self, target, target_is_directory=False) -> None: ...
+    @reads_only
     def hardlink_to(self, target) -> None: ...
     def rename(self, target):
         return Path(target)

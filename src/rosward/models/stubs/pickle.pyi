@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pickle`: bytes of anything; what is read is unknown."""
-from _rosward import unknown
+from _rosward import ask, reads_only, unknown
 
 HIGHEST_PROTOCOL = 5
 DEFAULT_PROTOCOL = 4
 
 class PickleError(Exception): ...
 class UnpicklingError(PickleError): ...
+@reads_only
 def dumps(obj, protocol=None, *, fix_imports=True, buffer_callback=None) -> bytes: ...
-def dump(obj, file, protocol=None, *, fix_imports=True, buffer_callback=None) -> None: ...
+def dump(obj, file, protocol=None, *, fix_imports=True, buffer_callback=None):
+    ask(file, 'write', unknown('call', 'pickled data', 'bytes'))
 def load(file, *, fix_imports=True, encoding='ASCII', errors='strict', buffers=()):
     return unknown('file', 'pickled data')
 def loads(data, /, *, fix_imports=True, encoding='ASCII', errors='strict', buffers=()):

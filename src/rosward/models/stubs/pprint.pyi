@@ -1,10 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pprint`: prints, no more."""
 
-def pprint(object, *args, **kwargs) -> None: ...
-def pp(object, *args, **kwargs) -> None: ...
+from _rosward import ask, reads_only, unknown
+
+def pprint(object, stream=None, *args, **kwargs):
+    ask(stream, 'write', unknown('call', 'text that a library writes', 'str'))
+def pp(object, stream=None, *args, **kwargs):
+    ask(stream, 'write', unknown('call', 'text that a library writes', 'str'))
+@reads_only
 def pformat(object, *args, **kwargs) -> str: ...
 class PrettyPrinter:
-    def __init__(self, *args, **kwargs): ...
-    def pprint(self, object) -> None: ...
+    def __init__(self, indent=1, width=80, depth=None, stream=None, **kwargs):
+        self._stream = stream
+    def pprint(self, object):
+        ask(self._stream, 'write', unknown('call', 'text that a library writes', 'str'))
+    @reads_only
     def pformat(self, object) -> str: ...

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`queue`: what is taken out is any of what was put in."""
-from _rosward import native, spin
+from _rosward import native, reads_only, spin
 
 @native
 def _any(items): ...
@@ -21,9 +21,13 @@ class Queue:
         return _any(self._items)
     def get_nowait(self):
         return _any(self._items)
+    @reads_only
     def qsize(self) -> int: ...
+    @reads_only
     def empty(self) -> bool: ...
+    @reads_only
     def full(self) -> bool: ...
+    @reads_only
     def task_done(self) -> None: ...
     def join(self):
         spin()

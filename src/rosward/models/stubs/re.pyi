@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`re`: exact for short patterns on short constants (see models/std_text.py), else unknown."""
-from _rosward import native, unknown
+from _rosward import native, reads_only, unknown
 
 @native
 def _find(how, pattern, flags, text): ...
@@ -50,6 +50,7 @@ class Match:
         return self._groups[''][0] if group == 0 else unknown('operation', 're.Match.start', 'int')
     def end(self, group=0, /):
         return self._groups[''][1] if group == 0 else unknown('operation', 're.Match.end', 'int')
+    @reads_only
     def expand(self, template) -> str: ...
 
 def _made(found, pattern, string):
@@ -108,4 +109,5 @@ def sub(pattern, repl, string, count=0, flags=0):
     return compile(pattern, flags).sub(repl, string, count)
 def subn(pattern, repl, string, count=0, flags=0):
     return compile(pattern, flags).subn(repl, string, count)
+@reads_only
 def purge() -> None: ...

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`string`: its constants, and templates."""
-from _rosward import ask, native, overridden, unknown
+from _rosward import ask, native, overridden, reads_only, unknown
 
 @native
 def _substitute(template, mapping, safe): ...
@@ -22,6 +22,7 @@ class Template:
         return _substitute(self.template, {**mapping, **kws}, False)
     def safe_substitute(self, mapping={}, /, **kws):
         return _substitute(self.template, {**mapping, **kws}, True)
+@reads_only
 class Formatter:
     def format(self, format_string, /, *args, **kwargs):
         return self.vformat(format_string, args, kwargs)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`subprocess`: what it starts is not followed; ROS programs among it are told."""
-from _rosward import native, unknown
+from _rosward import native, reads_only, unknown
 
 @native
 def _launches(command): ...
@@ -21,6 +21,7 @@ class TimeoutExpired(SubprocessError):
         self.cmd = cmd
         self.timeout = timeout
 
+@reads_only
 class CompletedProcess:
     def __init__(self, args, returncode, stdout=None, stderr=None):
         self.args = args
@@ -29,6 +30,7 @@ class CompletedProcess:
         self.stderr = stderr
     def check_returncode(self) -> None: ...
 
+@reads_only
 class Popen:
     def __init__(self, args, bufsize=-1, executable=None, stdin=None, stdout=None, stderr=None, preexec_fn=None, close_fds=True, shell=False,
                  cwd=None, env=None, universal_newlines=None, startupinfo=None, creationflags=0, restore_signals=True, start_new_session=False,
@@ -74,4 +76,5 @@ def getoutput(cmd, *, encoding=None, errors=None):
 def getstatusoutput(cmd, *, encoding=None, errors=None):
     _launches(cmd)
     return (unknown('input', 'exit status of a program', 'int'), unknown('input', 'output of a program', 'str'))
+@reads_only
 def list2cmdline(seq) -> str: ...

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`sys`: the command line, the end of the program, the standard streams (`exit`: models/std_process.py)."""
-from _rosward import native, unknown
+from _rosward import native, reads_only, unknown
+
+reads_only(__name__)
 
 @native
 def _argv(): ...

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`termios`: the terminal, as it is."""
-from _rosward import unknown
+from _rosward import reads_only, unknown
+
+reads_only(__name__)
 
 TCSADRAIN = 1
 TCSANOW = 0

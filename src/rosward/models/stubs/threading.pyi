@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`threading`: what a thread runs may run at any time from its start on."""
-from _rosward import schedule, spin, unknown
+from _rosward import reads_only, schedule, spin, spins, unknown
+
+reads_only(__name__)
 
 TIMEOUT_MAX = 9223372036.0
 
@@ -83,6 +85,7 @@ class Barrier:
     def __init__(self, parties, action=None, timeout=None):
         if action is not None:
             schedule(action, event='thread')
+    @spins
     def wait(self, timeout=None) -> int: ...
     def reset(self) -> None: ...
     def abort(self) -> None: ...

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`typing`: without effect when the program runs; annotations are kept as text."""
+from _rosward import reads_only
 from collections import _NamedTuple, _make_named_tuple
 from collections import OrderedDict as OrderedDict
 from collections import defaultdict as DefaultDict
@@ -63,9 +64,13 @@ def assert_type(val, typ, /):
     return val
 def reveal_type(obj, /):
     return obj
+@reads_only
 def assert_never(arg, /): ...
+@reads_only
 def get_type_hints(obj, globalns=None, localns=None, include_extras=False) -> dict: ...
+@reads_only
 def get_origin(tp): ...
+@reads_only
 def get_args(tp): ...
 def dataclass_transform(*, eq_default=True, order_default=False, kw_only_default=False, field_specifiers=(), **kwargs):
     def decorate(cls):

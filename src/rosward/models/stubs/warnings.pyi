@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`warnings`: without effect."""
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 def warn(message, category=None, stacklevel=1, source=None) -> None: ...
 def warn_explicit(message, category, filename, lineno, module=None, registry=None, module_globals=None, source=None) -> None: ...
 def filterwarnings(action, message='', category=Warning, module='', lineno=0, append=False) -> None: ...

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`weakref`: a reference is the object that it refers to, while that lives."""
 
-from _rosward import schedule
+from _rosward import reads_only, schedule
 
 class ref:
     def __init__(self, o, callback=None, /):
@@ -27,6 +27,7 @@ class finalize:
         schedule(self, event="end of an object")
     def __call__(self, _=None):
         return self._func(*self._args, **self._kwargs)
+    @reads_only
     def detach(self): ...
 WeakValueDictionary = dict
 WeakKeyDictionary = dict

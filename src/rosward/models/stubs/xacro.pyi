@@ -4,7 +4,7 @@
 Read from xacro 2.0.
 """
 
-from _rosward import unknown
+from _rosward import changes, unknown
 
 
 class _Document:
@@ -18,6 +18,7 @@ class XacroException(Exception): ...
 
 
 def parse(inp, filename=None): return _Document()
+@changes("doc")
 def process_doc(doc, **kwargs) -> None: ...
 def process_file(input_file_name, **kwargs): return _Document()
 def process(input_file_name, just_includes=False, *args, **kwargs): return unknown("file", "robot description", "str")

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """PyYAML: text that stands in the program is read, files are not (models/std_data.py)."""
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 class YAMLError(Exception): ...
 class MarkedYAMLError(YAMLError): ...
 

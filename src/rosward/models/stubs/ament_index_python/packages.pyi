@@ -4,6 +4,8 @@
 Read from ament_index_python 1.11.0 (kilted).
 """
 
+from _rosward import reads_only
+
 from pathlib import Path
 
 from _rosward.launch import prefix_folder, share_folder
@@ -12,6 +14,7 @@ from _rosward.launch import prefix_folder, share_folder
 class PackageNotFoundError(KeyError): ...
 
 
+@reads_only
 def get_packages_with_prefixes() -> dict: ...
 
 

@@ -4,6 +4,10 @@
 Read from ament_index_python 1.11.0 (kilted).
 """
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 class InvalidResourceTypeNameError(ValueError): ...
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections`: over lists and dicts of the program."""
-from _rosward import contents, either, native, unknown
+from _rosward import contents, either, native, reads_only, unknown
 
 OrderedDict = dict
 
@@ -33,6 +33,7 @@ class _NamedTuple:
         return value in _items(self)
     def __add__(self, other):
         return _items(self) + tuple(other)
+    @reads_only
     def __repr__(self) -> str: ...
     def _asdict(self):
         return dict(zip(_keys(self), _items(self)))
@@ -134,6 +135,7 @@ class Counter(_Dict):
         self.update(iterable, **kwds)
     def elements(self):
         return iter(self._dict)
+    @reads_only
     def total(self) -> int: ...
     def most_common(self, n=None):
         pairs = list(self._dict.items())

@@ -4,7 +4,11 @@
 Read from ros-perception/vision_opencv, branch rolling (2024-02).
 """
 
+from _rosward import reads_only
+
 from cv_bridge.core import CvBridge as CvBridge, CvBridgeError as CvBridgeError
+
+reads_only(__name__)
 
 
 def cvtColorForDisplay(

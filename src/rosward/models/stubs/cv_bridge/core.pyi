@@ -4,7 +4,11 @@
 Read from ros-perception/vision_opencv, branch rolling (2024-02).
 """
 
+from _rosward import reads_only
+
 from sensor_msgs.msg import CompressedImage, Image
+
+reads_only(__name__)
 
 
 class CvBridgeError(TypeError): ...

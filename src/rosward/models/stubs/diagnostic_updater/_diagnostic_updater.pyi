@@ -4,7 +4,7 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import opaque, schedule
+from _rosward import opaque, reads_only, schedule
 from diagnostic_msgs.msg import DiagnosticArray
 
 from diagnostic_updater._diagnostic_status_wrapper import DiagnosticStatusWrapper
@@ -44,6 +44,7 @@ class CompositeDiagnosticTask(DiagnosticTask):
         self.tasks.append(t)
 
 
+@reads_only
 class DiagnosticTaskVector:
     def __init__(self):
         self.tasks = []
@@ -58,6 +59,7 @@ class DiagnosticTaskVector:
     def removeByName(self, name) -> bool: ...
 
 
+@reads_only
 class Updater(DiagnosticTaskVector):
     def __init__(self, node, period=1.0):
         DiagnosticTaskVector.__init__(self)

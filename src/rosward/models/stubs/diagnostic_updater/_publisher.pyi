@@ -4,8 +4,12 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
+from _rosward import reads_only
+
 from diagnostic_updater._diagnostic_updater import CompositeDiagnosticTask
 from diagnostic_updater._update_functions import FrequencyStatus, TimeStampStatus
+
+reads_only(__name__)
 
 
 class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):

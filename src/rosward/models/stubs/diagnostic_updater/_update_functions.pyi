@@ -4,6 +4,8 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
+from _rosward import reads_only
+
 from diagnostic_updater._diagnostic_updater import DiagnosticTask
 
 
@@ -14,6 +16,7 @@ class FrequencyStatusParam:
         self.window_size = window_size
 
 
+@reads_only
 class FrequencyStatus(DiagnosticTask):
     def __init__(self, params, name="FrequencyStatus"):
         DiagnosticTask.__init__(self, name)
@@ -35,6 +38,7 @@ class TimeStampStatus(DiagnosticTask):
     def __init__(self, params=TimeStampStatusParam(), name="Timestamp Status"):
         DiagnosticTask.__init__(self, name)
 
+    @reads_only
     def tick(self, stamp) -> None: ...
 
     def run(self, stat):

@@ -4,8 +4,10 @@
 Read from ros-perception/image_common 6.0.1 (rolling, 2024-10): image_transport_py/src and image_transport/src.
 """
 
-from _rosward import create, create_node, message, schedule, unknown
+from _rosward import create, create_node, message, reads_only, schedule, unknown
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+reads_only(__name__)
 
 
 class Publisher:

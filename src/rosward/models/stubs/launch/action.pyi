@@ -4,6 +4,8 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import keep
 from launch.launch_description_entity import LaunchDescriptionEntity
 
@@ -29,4 +31,5 @@ class Action(LaunchDescriptionEntity):
         return [Unchanged(self)]
 
     @staticmethod
+    @reads_only
     def parse(entity, parser): ...

@@ -4,7 +4,11 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import REQUIRED, keep
+
+reads_only(__name__)
 
 
 class BaseEventHandler:

@@ -6,7 +6,7 @@ Read from launch 3.7.0, with what humble had before it.
 
 import os
 
-from _rosward import unknown
+from _rosward import reads_only, unknown
 from _rosward.launch import configuration, configurations, has_configuration, perform, set_configuration
 
 
@@ -47,6 +47,7 @@ class _Configurations:
 _ALL = _Configurations()
 
 
+@reads_only
 class LaunchContext:
     def __init__(self, *, argv=None, noninteractive=False): ...
 

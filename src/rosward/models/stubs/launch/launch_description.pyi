@@ -4,6 +4,8 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import keep
 from launch.launch_description_entity import LaunchDescriptionEntity
 
@@ -26,7 +28,10 @@ class LaunchDescription(LaunchDescriptionEntity):
     def describe_sub_entities(self):
         return self.entities
 
+    @reads_only
     def get_launch_arguments(self, conditional_inclusion=False) -> list: ...
+    @reads_only
     def get_launch_arguments_with_include_launch_description_actions(self, conditional_inclusion=False) -> list: ...
     @property
+    @reads_only
     def deprecated(self) -> bool: ...

@@ -4,7 +4,9 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
-from _rosward import report
+from _rosward import reads_only, report
+
+reads_only(__name__)
 
 
 class LaunchService:

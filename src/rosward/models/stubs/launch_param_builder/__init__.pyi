@@ -6,7 +6,7 @@ What the files say is not read: all that is built is an unknown dict of paramete
 Read from launch_param_builder 0.1.
 """
 
-from _rosward import unknown
+from _rosward import reads_only, unknown
 from ament_index_python.packages import get_package_share_directory
 from pathlib import Path
 
@@ -31,4 +31,5 @@ def get_package_path(package_name): return Path(get_package_share_directory(pack
 def load_file(file_path): return unknown("file", str(file_path), "str")
 def load_yaml(file_path): return unknown("file", str(file_path), "dict")
 def load_xacro(file_path, mappings=None): return unknown("file", str(file_path), "str")
+@reads_only
 def raise_if_file_not_found(file_path) -> None: ...

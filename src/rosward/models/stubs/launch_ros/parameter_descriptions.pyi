@@ -4,7 +4,7 @@
 Read from launch_ros 0.28.0, with what humble had before it.
 """
 
-from _rosward import unknown
+from _rosward import reads_only, unknown
 from _rosward.launch import keep, perform
 
 
@@ -34,4 +34,5 @@ class ParameterFile:
         keep(self, None, path=param_file, allow_substs=allow_substs)
 
     def evaluate(self, context): return perform(self.param_file)
+    @reads_only
     def cleanup(self) -> None: ...

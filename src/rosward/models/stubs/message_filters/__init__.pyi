@@ -4,9 +4,10 @@
 Read from ros2/message_filters, branches humble to rolling (2024-10); src/message_filters/__init__.py differs only in comments.
 """
 
-from _rosward import message, schedule, unknown
+from _rosward import message, reads_only, schedule, unknown
 
 
+@reads_only
 class SimpleFilter:
     def __init__(self) -> None: ...
 
@@ -32,6 +33,7 @@ class Subscriber(SimpleFilter):
     def _rosward_output(self):
         return [message(self._rosward_type, "message")]
 
+    @reads_only
     def callback(self, msg) -> None: ...
 
     def getTopic(self):
@@ -49,6 +51,7 @@ class Cache(SimpleFilter):
     def _rosward_output(self):
         return self._rosward_input._rosward_output()
 
+    @reads_only
     def add(self, msg) -> None: ...
 
     def getInterval(self, from_stamp, to_stamp):
@@ -60,8 +63,10 @@ class Cache(SimpleFilter):
     def getElemBeforeTime(self, stamp):
         return self.getLast()
 
+    @reads_only
     def getLastestTime(self): ...
 
+    @reads_only
     def getOldestTime(self): ...
 
     def getLast(self):
@@ -80,9 +85,11 @@ class TimeSynchronizer(SimpleFilter):
     def _rosward_output(self):
         return [output for f in self._rosward_inputs for output in f._rosward_output()]
 
+    @reads_only
     def add(self, msg, my_queue, my_queue_index=None) -> None: ...
 
 
+@reads_only
 class ApproximateTimeSynchronizer(TimeSynchronizer):
     def __init__(self, fs, queue_size, slop, allow_headerless=False):
         TimeSynchronizer.__init__(self, fs, queue_size)

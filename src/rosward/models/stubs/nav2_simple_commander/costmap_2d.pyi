@@ -4,6 +4,10 @@
 Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10), jazzy (2026-08), kilted (2026-01) and main (2026-08).
 """
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 
 class PyCostmap2D:
     def __init__(self, occupancy_map) -> None: ...

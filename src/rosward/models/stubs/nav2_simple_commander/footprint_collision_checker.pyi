@@ -3,6 +3,10 @@
 
 Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10), jazzy (2026-08), kilted (2026-01) and main (2026-08).
 """
+from _rosward import reads_only
+
+reads_only(__name__)
+
 NO_INFORMATION = 255
 LETHAL_OBSTACLE = 254
 INSCRIBED_INFLATED_OBSTACLE = 253

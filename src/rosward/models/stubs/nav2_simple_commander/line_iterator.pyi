@@ -4,6 +4,10 @@
 Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10), jazzy (2026-08), kilted (2026-01) and main (2026-08).
 """
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 
 class LineIterator:
     def __init__(self, x0, y0, x1, y1, step_size=1.0) -> None: ...

@@ -7,7 +7,7 @@ Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10),
 from enum import Enum
 
 import rclpy
-from _rosward import either, native, unknown
+from _rosward import either, native, reads_only, unknown
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from lifecycle_msgs.srv import GetState
 from nav2_msgs.action import (
@@ -172,10 +172,13 @@ class BasicNavigator(Node):
 
     # What follows asks Nav2 over the clients above: no further entity. Messages may arrive meanwhile.
 
+    @reads_only
     def destroyNode(self) -> None: ...
 
+    @reads_only
     def destroy_node(self) -> None: ...
 
+    @reads_only
     def setInitialPose(self, initial_pose) -> None: ...
 
     def goThroughPoses(self, poses, behavior_tree=""):
@@ -238,12 +241,16 @@ class BasicNavigator(Node):
         rclpy.spin_once(self)
         return unknown("live", "answer of Nav2")
 
+    @reads_only
     def getFeedback(self, task=RunningTask.NONE): ...
 
+    @reads_only
     def clearPreviousState(self) -> None: ...
 
+    @reads_only
     def setTaskError(self, error_code, error_msg) -> None: ...
 
+    @reads_only
     def getTaskError(self): ...
 
     def getPath(self, start, goal, planner_id="", use_start=False):
@@ -310,16 +317,21 @@ class BasicNavigator(Node):
         rclpy.spin_once(self)
         return unknown("live", "answer of Nav2")
 
+    @reads_only
     def info(self, msg) -> None: ...
 
+    @reads_only
     def warn(self, msg) -> None: ...
 
+    @reads_only
     def error(self, msg) -> None: ...
 
+    @reads_only
     def debug(self, msg) -> None: ...
 
     def clearCostmapAroundPose(self, pose, reset_distance):
         rclpy.spin_once(self)
         return unknown("live", "answer of Nav2")
 
+    @reads_only
     def clearTaskError(self) -> None: ...

@@ -4,8 +4,12 @@
 Read from py_trees 2.6.0.
 """
 
+from _rosward import reads_only
+
 from py_trees.blackboard import Client
 from py_trees.common import Name, Status
+
+reads_only(__name__)
 
 
 class Behaviour:

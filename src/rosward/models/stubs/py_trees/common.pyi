@@ -4,7 +4,11 @@
 Read from py_trees 2.6.0.
 """
 
+from _rosward import reads_only
+
 import enum
+
+reads_only(__name__)
 
 
 class Name(enum.Enum):

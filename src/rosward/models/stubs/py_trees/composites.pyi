@@ -4,6 +4,8 @@
 Read from py_trees 2.6.0.
 """
 
+from _rosward import reads_only
+
 from py_trees import common
 from py_trees.behaviour import Behaviour
 
@@ -22,20 +24,29 @@ class Composite(Behaviour):
             self.add_child(child)
         return self
 
-    def remove_child(self, child) -> int: ...
-    def remove_all_children(self) -> None: ...
+    def remove_child(self, child):
+        index = self.children.index(child)
+        self.children.remove(child)
+        return index
+
+    def remove_all_children(self):
+        self.children.clear()
 
     def replace_child(self, child, replacement):
-        self.children.append(replacement)
+        self.insert_child(replacement, self.remove_child(child))
 
-    def remove_child_by_id(self, child_id) -> None: ...
+    def remove_child_by_id(self, child_id):
+        for child in list(self.children):
+            if child.id == child_id:
+                self.children.remove(child)
 
     def prepend_child(self, child):
-        self.children.append(child)
+        self.children.insert(0, child)
 
     def insert_child(self, child, index):
-        self.children.append(child)
+        self.children.insert(index, child)
 
+    @reads_only
     def stop(self, new_status=common.Status.INVALID) -> None: ...
 
 

@@ -4,7 +4,7 @@
 Read from py_trees 2.6.0.
 """
 
-from _rosward import schedule
+from _rosward import ask, reads_only, schedule, unknown
 
 from py_trees import common
 
@@ -28,8 +28,18 @@ class BehaviourTree:
     def add_post_tick_handler(self, handler):
         schedule(handler, self, event="tick")
 
-    def add_visitor(self, visitor) -> None: ...
-    def prune_subtree(self, unique_id) -> bool: ...
+    def add_visitor(self, visitor):
+        self.visitors.append(visitor)
+        schedule(ask, visitor, "initialise", event="tick")
+        schedule(ask, visitor, "run", unknown("call", "behaviour that is visited"), event="tick")
+        schedule(ask, visitor, "finalise", event="tick")
+
+    def prune_subtree(self, unique_id):
+        for behaviour in self.root.iterate():
+            for child in list(behaviour.children):
+                if child.id == unique_id:
+                    behaviour.children.remove(child)
+        return unknown("call", "whether there is such a subtree", "bool")
 
     def insert_subtree(self, child, unique_id, index):
         self.root.children.append(child)
@@ -59,7 +69,9 @@ class BehaviourTree:
     ):
         self.tick(pre_tick_handler, post_tick_handler)
 
+    @reads_only
     def tip(self): ...
+    @reads_only
     def interrupt(self) -> None: ...
 
     def shutdown(self):

@@ -4,10 +4,13 @@
 Read from splintered-reality/py_trees_ros, branch devel (2023-04, 2.3).
 """
 
+from _rosward import reads_only
+
 from py_trees.behaviour import Behaviour
 from rclpy.action import ActionClient
 
 
+@reads_only
 class FromBlackboard(Behaviour):
     def __init__(
         self, name, action_type, action_name, key, generate_feedback_message=None, wait_for_server_timeout_sec=-3.0

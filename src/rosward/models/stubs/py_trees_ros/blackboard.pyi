@@ -4,11 +4,13 @@
 Read from splintered-reality/py_trees_ros, branch devel (2023-04, 2.3).
 """
 
-from _rosward import unknown
+from _rosward import reads_only, unknown
 from py_trees_ros_interfaces.srv import CloseBlackboardStream, GetBlackboardVariables, OpenBlackboardStream
 from std_msgs.msg import String
 
 from py_trees_ros import utilities
+
+reads_only(__name__)
 
 
 class Exchange:

@@ -4,10 +4,12 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, either, message, resolve_name
+from _rosward import create, either, message, reads_only, resolve_name
 
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.task import Future
+
+reads_only(__name__)
 
 
 class Client:

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, init
+from _rosward import calls, init, reads_only
 
 
 class Context:
@@ -16,8 +16,10 @@ class Context:
         self._nodes = []
 
     @property
+    @reads_only
     def handle(self): ...
 
+    @reads_only
     def destroy(self) -> None: ...
 
     def init(self, args=None, *, initialize_logging=True, domain_id=None):
@@ -28,11 +30,13 @@ class Context:
     def track_node(self, node):
         self._nodes.append(node)
 
+    @reads_only
     def untrack_node(self, node) -> None: ...
 
     def _cleanup(self):
         for node in self._nodes:
             node.destroy_node()
+    @reads_only
     def ok(self) -> bool: ...
     def shutdown(self):
         self._cleanup()
@@ -43,6 +47,7 @@ class Context:
     @calls("callback", event="shutdown", args=())
     def on_shutdown(self, callback) -> None: ...
 
+    @reads_only
     def get_domain_id(self) -> int: ...
 
     def __enter__(self):

@@ -6,9 +6,11 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import IntEnum
 
-from _rosward import calls
+from _rosward import calls, reads_only
 
 from rclpy.waitable import Waitable
+
+reads_only(__name__)
 
 
 class QoSPublisherEventType(IntEnum):

@@ -4,6 +4,8 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
+from _rosward import reads_only
+
 class NotInitializedException(Exception):
     def __init__(self, message=None, *args) -> None:
         told = 'rclpy.init() has not been called'
@@ -67,6 +69,7 @@ class InvalidParameterException(ParameterException):
         super().__init__('Invalid parameter name', parameter_name, *args)
 
 
+@reads_only
 class InvalidParameterTypeException(ParameterException):
     def __init__(self, desired_parameter, expected_type, *args) -> None: ...
 

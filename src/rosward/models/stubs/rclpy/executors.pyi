@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, schedule, spins, unknown
+from _rosward import ask, reads_only, schedule, spins, unknown
 
 from rclpy.context import Context
 from rclpy.task import Future as Future, Task as Task
@@ -44,6 +44,7 @@ class Executor:
         ask(self, "wake")
 
     @property
+    @reads_only
     def context(self) -> Context: ...
 
     def create_task(self, callback, *args, **kwargs):
@@ -54,6 +55,7 @@ class Executor:
     def create_future(self):
         return Future(executor=self)
 
+    @reads_only
     def shutdown(self, timeout_sec=None) -> bool: ...
 
     def add_node(self, node):
@@ -64,6 +66,7 @@ class Executor:
         if node in self._nodes:
             self._nodes.remove(node)
 
+    @reads_only
     def wake(self) -> None: ...
 
     def get_nodes(self):
@@ -91,6 +94,7 @@ class Executor:
         ask(self, "get_nodes")
         ask(self, "can_execute", unknown("live", "entity that is ready"))
 
+    @reads_only
     def can_execute(self, entity) -> bool: ...
 
     @spins
@@ -138,4 +142,5 @@ class MultiThreadedExecutor(Executor):
         ask(self, "get_nodes")
         ask(self, "can_execute", unknown("live", "entity that is ready"))
 
+    @reads_only
     def shutdown(self, timeout_sec=None, *, wait_for_threads=True) -> bool: ...

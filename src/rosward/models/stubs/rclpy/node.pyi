@@ -27,6 +27,7 @@ from _rosward import (
     opaque,
     overridden,
     parameter,
+    reads_only,
     resolve_name,
     schedule,
     set_parameter,
@@ -72,6 +73,7 @@ from rclpy.utilities import get_default_context as get_default_context
 HIDDEN_NODE_PREFIX = "_"
 
 
+@reads_only
 class _Handle:
     """What rclpy calls of C."""
     _rosward_hidden = (
@@ -196,15 +198,20 @@ class Node:
         return iter(unknown('live', 'rclpy.node.Node.waitables', 'list'))
 
     @property
+    @reads_only
     def executor(self) -> Executor | None: ...
 
     @executor.setter
-    def executor(self, new_executor) -> None: ...
+    def executor(self, new_executor):
+        if new_executor is not None:
+            new_executor.add_node(self)
 
     @property
+    @reads_only
     def context(self) -> Context: ...
 
     @property
+    @reads_only
     def default_callback_group(self) -> CallbackGroup: ...
 
     @property
@@ -232,7 +239,9 @@ class Node:
             return expand_topic_name(service, node_name(self), node_namespace(self))
         return resolve_name(self, service, "service")
 
+    @reads_only
     def get_clock(self) -> Clock: ...
+    @reads_only
     def get_logger(self) -> RcutilsLogger: ...
 
     # Parameters
@@ -322,6 +331,7 @@ class Node:
         ask(self, "get_name")
         ask(self, "get_parameter_or", new.name)
 
+    @reads_only
     def list_parameters(self, prefixes, depth) -> ListParametersResult: ...
 
     def add_pre_set_parameters_callback(self, callback):
@@ -335,8 +345,11 @@ class Node:
     def add_post_set_parameters_callback(self, callback):
         schedule(callback, _new_parameters(), event="parameters")
 
+    @reads_only
     def remove_pre_set_parameters_callback(self, callback) -> None: ...
+    @reads_only
     def remove_on_set_parameters_callback(self, callback) -> None: ...
+    @reads_only
     def remove_post_set_parameters_callback(self, callback) -> None: ...
     def describe_parameter(self, name):
         needs_parameter(self, name, "describe_parameter")
@@ -362,6 +375,7 @@ class Node:
             schedule(waitable.take_data, event="waitable")
             schedule(waitable.execute, unknown("input", "data of a waitable"), event="waitable")
 
+    @reads_only
     def remove_waitable(self, waitable) -> None: ...
 
     @creates("publisher", node="self", name="topic", type="msg_type", qos="qos_profile")
@@ -430,11 +444,17 @@ class Node:
             return Rate(timer, context=self.context)
         return Rate(None, context=None)
 
+    @reads_only
     def destroy_publisher(self, publisher) -> bool: ...
+    @reads_only
     def destroy_subscription(self, subscription) -> bool: ...
+    @reads_only
     def destroy_client(self, client) -> bool: ...
+    @reads_only
     def destroy_service(self, service) -> bool: ...
+    @reads_only
     def destroy_timer(self, timer) -> bool: ...
+    @reads_only
     def destroy_guard_condition(self, guard) -> bool: ...
     def destroy_rate(self, rate):
         ask(self, "destroy_timer", rate._timer)
@@ -481,9 +501,13 @@ class Node:
     def get_node_names_and_namespaces_with_enclaves(self):
         return unknown("live", "nodes of the system")
 
+    @reads_only
     def count_publishers(self, topic_name) -> int: ...
+    @reads_only
     def count_subscribers(self, topic_name) -> int: ...
+    @reads_only
     def count_clients(self, service_name) -> int: ...
+    @reads_only
     def count_services(self, service_name) -> int: ...
 
     def get_publishers_info_by_topic(self, topic_name, no_mangle=False):

@@ -7,7 +7,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 from array import array
 from enum import IntEnum
 
-from _rosward import fail_unless, unknown
+from _rosward import fail_unless, reads_only, unknown
 from rcl_interfaces.msg import Parameter as ParameterMsg
 
 PARAMETER_SEPARATOR_STRING = "."
@@ -106,6 +106,7 @@ class Parameter:
     def get_parameter_value(self):
         return _ParameterValue(self._value)
 
+    @reads_only
     def to_parameter_msg(self) -> ParameterMsg: ...
 
 

@@ -4,6 +4,8 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
+from _rosward import reads_only
+
 from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import (
     DescribeParameters,
@@ -49,7 +51,9 @@ class AsyncParameterClient:
             callback_group=callback_group,
         )
 
+    @reads_only
     def services_are_ready(self) -> bool: ...
+    @reads_only
     def wait_for_services(self, timeout_sec=None) -> bool: ...
 
     def list_parameters(self, prefixes=None, depth=None, callback=None):

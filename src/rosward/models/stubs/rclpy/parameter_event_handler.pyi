@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import message, schedule
+from _rosward import message, reads_only, schedule
 from rcl_interfaces.msg import Parameter as ParameterMsg, ParameterEvent
 
 from rclpy.qos import qos_profile_parameter_events
@@ -22,6 +22,7 @@ class ParameterEventCallbackHandle:
         self.callback = callback
 
 
+@reads_only
 class ParameterEventHandler:
     def __init__(
         self,

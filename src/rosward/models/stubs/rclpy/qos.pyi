@@ -4,6 +4,8 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
+from _rosward import reads_only
+
 from enum import Enum, IntEnum
 
 from rclpy.duration import Duration as Duration
@@ -22,9 +24,11 @@ class QoSPolicyKind(IntEnum):
     AVOID_ROS_NAMESPACE_CONVENTIONS = 512
 
 
+@reads_only
 def qos_policy_name_from_kind(policy_kind) -> str: ...
 
 
+@reads_only
 class InvalidQoSProfileException(Exception):
     def __init__(self, *args) -> None: ...
 
@@ -105,6 +109,7 @@ class LivelinessPolicy(QoSPolicyEnum):
 QoSLivelinessPolicy = LivelinessPolicy
 
 
+@reads_only
 class QoSProfile:
     def __init__(
         self,
@@ -200,4 +205,5 @@ class QoSCompatibility(IntEnum):
     ERROR = 2
 
 
+@reads_only
 def qos_check_compatible(publisher_qos, subscription_qos): ...

@@ -6,9 +6,11 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import Enum
 
-from _rosward import message, resolve_name, schedule
+from _rosward import message, reads_only, resolve_name, schedule
 
 from rclpy.subscription_content_filter_options import ContentFilterOptions
+
+reads_only(__name__)
 
 
 class MessageInfo: ...

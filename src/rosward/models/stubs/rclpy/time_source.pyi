@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, message, taken
+from _rosward import ask, message, reads_only, taken
 from rcl_interfaces.msg import SetParametersResult
 from rosgraph_msgs.msg import Clock
 
@@ -22,6 +22,7 @@ class TimeSource:
             self.attach_node(node)
 
     @property
+    @reads_only
     def ros_time_is_active(self) -> bool: ...
 
     @ros_time_is_active.setter
@@ -54,5 +55,7 @@ class TimeSource:
         self._clock_sub = None
         self._node = None
 
+    @reads_only
     def attach_clock(self, clock) -> None: ...
+    @reads_only
     def clock_callback(self, msg) -> None: ...

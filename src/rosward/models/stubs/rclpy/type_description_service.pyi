@@ -4,8 +4,10 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask
+from _rosward import ask, reads_only
 from rcl_interfaces.msg import ParameterDescriptor, ParameterType
+
+reads_only(__name__)
 
 START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
 

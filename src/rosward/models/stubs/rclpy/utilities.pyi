@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import native, unknown
+from _rosward import native, reads_only, unknown
 
 from rclpy.context import Context
 
@@ -19,6 +19,7 @@ def get_default_context(*, shutting_down=False):
 def remove_ros_args(args=None): ...
 
 
+@reads_only
 def ok(*, context=None) -> bool: ...
 def shutdown(*, context=None):
     (get_default_context() if context is None else context).shutdown()
@@ -33,5 +34,7 @@ def get_rmw_implementation_identifier():
     return unknown("environment", "RMW_IMPLEMENTATION")
 
 
+@reads_only
 def get_available_rmw_implementations() -> set: ...
+@reads_only
 def timeout_sec_to_nsec(timeout_sec) -> int: ...

@@ -4,7 +4,7 @@
 Read from Box-Robotics/ros2_numpy (2020-07).
 """
 
-from _rosward import message
+from _rosward import message, reads_only
 
 
 def converts_to_numpy(msgtype, plural=False):
@@ -15,6 +15,7 @@ def converts_from_numpy(msgtype, plural=False):
     return lambda function: function
 
 
+@reads_only
 def numpify(msg, *args, **kwargs): ...
 
 

@@ -4,6 +4,10 @@
 Read from ros2/rosidl_runtime_py, branch rolling (2024-04).
 """
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 def get_interface_packages() -> dict: ...
 def get_interfaces(package_names=[]) -> dict: ...
 def get_message_interfaces(package_names=[]) -> dict: ...

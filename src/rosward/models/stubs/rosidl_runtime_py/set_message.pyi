@@ -4,4 +4,7 @@
 Read from ros2/rosidl_runtime_py, branch rolling (2024-04).
 """
 
+from _rosward import changes
+
+@changes("msg")
 def set_message_fields(msg, values, expand_header_auto=False, expand_time_now=False) -> list: ...

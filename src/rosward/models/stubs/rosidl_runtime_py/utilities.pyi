@@ -4,7 +4,9 @@
 Read from ros2/rosidl_runtime_py, branch rolling (2024-04).
 """
 
-from _rosward import native
+from _rosward import native, reads_only
+
+reads_only(__name__)
 
 
 @native

@@ -4,7 +4,11 @@
 Read from ros2/common_interfaces, branch rolling (2024-11).
 """
 
+from _rosward import reads_only
+
 from sensor_msgs.msg import PointCloud2
+
+reads_only(__name__)
 
 DUMMY_FIELD_PREFIX = "unnamed_field"
 

@@ -4,6 +4,8 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
+from _rosward import reads_only
+
 from geometry_msgs.msg import (
     Point as Point,
     PointStamped as PointStamped,
@@ -14,6 +16,8 @@ from geometry_msgs.msg import (
     TransformStamped as TransformStamped,
     Vector3Stamped as Vector3Stamped,
 )
+
+reads_only(__name__)
 
 
 def to_msg_msg(msg):

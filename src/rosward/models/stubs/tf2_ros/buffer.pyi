@@ -4,6 +4,8 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
+from _rosward import reads_only
+
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration as Duration
 from rclpy.task import Future
@@ -11,6 +13,8 @@ from tf2_msgs.srv import FrameGraph
 from tf2_py import BufferCore
 
 from tf2_ros.buffer_interface import BufferInterface
+
+reads_only(__name__)
 
 
 class Buffer(BufferCore, BufferInterface):

@@ -4,12 +4,16 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
+from _rosward import reads_only
+
 from geometry_msgs.msg import TransformStamped
 from rclpy.action.client import ActionClient
 from rclpy.duration import Duration as Duration
 from tf2_msgs.action import LookupTransform
 
 from tf2_ros.buffer_interface import BufferInterface
+
+reads_only(__name__)
 
 
 class BufferClient(BufferInterface):

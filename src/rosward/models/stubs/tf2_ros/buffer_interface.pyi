@@ -4,8 +4,12 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
+from _rosward import reads_only
+
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
+
+reads_only(__name__)
 
 
 class BufferInterface:

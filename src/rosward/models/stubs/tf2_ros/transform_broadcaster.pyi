@@ -4,8 +4,12 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
+from _rosward import reads_only
+
 from rclpy.qos import QoSProfile as QoSProfile
 from tf2_msgs.msg import TFMessage
+
+reads_only(__name__)
 
 
 class TransformBroadcaster:

@@ -4,11 +4,15 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
+from _rosward import reads_only
+
 from threading import Thread
 
 from rclpy.executors import SingleThreadedExecutor as SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy as DurabilityPolicy, HistoryPolicy as HistoryPolicy, QoSProfile as QoSProfile
 from tf2_msgs.msg import TFMessage
+
+reads_only(__name__)
 
 DEFAULT_TF_TOPIC = "/tf"
 DEFAULT_STATIC_TF_TOPIC = "/tf_static"

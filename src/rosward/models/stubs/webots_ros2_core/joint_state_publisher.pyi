@@ -4,7 +4,11 @@
 Read from cyberbotics/webots_ros2, tag 1.2.3.
 """
 
+from _rosward import reads_only
+
 from sensor_msgs.msg import JointState
+
+reads_only(__name__)
 
 
 class JointStatePublisher:

@@ -4,11 +4,15 @@
 Read from cyberbotics/webots_ros2, tag 1.2.3.
 """
 
+from _rosward import reads_only
+
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from tf2_ros import TransformBroadcaster
 
 from webots_ros2_core.webots_node import WebotsNode
+
+reads_only(__name__)
 
 
 class WebotsDifferentialDriveNode(WebotsNode):

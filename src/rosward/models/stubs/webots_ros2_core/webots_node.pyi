@@ -4,7 +4,7 @@
 Read from cyberbotics/webots_ros2, tag 1.2.3. (Later ones have the node in C++.)
 """
 
-from _rosward import report
+from _rosward import reads_only, report
 from rclpy.node import Node
 from rosgraph_msgs.msg import Clock
 from webots_ros2_msgs.srv import SetInt
@@ -33,6 +33,7 @@ class WebotsNode(Node):
     def start_joint_state_publisher(self):
         self._rosward_joint_state_publisher = JointStatePublisher(self.robot, "", self)
 
+    @reads_only
     def step(self, ms) -> None: ...
 
     def start_device_manager(self, config=None):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`concurrent.futures`: what is submitted runs in a thread; its result is what the function returns."""
-from _rosward import schedule, unknown
+from _rosward import reads_only, schedule, unknown
 
 FIRST_COMPLETED = 'FIRST_COMPLETED'
 FIRST_EXCEPTION = 'FIRST_EXCEPTION'
@@ -10,6 +10,7 @@ class CancelledError(Exception): ...
 class BrokenExecutor(RuntimeError): ...
 TimeoutError = TimeoutError
 
+@reads_only
 class Future:
     def __init__(self):
         self._call = None
@@ -42,9 +43,11 @@ class Executor:
         return future
     def map(self, fn, *iterables, timeout=None, chunksize=1):
         return iter([fn(*values) for values in zip(*iterables)])
+    @reads_only
     def shutdown(self, wait=True, *, cancel_futures=False) -> None: ...
     def __enter__(self):
         return self
+    @reads_only
     def __exit__(self, exc_type, exc_val, exc_tb) -> None: ...
 
 class ThreadPoolExecutor(Executor):

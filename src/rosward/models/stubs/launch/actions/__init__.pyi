@@ -4,6 +4,8 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import REQUIRED, keep
 from launch.action import Action
 from launch.substitutions import LaunchConfiguration
@@ -100,6 +102,7 @@ class LogWarning(LogInfo): ...
 class LogError(LogInfo): ...
 
 
+@reads_only
 class ExecuteLocal(Action):
     def __init__(self, *, process_description=REQUIRED, shell=False, sigterm_timeout=5, sigkill_timeout=5, emulate_tty=False,
                  output="log", output_format="", cached_output=False, log_cmd=False, on_exit=None, respawn=False,
@@ -163,6 +166,7 @@ class UnregisterEventHandler(Action):
         super().__init__(**kwargs)
 
 
+@reads_only
 class TimerAction(Action):
     def __init__(self, *, period=REQUIRED, actions=REQUIRED, cancel_on_shutdown=True, **kwargs):
         self.period = period

@@ -4,6 +4,8 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import REQUIRED, keep
 from launch.event_handler import BaseEventHandler
 
@@ -48,4 +50,5 @@ class OnIncludeLaunchDescription(BaseEventHandler):
     """launch's own: it visits what is included."""
 
 
+@reads_only
 def event_named(name): ...

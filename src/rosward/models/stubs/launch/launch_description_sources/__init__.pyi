@@ -4,7 +4,11 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from launch.launch_description_source import LaunchDescriptionSource
+
+reads_only(__name__)
 
 
 class InvalidLaunchFileError(Exception): ...

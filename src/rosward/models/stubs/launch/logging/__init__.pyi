@@ -4,8 +4,12 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 import logging
 from logging import getLogger
+
+reads_only(__name__)
 
 
 class LaunchConfig:

@@ -4,8 +4,12 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import perform
 from launch.substitution import Substitution
+
+reads_only(__name__)
 
 
 def is_substitution(x): return isinstance(x, Substitution)

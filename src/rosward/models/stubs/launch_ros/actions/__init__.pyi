@@ -4,11 +4,14 @@
 Read from launch_ros 0.28.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
 from _rosward.launch import REQUIRED, keep
 from launch.action import Action
 from launch.actions import ExecuteProcess, TimerAction
 
 
+@reads_only
 class Node(ExecuteProcess):
     def __init__(self, *, executable=REQUIRED, package=None, name=None, namespace=None, exec_name=None, parameters=None,
                  remappings=None, ros_arguments=None, arguments=None, **kwargs):

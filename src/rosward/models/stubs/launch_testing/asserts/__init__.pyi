@@ -4,6 +4,10 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import reads_only
+
+reads_only(__name__)
+
 def assertExitCodes(*args, **kwargs) -> None: ...
 def assertInStdout(*args, **kwargs) -> None: ...
 def assertInStderr(*args, **kwargs) -> None: ...

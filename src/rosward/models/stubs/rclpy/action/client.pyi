@@ -4,12 +4,14 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, create, creates, either, message, schedule, unknown
+from _rosward import ask, create, creates, either, message, reads_only, schedule, unknown
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.task import Future
 from rclpy.waitable import Waitable
+
+reads_only(__name__)
 
 
 class _Feedback:

@@ -6,11 +6,13 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import Enum, IntEnum
 
-from _rosward import ask, create, creates, message, schedule
+from _rosward import ask, create, creates, message, reads_only, schedule
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.waitable import Waitable
+
+reads_only(__name__)
 
 
 class GoalResponse(Enum):

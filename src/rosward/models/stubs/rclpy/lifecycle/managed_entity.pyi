@@ -4,6 +4,8 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
+from _rosward import reads_only
+
 from enum import IntEnum
 
 
@@ -35,6 +37,7 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
 
+@reads_only
 class SimpleManagedEntity(ManagedEntity):
     def __init__(self) -> None: ...
 

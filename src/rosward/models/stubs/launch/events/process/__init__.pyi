@@ -4,8 +4,10 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
-from _rosward import unknown
+from _rosward import reads_only, unknown
 from launch.event import Event
+
+reads_only(__name__)
 
 
 class RunningProcessEvent(Event):
