@@ -18,6 +18,29 @@ Page = list[Obj | None]
 SHIFT: Final = 6
 MASK: Final = (1 << SHIFT) - 1
 _BLANK: Final[tuple[None, ...]] = (None,) * (MASK + 1)
+_MOST_COVERED: Final = 30_000
+
+
+@final
+class Covered:
+    """Pairs of objects of which the first is known to cover the second, which the copies of one heap meet again and again.
+
+    Joins and widenings have pairs of their own: a widening also leaves out what an unknown stands for.
+    """
+
+    __slots__ = ("_joined", "_widened")
+
+    def __init__(self) -> None:
+        # By id(): the objects are kept, so that no other takes the place of one.
+        self._joined: dict[tuple[int, int], tuple[Obj, Obj]] = {}
+        self._widened: dict[tuple[int, int], tuple[Obj, Obj]] = {}
+
+    def pairs(self, *, widens: bool) -> dict[tuple[int, int], tuple[Obj, Obj]]:
+        """Those that a join or a widening found, to ask and to add to; forgotten where they become too many."""
+        pairs = self._widened if widens else self._joined
+        if len(pairs) > _MOST_COVERED:
+            pairs.clear()
+        return pairs
 
 
 @final
@@ -27,10 +50,11 @@ class Heap:
     `pages` is open to reading, because every operation of a program reads some object; who writes goes through `heap[address] = …`.
     """
 
-    __slots__ = ("_own", "pages")
+    __slots__ = ("_covered", "_own", "pages")
 
     def __init__(self, objects: Iterable[tuple[int, Obj]] = ()) -> None:
         self.pages: dict[int, Page] = {}
+        self._covered = Covered()
         self._own: set[int] = set()  # the pages that no copy shares
         for address, obj in objects:
             self[address] = obj
@@ -39,6 +63,7 @@ class Heap:
         """An independent copy."""
         copy = Heap.__new__(Heap)
         copy.pages = self.pages.copy()
+        copy._covered = self._covered
         copy._own = set()
         if self._own:
             self._own = set()
@@ -76,9 +101,13 @@ class Heap:
                 if obj is not None:
                     yield (number << SHIFT) + offset, obj
 
-    def cover(self, other: Heap, merge: Callable[[Obj, Obj], Obj]) -> tuple[int, bool]:
-        """Take over what only the other has, and merge what both have: how many objects differed, and whether anything changed here."""
+    def cover(self, other: Heap, merge: Callable[[Obj, Obj], Obj], *, widens: bool = False) -> tuple[int, bool]:
+        """Take over what only the other has, and merge what both have: how many objects differed, and whether anything changed here.
+
+        `merge` gives its first argument where that covers the second.
+        """
         changed, compared = False, 0
+        covered = self._covered.pairs(widens=widens)
         for number, theirs in other.pages.items():
             ours = self.pages.get(number)
             if ours is theirs:
@@ -92,9 +121,14 @@ class Heap:
                 if a is b:
                     continue
                 compared += 1
-                both = a if b is None else b if a is None else merge(a, b)
+                if b is None or (id(a), id(b)) in covered:
+                    as_there = False
+                    continue
+                both = b if a is None else merge(a, b)
                 as_there = as_there and both is b
-                if both is not a:
+                if a is not None and both is a:
+                    covered[id(a), id(b)] = (a, b)
+                else:
                     if as_here:
                         as_here, merged = False, ours.copy()
                     merged[offset] = both

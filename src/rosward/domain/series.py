@@ -157,7 +157,7 @@ class Series(NamedTuple):
 
 def _join(first: Iterable[Value], middle: Value | None, last: Iterable[Value]) -> Value | None:
     values = [*first, *(() if middle is None else (middle,)), *last]
-    return join_all(values) if values else None
+    return join_all(values) if len(values) > 1 else values[0] if values else None
 
 
 def concatenated(several: Iterable[Series]) -> Series:

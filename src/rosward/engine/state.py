@@ -13,6 +13,7 @@ from typing import Final, final
 from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Alternatives, Obj, fields_of
 from rosward.domain.memory import Heap
+from rosward.domain.series import Series
 from rosward.domain.series import joined as joined_series
 from rosward.domain.suspended import Suspension, join_suspended
 from rosward.domain.values import UNBOUND, Ref, Value
@@ -48,7 +49,9 @@ def join_states(left: State, right: State, fresh: Callable[[int], int], merge: M
     left.done &= right.done
     if left.version == right.version:
         return left
-    compared, changed = left.heap.cover(right.heap, lambda ours, theirs: join_objects(ours, theirs, merge))
+    compared, changed = left.heap.cover(
+        right.heap, lambda ours, theirs: join_objects(ours, theirs, merge), widens=merge is not join
+    )
     version = fresh(compared)
     if changed:
         left.version = version
@@ -117,13 +120,23 @@ def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
     ours, theirs = element(left), element(right)
     ways = _alternatives(left, right)
     payload = left.payload if ways is None and left.payload.__class__ is not Alternatives else ways
-    ends = fields_of(joined_series(left.series(), right.series(), merge), left.kind)["ends"]
+    ends = _join_ends(left, right, merge)
     if left.items is None and (theirs is None or (ours is not None and merge(ours, theirs) == ours)):
         if ends == left.ends:
             return result if payload == left.payload else result.replace(payload=payload)
         return result.replace(items=None, rest=ours, payload=payload, ends=ends)
     both = merge(ours if ours is not None else UNBOUND, theirs if theirs is not None else UNBOUND)
     return result.replace(items=None, rest=None if both is UNBOUND else both, payload=payload, ends=ends)
+
+
+def _join_ends(left: Obj, right: Obj, merge: Merge) -> Series | None:
+    """How both lists begin and end, of lists that differ in length; None where nothing is known of it."""
+    if left.kind != "list":
+        return None
+    ours, theirs = left.series(), right.series()
+    if not (ours.least or ours.exact) or not (theirs.least or theirs.exact):
+        return None
+    return fields_of(joined_series(ours, theirs, merge))["ends"]
 
 
 _MOST_ALTERNATIVES: Final = 200
@@ -154,10 +167,9 @@ def _told(obj: Obj) -> dict[Value, bool] | None:
 
 def element(obj: Obj) -> Value | None:
     """The join of all elements of a list or set; None where it is surely empty."""
-    values = list(obj.items or ())
-    if obj.rest is not None:
-        values.append(obj.rest)
-    return join_all(values) if values else None
+    if not obj.items:
+        return obj.rest
+    return join_all(obj.items if obj.rest is None else (*obj.items, obj.rest))
 
 
 def _join_entries(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
