@@ -123,8 +123,8 @@ def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest,
 
 
 _SHOWN: Final = 5
-_ROS_1: Final = re.compile(r"<node\b[^>]*\stype\s*=")
-_ROS_2: Final = re.compile(r"<node\b[^>]*\sexec\s*=")
+_ROS_1: Final = re.compile(r"<node\b[^<>]*\stype\s*=")
+_ROS_2: Final = re.compile(r"<node\b[^<>]*\sexec\s*=")
 
 
 def _is_for_ros_1(file: str, outset: Outset) -> bool:

@@ -132,3 +132,17 @@ def test_objects_with_long_names_are_read(tmp_path: Path, monkeypatch: pytest.Mo
     repository = Git(str(tmp_path / "ws"))
     assert write_commit(repository, repository.commit("HEAD"), str(tmp_path / "out")) == ()
     assert (tmp_path / "out/a.py").read_text(encoding="utf-8") == "x = 1"
+
+
+@pytest.mark.parametrize("lines", [10_000, 60], ids=["many", "a few too many"])
+def test_objects_that_are_borrowed_from_everywhere(repository: Git, lines: int) -> None:
+    """git compares each folder with all others: ten thousand of them would take it minutes."""
+    borrowed = Path(repository.top, ".git/objects/info/alternates")
+    borrowed.write_text("".join(f"/nowhere/{number}\n" for number in range(lines)), encoding="utf-8")
+    with pytest.raises(GitError, match="more than 50 others"):
+        Git(repository.top)
+    borrowed.write_text("../../.git/objects\n# itself\n\n\0\n", encoding="utf-8")
+    with pytest.raises(GitError, match="more than 50 others"):
+        Git(repository.top)
+    borrowed.write_text("/nowhere\n", encoding="utf-8")
+    assert Git(repository.top).top == repository.top

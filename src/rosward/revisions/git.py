@@ -15,6 +15,7 @@ import os
 import subprocess
 import threading
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
 from typing import IO, Final, NamedTuple, final
 
 __all__ = ["Entry", "Git", "GitError"]
@@ -41,6 +42,8 @@ _SETTINGS: Final = {
 _MOST_ENTRIES: Final = 200_000
 _LONGEST_LISTING: Final = 100_000_000
 _LONGEST_ERROR: Final = 4_000
+_MOST_ALTERNATES: Final = 50
+_LONGEST_ALTERNATES: Final = 100_000
 _PATIENCE: Final = 120.0
 """Seconds for one command."""
 
@@ -67,6 +70,20 @@ class Git:
         self._folder = folder
         self.top = self._line("rev-parse", "--show-toplevel")
         """The folder of the work tree."""
+        self._check_alternates(Path(folder, self._line("rev-parse", "--git-path", "objects")))
+
+    @staticmethod
+    def _check_alternates(objects: Path) -> None:
+        """Raise where objects are borrowed from more folders than anyone has: git compares each of them with all others."""
+        known = [objects]
+        for folder in known:
+            try:
+                listed = (folder / "info" / "alternates").read_bytes()[:_LONGEST_ALTERNATES].splitlines()
+            except (OSError, ValueError):  # there is none, or a NUL in the path
+                continue
+            known += (folder / os.fsdecode(line) for line in listed if line and not line.startswith(b"#"))
+            if len(known) > _MOST_ALTERNATES:
+                raise GitError(f"the repository borrows objects from more than {_MOST_ALTERNATES} others")
 
     def commit(self, revision: str) -> str:
         """The name of a commit. Raises GitError."""
