@@ -67,6 +67,7 @@ _STRUCTURAL: Final[dict[str, tuple[str, ...]]] = {
 _SUSPENDED: Final = ("GeneratorType", "CoroutineType", "AsyncGeneratorType")
 _KINDS: Final[dict[type, tuple[str, ...]]] = {
     Function: ("FunctionType", "LambdaType"),
+    BoundMethod: ("MethodType",),
     ModuleValue: ("ModuleType",),
 }
 """The classes of module `types` that values belong to."""

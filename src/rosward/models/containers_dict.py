@@ -316,7 +316,9 @@ def _pop_item(call: NativeCall) -> Value:
         return unknown_from(call.machine, call.name, "tuple", *call.args)
     obj = call.machine.obj(ref)
     if obj.entries and obj.rest is None and not obj.maybe:
-        key, value = next(reversed(obj.entries.items()))
+        last = call.arg(1, "last")
+        from_end = last is None or call.machine.truth(last) is not False
+        key, value = next(reversed(obj.entries.items()) if from_end else iter(obj.entries.items()))
         take(call.machine, ref, key)
         return Tuple((key, value))
     known, rest = pairs(call.machine, obj)
@@ -324,6 +326,25 @@ def _pop_item(call: NativeCall) -> Value:
         raise Raised("KeyError", "popitem(): dictionary is empty", (Const("popitem(): dictionary is empty"),))
     call.machine.update(ref, obj.replace(maybe=frozenset(obj.entries)))
     return join_all((*known, *(() if rest is None else (rest,))))
+
+
+def _move_to_end(call: NativeCall) -> Value:
+    """OrderedDict.move_to_end(key, last=True)."""
+    ref, last = _receiver(call), call.arg(2, "last")
+    key = key_of(call.args[1])
+    if ref is None or key is None:
+        return NONE
+    obj = call.machine.obj(ref)
+    present = find(obj, key)
+    if present is None:
+        if obj.rest is None:
+            raise Raised("KeyError", "move_to_end", (call.args[1],))
+        return NONE
+    others = {k: v for k, v in obj.entries.items() if k != present}
+    moved = {present: obj.entries[present]}
+    at_end = last is None or call.machine.truth(last) is not False
+    call.machine.update(ref, obj.replace(entries={**others, **moved} if at_end else {**moved, **others}))
+    return NONE
 
 
 def _from_keys(call: NativeCall) -> Value:
@@ -363,6 +384,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "dict.setdefault": native(_set_default, 2),
     "dict.update": native(_update, 1),
     "dict.pop": native(_pop, 2),
+    "dict.move_to_end": native(_move_to_end, 2),
     "dict.popitem": native(_pop_item, 1),
     "dict.fromkeys": native(_from_keys, 1),
     "dict.clear": native(_clear, 1),

@@ -125,6 +125,12 @@ def _any_of(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.CALL, call.name.replace("._any", ".Queue.get")) if found is UNBOUND else found
 
 
+def _alone(call: NativeCall) -> Value:
+    """queue._alone(): whether nothing else runs that could put or take something, now or before."""
+    book = host(call.machine).schedule_book
+    return Const(not book.entries and not book.running)
+
+
 def _elements(call: NativeCall) -> Value:
     """numpy._elements(items, dtype): the items where an array keeps them as they are, else unknown ones."""
     machine = call.machine
@@ -163,7 +169,13 @@ def _kind_of(call: NativeCall) -> Value:
     return lift(one, call.args[0]) if call.args else NONE
 
 
+def _method(call: NativeCall) -> Value:
+    """types.MethodType(function, object): the function, bound to the object."""
+    return lift(lambda function: BoundMethod(call.args[1], function), call.args[0])
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
+    "types._method": _method,
     "copy.copy": _shallow,
     "copy.deepcopy": _deep,
     "contextlib._begin": _begin,
@@ -172,6 +184,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "sys._handled": lambda call: host(call.machine).handled,
     "inspect._kind_of": _kind_of,
     "queue._any": _any_of,
+    "queue._alone": _alone,
     "asyncio._any": _any_of,
     "numpy._elements": _elements,
 }

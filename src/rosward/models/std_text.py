@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Regular expressions on constants, within bounds of time; `string.Template`, `textwrap`, `shlex`, `fnmatch`.
+"""Regular expressions on constants, within bounds of time; `textwrap`, `shlex`, `fnmatch`.
 
 re.sub('[^a-z]', '_', 'my robot')   Const('my_robot')
 re.sub('(a+)+b', '', 'aaaa…')       unknown: there are too many ways to match this pattern against this text
@@ -120,18 +120,6 @@ def _guarded(function: Callable[..., object]) -> Callable[..., object]:
     return run
 
 
-def _substitute(call: NativeCall) -> Value:
-    """string._substitute(template, mapping, safe)."""
-
-    def run(template: Any, mapping: Any, safe: Any) -> object:
-        if not isinstance(template, str) or not isinstance(mapping, dict):
-            raise NotKnown
-        made = string.Template(template)
-        return made.safe_substitute(mapping) if safe else made.substitute(mapping)
-
-    return apply_plain(call, run, call.args, "str")
-
-
 def _pure(function: Callable[..., object], hint: str) -> NativeFunction:
     def run(*values: Any) -> object:
         if any(isinstance(v, str) and len(v) > 100_000 for v in values):
@@ -181,7 +169,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "re._split": _split,
     "re._sub": _sub,
     "re.escape": _pure(_escape, "str"),
-    "string._substitute": _substitute,
     "string.capwords": _pure(string.capwords, "str"),
     "textwrap.dedent": _pure(textwrap.dedent, "str"),
     "textwrap.indent": _pure(textwrap.indent, "str"),

@@ -10,6 +10,7 @@ import operator
 import re
 from typing import Final, NamedTuple
 
+from rosward.domain.choice import lift
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.values import UNBOUND, Const, Hole, Ref, Text, Tuple, Unknown, Value
 from rosward.models import text_parts
@@ -69,7 +70,7 @@ def percent_one(machine: Machine, template: Value, args: Value) -> Value:
     if "*" not in text and not too_wide(text) and plain(args) is not NOT_PLAIN:
         return from_python(machine, run(operator.mod, text, plain(args)), origins(template, args), "%")
     filled = joined(machine, _pieces(machine, text, args))
-    return filled if filled is UNBOUND else with_origins(concat((filled,)), origins(template))
+    return filled if filled is UNBOUND else with_origins(lift(lambda t: concat((t,)), filled), origins(template))
 
 
 def _pieces(machine: Machine, text: str, args: Value) -> list[Value]:

@@ -1,39 +1,67 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`queue`: what is taken out is any of what was put in."""
-from _rosward import native, reads_only, spin
+"""`queue`: what is taken out is what was put in; once something else runs, any of it."""
+from _rosward import native, reads_only, spin, unknown
 
 @native
 def _any(items): ...
+@native
+def _alone(): ...
 
 class Empty(Exception): ...
 class Full(Exception): ...
 
 class Queue:
+    """`_items` is what is in it, as long as nothing else runs; `_all` is all that ever was."""
     def __init__(self, maxsize=0):
         self.maxsize = maxsize
         self._items = []
+        self._all = []
+        self._shared = False
+    def _is_exact(self):
+        self._shared = self._shared or not _alone()
+        return not self._shared
     def put(self, item, block=True, timeout=None):
+        if self._is_exact() and not block and self.full():
+            raise Full
         self._items.append(item)
+        self._all.append(item)
     def put_nowait(self, item):
-        self._items.append(item)
+        self.put(item, False)
+    def _take(self):
+        return self._items.pop(0)
     def get(self, block=True, timeout=None):
-        spin()
-        return _any(self._items)
+        if not self._is_exact():
+            spin()
+            return _any(self._all)
+        if self._items:
+            return self._take()
+        if not block or timeout is not None:
+            raise Empty
+        return _any(self._all)
     def get_nowait(self):
-        return _any(self._items)
-    @reads_only
-    def qsize(self) -> int: ...
-    @reads_only
-    def empty(self) -> bool: ...
-    @reads_only
-    def full(self) -> bool: ...
+        if not self._is_exact():
+            return _any(self._all)
+        return self.get(False)
+    def qsize(self):
+        return len(self._items) if self._is_exact() else unknown('live', 'queue.Queue.qsize', 'int')
+    def empty(self):
+        return not self._items if self._is_exact() else unknown('live', 'queue.Queue.empty', 'bool')
+    def full(self):
+        if self.maxsize <= 0:
+            return False
+        return len(self._items) >= self.maxsize if self._is_exact() else unknown('live', 'queue.Queue.full', 'bool')
     @reads_only
     def task_done(self) -> None: ...
     def join(self):
         spin()
 
-class LifoQueue(Queue): ...
-class PriorityQueue(Queue): ...
+class LifoQueue(Queue):
+    def _take(self):
+        return self._items.pop()
+class PriorityQueue(Queue):
+    def _take(self):
+        self._items.sort()
+        return self._items.pop(0)
 class SimpleQueue(Queue):
     def __init__(self):
         super().__init__()

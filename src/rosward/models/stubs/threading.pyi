@@ -90,7 +90,8 @@ class Barrier:
     def reset(self) -> None: ...
     def abort(self) -> None: ...
 
-class local: ...
+class local:
+    _rosward_hidden = ()
 
 _main = Thread(name='MainThread')
 

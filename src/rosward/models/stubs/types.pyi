@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """`types`: namespaces and names of kinds."""
-from _rosward import reads_only
-from functools import partial
+from _rosward import native, reads_only
 
 class SimpleNamespace:
     def __init__(self, /, **kwargs):
         for name in kwargs:
             setattr(self, name, kwargs[name])
 
-def MethodType(function, instance, /):
-    return partial(function, instance)
+@native
+def _method(function, instance): ...
+
+class MethodType:
+    def __new__(cls, function, instance, /):
+        return _method(function, instance)
 def MappingProxyType(mapping):
     return mapping
 def new_class(name, bases=(), kwds=None, exec_body=None):
-    body = {}
+    names = {}
     if exec_body is not None:
-        exec_body(body)
-    return type(name, tuple(bases), body)
+        exec_body(names)
+    given = dict(kwds or {})
+    metaclass = given.pop('metaclass', type)
+    return metaclass(name, tuple(bases), names, **given)
 class FunctionType: ...
 class LambdaType: ...
 @reads_only

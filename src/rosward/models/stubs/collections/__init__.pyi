@@ -116,32 +116,57 @@ class defaultdict(_Dict):
         return defaultdict(self.default_factory, self._dict)
 
 class Counter(_Dict):
-    """Which keys there are is known, how often is not."""
     def __new__(cls, *args, **kwargs):
         self = object.__new__(cls)
         self._dict = {}
         return self
     def __init__(self, iterable=None, /, **kwds):
         self._dict = {}
-        self.update(iterable, **kwds)
+        self._count(iterable, 1)
+        self._count(kwds, 1)
     def __getitem__(self, key):
         return self._dict.get(key, 0)
+    def _count(self, iterable, sign):
+        if iterable is None:
+            return
+        if hasattr(iterable, 'keys'):
+            for key in iterable.keys():
+                self._dict[key] = self._dict.get(key, 0) + sign * iterable[key]
+        else:
+            for key in iterable:
+                self._dict[key] = self._dict.get(key, 0) + sign
     def update(self, iterable=None, /, **kwds):
-        for key in iterable or ():
-            self._dict[key] = unknown('operation', 'collections.Counter', 'int')
-        for key in kwds:
-            self._dict[key] = unknown('operation', 'collections.Counter', 'int')
+        self._count(iterable, 1)
+        self._count(kwds, 1)
     def subtract(self, iterable=None, /, **kwds):
-        self.update(iterable, **kwds)
+        self._count(iterable, -1)
+        self._count(kwds, -1)
     def elements(self):
-        return iter(self._dict)
-    @reads_only
-    def total(self) -> int: ...
+        return iter([key for key in self._dict for _ in range(self._dict[key])])
+    def total(self):
+        return sum(self._dict.values())
     def most_common(self, n=None):
-        pairs = list(self._dict.items())
-        return [either(*pairs) for _ in unknown('operation', 'collections.Counter', 'list')] if pairs else []
+        found = sorted(self._dict.items(), key=lambda pair: pair[1], reverse=True)
+        return found if n is None else found[:n]
     def copy(self):
         return Counter(self)
+    def _with(self, other, combine):
+        found = Counter()
+        for key in [*self._dict, *[key for key in other if key not in self._dict]]:
+            count = combine(self[key], other[key])
+            if count > 0:
+                found._dict[key] = count
+        return found
+    def __add__(self, other):
+        return self._with(other, lambda a, b: a + b)
+    def __sub__(self, other):
+        return self._with(other, lambda a, b: a - b)
+    def __or__(self, other):
+        return self._with(other, lambda a, b: max(a, b))
+    def __and__(self, other):
+        return self._with(other, lambda a, b: min(a, b))
+    def __pos__(self):
+        return self._with(Counter(), lambda a, b: a)
 
 class ChainMap(_Dict):
     def __init__(self, *maps):
