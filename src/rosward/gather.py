@@ -17,7 +17,7 @@ from rosward.findings import Finding, Severity
 from rosward.guard import guarded
 from rosward.models.configuration import Configuration
 from rosward.network.collect import Process, collect
-from rosward.processes import Run, node_classes, run
+from rosward.processes import Run, called_from_outside, node_classes, run
 from rosward.reading import Progress, SourcesRead
 from rosward.ros.entities import Node
 from rosward.source.location import Place
@@ -64,7 +64,7 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress) -> 
 
 
 def _run_all(read: SourcesRead, configuration: Configuration | None, progress: Progress) -> list[Run]:
-    """Every process of the plan, then the files that none of them imports, then the node classes that none of them instantiates."""
+    """Every process of the plan, then the files that none imports, then the node classes, and those of frameworks, that none instantiates."""
     library, plan, budget = read.library, read.plan, read.budget
     runs: list[Run] = []
     total = len(plan.entries)
@@ -79,6 +79,11 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
     for file, names in node_classes(runs, library.node_class(None)).items():
         for name in names:  # nothing says that two of them share a process
             runs.append(run(library, plan.for_class(file, name, alone=len(names) == 1), budget, configuration))
+    for file, names in called_from_outside(runs, library.node_class(None)).items():
+        for name in names:
+            each = run(library, plan.for_class(file, name, alone=len(names) == 1), budget, configuration)
+            if each.log.nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
+                runs.append(each)
     return runs
 
 

@@ -7,12 +7,13 @@ nothing instantiates (each is instantiated with unknown arguments).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import NamedTuple
+import sys
+from collections.abc import Iterable, Iterator
+from typing import Final, NamedTuple
 
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Class, Hole, ModuleValue, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, External, Hole, ModuleValue, Unknown, Value
 from rosward.engine import handed, modules
 from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
@@ -24,6 +25,7 @@ from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
+from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 
 
@@ -78,6 +80,7 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
     try:
         machine.spin()
         handed.follow(machine)
+        log.tell_spun()
     except LimitReachedError as limit:
         log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
     except Exception as error:
@@ -142,8 +145,10 @@ def _main(machine: Interpreter, entry: Entry) -> None:
         machine.call(function, (), {ANY: UNBOUND})
     for qualname in entry.classes:
         found = machine.at(address).attrs.get(qualname)
-        if isinstance(found, Class):
+        if isinstance(found, Class) and machine.library.node_class(machine) in found.mro:
             _instantiate(machine, found)
+        elif isinstance(found, Class):
+            machine.handed[found] = found.place  # whoever calls it from outside has it
 
 
 def _instantiate(machine: Interpreter, cls: Class) -> None:
@@ -154,6 +159,52 @@ def _instantiate(machine: Interpreter, cls: Class) -> None:
 
 def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
     """The node classes that no process instantiates and no other class inherits from, by file: their names."""
+    return _by_file(c for c in _unmade(runs) if node is not None and node in c.mro)
+
+
+def called_from_outside(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
+    """The classes that no process instantiates, but a framework may, by file: their names.
+
+    class ArmEnv(gymnasium.Env)                                    a framework that is not read makes what derives from its classes
+    class Driver: def init(self, robot, properties), def step      Webots makes what has these methods
+    """
+    return _by_file(
+        c for c in _unmade(runs) if node not in c.mro and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
+    )
+
+
+def _derives_from_outside(cls: Class) -> bool:
+    """Whether a class has a base that is not read, of a library that may know ROS."""
+    return any(
+        isinstance(b, External) and b.name.partition(".")[0] not in sys.stdlib_module_names and not creates_nothing(b)
+        for b in cls.mro
+    )
+
+
+_WEBOTS: Final = {"init": 3, "step": 1}
+"""The methods of a Webots plugin, and how many parameters each has, `self` among them."""
+
+
+def _is_webots_plugin(runs: Iterable[Run], cls: Class) -> bool:
+    """Whether a class has the methods that webots_ros2_driver calls."""
+    found = {
+        code.name: len(code.parameters.positional)
+        for run in runs
+        for code in run.log.functions.values()
+        if code.file == cls.place.file and code.qualname.rpartition(".")[0] == cls.qualname
+    }
+    return all(found.get(name) == number for name, number in _WEBOTS.items())
+
+
+def _by_file(classes: Iterable[Class]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for cls in classes:
+        found.setdefault(cls.place.file, []).append(cls.name)
+    return found
+
+
+def _unmade(runs: Iterable[Run]) -> Iterator[Class]:
+    """The classes of modules that no process instantiates and no other class inherits from, by their places."""
     made: set[Place] = set()
     inherited: set[Place] = set()
     defined: dict[Place, Class] = {}
@@ -162,14 +213,6 @@ def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]
         for cls in each.log.classes:
             defined[cls.place] = cls
             inherited.update(b.place for b in cls.mro[1:] if isinstance(b, Class))
-    found: dict[str, list[str]] = {}
     for place, cls in sorted(defined.items()):
-        if (
-            place not in made
-            and place not in inherited
-            and node is not None
-            and node in cls.mro
-            and "." not in cls.qualname
-        ):
-            found.setdefault(place.file, []).append(cls.name)
-    return found
+        if place not in made and place not in inherited and "." not in cls.qualname:
+            yield cls

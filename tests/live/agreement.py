@@ -74,7 +74,7 @@ def claims_of(result: Result) -> list[Claim]:
             WORDS[entity.kind],
             entity.name if entity.resolution is not Resolution.UNKNOWN else "*",
             entity.type,
-            not entity.conditional,
+            not entity.conditional and not node.conditional,
             entity.resolution not in {Resolution.PATTERN, Resolution.UNKNOWN},
         )
         for node in result.network.nodes

@@ -32,9 +32,14 @@ LEAST: Final = 150
 NOT_RUN: Final = {
     "loops: Loops that compute much": "runs for longer than a test may",
     "inputs: The content of a file": "reads a file outside of the project",
+    "called_from_outside: A plugin of Webots": "Webots alone makes it",
+    "called_from_outside: An environment that nothing makes": "nothing makes it",
     "partial: A class whose parameters nobody gives": "nothing gives the arguments that it needs",
 }
 """Cases that cannot run here, and why; those that need a library of which there is no wheel are skipped with its name."""
+
+NEED_FRAMEWORKS: Final = frozenset({"called_from_outside"})
+"""Documents whose programs import a framework that a stand-in replaces."""
 
 NEED_INSTALL: Final = frozenset({"data_files"})
 """Documents whose programs ask for the share folders of installed packages."""
@@ -109,6 +114,8 @@ def test_case(case: Case, real: RealRclpy, tmp_path: Path) -> None:
         path.write_text(text, encoding="utf-8")
     given = INPUTS.get(case.name, Input())
     programs = [p._replace(**given._asdict()) for p in programs_of(files, tmp_path)]
+    if case.file.stem in NEED_FRAMEWORKS:
+        programs = [p._replace(path=(*p.path, str(Path(__file__).parent / "standins"))) for p in programs]
     assert programs
     for program in programs:
         real.send(program)

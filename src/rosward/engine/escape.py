@@ -6,6 +6,7 @@ lib.fill(self.buf)            self.buf holds what it held or something unknown (
 lib.run(self)                 RW202: on this node the library may create what it likes
 lib.run(App(node=self))       RW202 too: it has the node by an attribute
 lib.serve(Handler)            it may make a Handler, and call what nothing else calls of it
+lib.serve('demo.web:Handler') it may import it, then the same (named.py)
 """
 
 from __future__ import annotations
@@ -14,8 +15,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Tuple, Unknown, Value
-from rosward.engine import declared
+from rosward.domain.values import BoundMethod, Class, Const, Function, Partial, Ref, Tuple, Unknown, Value
+from rosward.engine import declared, named
 from rosward.engine.havoc import change, contents, holds_node
 from rosward.models.contents import CONTENTS
 from rosward.models.readers import creates_nothing, only_reads
@@ -71,6 +72,8 @@ def _reach(machine: Interpreter, value: Value, library: str, depth: int, seen: s
         elif isinstance(option, Class):
             if not option.stub:
                 machine.handed.setdefault(option, machine.place)
+        elif isinstance(option, Const):
+            named.note(machine, option)
         elif isinstance(option, Tuple):
             if depth < _DEPTH:
                 for item in option.items:

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
-from rosward.engine import attributes, implicit
+from rosward.engine import attributes, implicit, named
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
 from rosward.source.location import Place
 
@@ -30,14 +30,23 @@ _ROUNDS: Final = 10
 
 def follow(machine: Interpreter) -> None:
     """Run what libraries may do with what they hold, until that gives them nothing new."""
+    met: set[str] = set()
     for _ in range(_ROUNDS):
-        before = len(machine.schedule_book.entries)
+        before = len(machine.schedule_book.entries) + len(machine.schedule_book.named)
+        for text, naming in list(machine.schedule_book.named.items()):
+            if text not in met:
+                met.add(text)
+                for value in named.called(machine, naming):
+                    if isinstance(value, Class):
+                        machine.handed.setdefault(value, naming.place)
+                    else:
+                        machine.schedule_book.add(machine, value, None, BY_LIBRARY, naming.place)
         for value, place in list(machine.handed.items()):
             for callback in _not_called(machine, value):
                 machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
         for callback in implicit.callbacks(machine):
             machine.schedule_book.add(machine, callback, None, BY_PYTHON, _place(callback))
-        if len(machine.schedule_book.entries) == before:
+        if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
             return
         machine.spin()
     machine.report("RW201", "libraries are handed ever more objects; what they do with the last of them may be missing")

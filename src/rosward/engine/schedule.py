@@ -25,6 +25,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+    from rosward.engine.named import Naming
     from rosward.models.effects import EntityEffect
 
 
@@ -63,10 +64,11 @@ class Entry:
 class Schedule:
     """All that was registered so far, by callback, arguments and event."""
 
-    __slots__ = ("_begun", "_event", "_raised", "_settled", "by_library", "entries", "running", "spent")
+    __slots__ = ("_begun", "_event", "_raised", "_settled", "by_library", "entries", "named", "running", "spent")
 
     def __init__(self) -> None:
         self.entries: dict[object, Entry] = {}
+        self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
         self.spent = 0  # steps of all callbacks, but for those that are running
         self._begun = 0  # how many steps there were when these began

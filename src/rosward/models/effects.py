@@ -81,6 +81,7 @@ class EffectLog:
         ] = {}  # what to tell of an exception of a library that nothing catches
         self.classes: dict[Class, None] = {}
         self.functions: dict[int, Code] = {}
+        self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
         self.ends: list[frozenset[tuple[object, ...]]] = []
         self._addresses: set[int] = set()
 
@@ -108,6 +109,16 @@ class EffectLog:
         if key not in state.done:
             state.done |= {key}
             state.version = machine.fresh_version()
+
+    def tell_spun(self) -> None:
+        """The program spins a node that is not known, and makes none: whose node it is nobody can tell."""
+        if not self.nodes:
+            for place, why in self.spun.items():
+                self.findings[
+                    Finding(
+                        "RW208", f"the node that is spun here is not known, and this program makes none{why}", place
+                    )
+                ] = None
 
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""

@@ -73,7 +73,16 @@ def _import(call: NativeCall) -> Value:
     return join_all(found)
 
 
+def _entry_points(call: NativeCall) -> Value:
+    """`importlib.metadata.entry_points(…)`: what packages have registered, and what is loaded by it."""
+    call.machine.report("RW203", "what the entry points of installed packages load is not followed")
+    return call.machine.unknown(Cause.CALL, call.name)
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "importlib.import_module": _import_module,
     "builtins.__import__": _import,
+    "importlib.metadata.entry_points": _entry_points,
+    "importlib_metadata.entry_points": _entry_points,
+    "pkg_resources.iter_entry_points": _entry_points,
 }

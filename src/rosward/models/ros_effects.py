@@ -311,6 +311,15 @@ def _schedule(call: NativeCall) -> Value:
     return NONE
 
 
+def _spun(call: NativeCall) -> Value:
+    """`_rosward.spun(node)`: the program lets a node work; which one may not be known."""
+    machine = host(call.machine)
+    for option in options(call.args[0]):
+        if isinstance(option, (Unknown, External)):
+            machine.log.spun.setdefault(machine.place, _why(option))
+    return NONE
+
+
 def _spin(call: NativeCall) -> Value:
     call.machine.spin()
     return NONE
@@ -407,6 +416,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "rclpy.utilities.remove_ros_args": _remove_ros_args,
     "_rosward.schedule": _schedule,
     "_rosward.spin": _spin,
+    "_rosward.spun": _spun,
     "_rosward.message": _message,
     "_rosward.unknown": _unknown,
     "_rosward.default": _default,

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import overridden, spins
+from _rosward import overridden, spins, spun
 
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
@@ -84,6 +84,7 @@ def create_node(
 
 @spins
 def spin_once(node, *, executor=None, timeout_sec=None):
+    spun(node)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_once(timeout_sec=timeout_sec)
@@ -92,6 +93,7 @@ def spin_once(node, *, executor=None, timeout_sec=None):
 
 @spins
 def spin(node, executor=None):
+    spun(node)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_once()
@@ -100,6 +102,7 @@ def spin(node, executor=None):
 
 @spins
 def spin_until_future_complete(node, future, executor=None, timeout_sec=None):
+    spun(node)
     if overridden(executor, *_BY_SPINNING):
         executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, reads_only, schedule, spins, unknown
+from _rosward import ask, reads_only, schedule, spins, spun, unknown
 
 from rclpy.context import Context
 from rclpy.task import Future as Future, Task as Task
@@ -59,6 +59,7 @@ class Executor:
     def shutdown(self, timeout_sec=None) -> bool: ...
 
     def add_node(self, node):
+        spun(node)
         self._nodes.append(node)
         return True
 
