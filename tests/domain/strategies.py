@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Abstract values at random, and what it means that one covers another."""
+"""Abstract values, records and states at random."""
 
 from __future__ import annotations
 
@@ -7,26 +7,30 @@ from typing import Final
 
 from hypothesis import strategies as st
 
-from rosward.domain.choice import join_all, options
-from rosward.domain.heap import Obj
+from rosward.domain.choice import join_all
+from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
-from rosward.domain.text import make, matches
+from rosward.domain.series import Series
+from rosward.domain.suspended import ANY_TURN, EACH, YIELD, Point, Step, Suspension, add_points
+from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import (
+    NONE,
     UNBOUND,
-    Choice,
     Const,
     External,
+    Function,
     Hole,
+    ModuleValue,
     Native,
     Partial,
     Ref,
-    Text,
     Tuple,
     Unknown,
     Value,
 )
-from rosward.engine.state import NOTHING_DONE, State, element
+from rosward.engine.state import NOTHING_DONE, State
+from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
 
 HERE: Final = Place("a.py", 1)
@@ -59,72 +63,6 @@ values: st.SearchStrategy[Value] = st.one_of(singles, st.lists(singles, min_size
 string_values: st.SearchStrategy[Value] = st.lists(st.one_of(strings, texts), min_size=1, max_size=4).map(join_all)
 
 
-def shape(value: Value) -> Value:
-    """The value without what is only told of it: reasons, of which no more than a few are kept."""
-    if isinstance(value, Unknown):
-        return Unknown((), value.hint)
-    if isinstance(value, Text):
-        return Text(tuple(p if isinstance(p, str) else Hole((), p.shape) for p in value.parts), value.origins)
-    if isinstance(value, Tuple):
-        return Tuple(tuple(map(shape, value.items)))
-    if isinstance(value, Choice):
-        return join_all(map(shape, value.options))
-    return value
-
-
-def covers(above: Value, below: Value) -> bool:
-    """Whether everything that `below` stands for is among what `above` stands for (complete enough for these tests)."""
-    return all(any(_covers_one(a, b) for a in options(above)) for b in options(below))
-
-
-def _covers_one(above: Value, below: Value) -> bool:
-    if below is UNBOUND or above == below:
-        return True
-    if isinstance(above, Unknown):
-        return above.hint in ("", kind(below))
-    if isinstance(above, Const) and isinstance(below, Const):
-        same = above.value.__class__ is below.value.__class__ and above.value == below.value
-        return same and above.origins >= below.origins
-    if isinstance(above, Text):
-        return kind(below) == "str" and all(matches(above, text) for text in samples(below))
-    if isinstance(above, Tuple) and isinstance(below, Tuple):
-        return len(above.items) == len(below.items) and all(map(covers, above.items, below.items))
-    return shape(above) == shape(below)
-
-
-def kind(value: Value) -> str:
-    """The name of the Python type of what a value stands for, '' where that is not one."""
-    if isinstance(value, Const):
-        return value.value.__class__.__name__
-    if isinstance(value, Unknown):
-        return value.hint
-    return {Text: "str", Tuple: "tuple"}.get(type(value), "")
-
-
-FILLINGS: Final = {"": ("", "x", "a/b", "/"), "word": ("x", "ab"), "digits": ("0", "-12")}
-
-
-def fill(parts: list[str | Hole], choose: int) -> str:
-    """The text with its holes filled, in one of several ways."""
-    found = ""
-    for number, part in enumerate(parts):
-        if isinstance(part, str):
-            found += part
-        else:
-            fillings = FILLINGS[part.shape]
-            found += fillings[(choose >> number) % len(fillings)]
-    return found
-
-
-def samples(value: Value) -> list[str]:
-    """Some of the texts that a value stands for."""
-    if isinstance(value, Const):
-        return [str(value.value)]
-    if isinstance(value, Text):
-        return [fill(list(value.parts), choose) for choose in range(8)]
-    return ["", "x", "a/b"] if isinstance(value, Unknown) and value.hint == "str" else []
-
-
 # Objects and states
 
 attributes = st.dictionaries(st.sampled_from("xyz"), values, max_size=3)
@@ -132,86 +70,131 @@ CLASS: Final = Native("builtins.object")
 
 
 @st.composite
-def instances(draw: st.DrawFn) -> Obj:
-    return Obj("instance", CLASS, attrs=draw(attributes), many=draw(st.booleans()))
+def instances(draw: st.DrawFn, kind: str = "instance") -> Obj:
+    attrs = draw(attributes)
+    partial = frozenset(name for name in attrs if draw(st.booleans()))
+    return Obj(kind, CLASS, attrs=attrs, many=draw(st.booleans()), partial=partial)
 
 
 @st.composite
-def lists(draw: st.DrawFn, kind: str = "list") -> Obj:
-    many = draw(st.booleans())
+def members(draw: st.DrawFn) -> Obj:
+    """Members of an enum that are numbers or texts too."""
+    return draw(instances()).replace(payload=draw(values))
+
+
+@st.composite
+def exceptions(draw: st.DrawFn) -> Obj:
+    arguments = Tuple(tuple(draw(st.lists(singles, max_size=2))))
+    chained = draw(st.dictionaries(st.sampled_from(("__cause__", "__context__")), references, max_size=2))
+    absent = frozenset(name for name in chained if draw(st.booleans()))
+    return Obj("instance", CLASS, attrs={"args": arguments, **chained}, many=draw(st.booleans()), partial=absent)
+
+
+@st.composite
+def cells(draw: st.DrawFn) -> Obj:
+    return Obj("cell", NONE, attrs=draw(st.one_of(st.just({}), values.map(lambda v: {"value": v}))))
+
+
+@st.composite
+def lists(draw: st.DrawFn, kind: str = "list", payload: object = None) -> Obj:
+    elements = draw(st.sampled_from((values, references)))
+    record = Obj(kind, CLASS, many=draw(st.booleans()), payload=payload)
+    several = st.lists(elements, max_size=3)
+    how = draw(st.sampled_from(("exact", "bag", "ends") if kind == "list" else ("exact", "bag")))
+    if how == "exact":
+        return record.replace(items=tuple(draw(several)))
+    if how == "bag":
+        return record.replace(items=None, rest=draw(st.one_of(st.none(), elements)))
+    return record.with_series(Series(tuple(draw(several)), draw(elements), tuple(draw(several))))
+
+
+@st.composite
+def told_lists(draw: st.DrawFn) -> Obj:
+    """Lists of objects, of which it is told which are in it, and which may be."""
+    held = draw(st.lists(references, max_size=3, unique=True))
     if draw(st.booleans()):
-        return Obj(kind, CLASS, items=tuple(draw(st.lists(values, max_size=3))), many=many)
-    return Obj(kind, CLASS, items=None, rest=draw(st.one_of(st.none(), values)), many=many)
+        return Obj("list", CLASS, items=tuple(held))
+    elements = tuple((value, draw(st.booleans())) for value in held)
+    return Obj("list", CLASS, items=None, rest=join_all(held) if held else None, payload=Alternatives(elements))
 
 
 @st.composite
-def dicts(draw: st.DrawFn) -> Obj:
+def dicts(draw: st.DrawFn, variables: bool = False) -> Obj:
     keys: st.SearchStrategy[Value] = words.map(Const)
     entries = draw(st.dictionaries(keys, values, max_size=3))
     maybe = frozenset(k for k in entries if draw(st.booleans()))
     rest = draw(st.one_of(st.none(), values))
-    key = draw(unknowns) if rest is not None else None
-    return Obj("dict", CLASS, entries=entries, maybe=maybe, rest=rest, rest_key=key, many=draw(st.booleans()))
+    key = draw(st.one_of(st.none(), unknowns)) if rest is not None else None
+    record = Obj("dict", CLASS, entries=entries, maybe=maybe, rest=rest, rest_key=key, many=draw(st.booleans()))
+    return record.replace(payload=draw(references)) if variables else record
 
 
-def objects(kind: str) -> st.SearchStrategy[Obj]:
-    """Records of one kind."""
-    if kind == "dict":
-        return dicts()
-    return instances() if kind == "instance" else lists(kind)
+REGISTERS: Final = 2
+_NOTHING: Final = Parameters((), 0, None, (), None)
+CODES: Final = tuple(
+    Code(CodeKind.FUNCTION, name, name, "a.py", 1, _NOTHING, [], REGISTERS, (), (), (), is_generator=True)
+    for name in ("one", "two")
+)
+FUNCTIONS: Final = tuple(Function(code, ModuleValue(0, "m", "a.py"), (), (), ()) for code in CODES)
 
 
-KINDS: Final = ("instance", "list", "set", "dict")
-triples = st.sampled_from(KINDS).flatmap(lambda kind: st.tuples(objects(kind), objects(kind), objects(kind)))
+@st.composite
+def _points(draw: st.DrawFn) -> tuple[Point, tuple[Value, ...]]:
+    """A point, and what it holds: outside of loops, or in a turn of one, behind a `yield` or a `yield from`."""
+    function = draw(st.sampled_from(FUNCTIONS))
+    held = tuple(draw(st.lists(values, min_size=REGISTERS, max_size=REGISTERS)))
+    where = draw(st.sampled_from(("start", "plain", "loop", "from")))
+    if where == "start":
+        return Point(function, 0, (), ()), held
+    if where == "plain":
+        return Point(function, 0, (), (Step(draw(st.integers(0, 2)), ""),)), held
+    turn = draw(st.sampled_from((0, 1, ANY_TURN)))
+    ahead = () if turn == ANY_TURN else tuple(draw(st.lists(values, max_size=2)))
+    rest = draw(st.one_of(st.just(UNBOUND), values))
+    path = (Step(0, EACH, turn), Step(0, "")) if where == "loop" else (Step(1, YIELD, turn),)
+    return Point(function, 0, (), path), (*held, draw(references), Tuple(ahead), rest)
+
+
+@st.composite
+def suspensions(draw: st.DrawFn) -> Suspension:
+    """As a run makes them: where a yield may be in any turn, that is the only one of its points."""
+    points = add_points({}, dict(draw(st.lists(_points(), max_size=4))))
+    return Suspension(points, ended=draw(st.booleans()), shared=draw(st.booleans()))
+
+
+@st.composite
+def generators(draw: st.DrawFn) -> Obj:
+    return Obj("generator", NONE, payload=draw(suspensions()), many=draw(st.booleans()))
+
+
+ROLES: Final[dict[str, st.SearchStrategy[Obj]]] = {
+    "instance": instances(),
+    "class": instances("class"),
+    "module": instances("module"),
+    "member": members(),
+    "exception": exceptions(),
+    "cell": cells(),
+    "list": lists(),
+    "told list": told_lists(),
+    "lists of both kinds": st.one_of(lists(), told_lists()),
+    "iterator": lists(payload="iterator"),
+    "set": lists("set"),
+    "dict": dicts(),
+    "variables": dicts(variables=True),
+    "generator": generators(),
+}
+"""All that a record may be. What is at one address keeps its role: the address belongs to a place, a context, a kind and a class."""
+
+triples = st.sampled_from(sorted(ROLES)).flatmap(lambda role: st.tuples(*[ROLES[role]] * 3))
 
 
 @st.composite
 def states(draw: st.DrawFn, version: int = 1) -> State:
-    """A state whose address n holds an object of kind n: as in a run, an address never changes its kind."""
-    heap = {address: draw(objects(kind)) for address, kind in enumerate(KINDS) if draw(st.booleans())}
+    """A state whose address n holds an object of one role: as in a run, an address never changes it."""
+    heap = {address: draw(role) for address, role in enumerate(ROLES.values()) if draw(st.booleans())}
     done = draw(st.frozensets(st.sampled_from((("node", 1), ("node", 2), ("entity", 3))), max_size=2))
     return State(Heap(heap.items()), version, done or NOTHING_DONE)
 
 
 two_states = st.tuples(states(version=1), states(version=2))
 """Of different versions: equal ones mean equal heaps."""
-
-
-def object_covers(above: Obj, below: Obj) -> bool:
-    """Whether every object that `below` stands for is among those that `above` stands for."""
-    if below.many and not above.many:
-        return False
-    attrs = all(name in above.attrs and covers(above.attrs[name], value) for name, value in below.attrs.items())
-    if above.kind in ("list", "set"):
-        return attrs and _elements_cover(above, below)
-    return attrs and (above.kind != "dict" or _entries_cover(above, below))
-
-
-def _elements_cover(above: Obj, below: Obj) -> bool:
-    if above.items is None:
-        inner, outer = element(below), element(above)
-        return inner is None or (outer is not None and covers(outer, inner))
-    if below.items is None or len(above.items) != len(below.items):
-        return False
-    return all(map(covers, above.items, below.items))
-
-
-def _entries_cover(above: Obj, below: Obj) -> bool:
-    for key, value in below.entries.items():
-        if not (key in above.entries and covers(above.entries[key], value)):
-            return False
-    absent = [key for key in above.entries if key not in below.entries or key in below.maybe]
-    if any(key not in above.maybe for key in absent):
-        return False
-    if below.rest is None:
-        return True
-    if above.rest is None or above.rest_key is None or below.rest_key is None:
-        return False
-    return covers(above.rest, below.rest) and covers(above.rest_key, below.rest_key)
-
-
-def state_covers(above: State, below: State) -> bool:
-    """Whether every execution that `below` stands for is among those that `above` stands for."""
-    records = dict(above.heap.items())
-    heap = all(a in records and object_covers(records[a], o) for a, o in below.heap.items())
-    return heap and above.done <= below.done

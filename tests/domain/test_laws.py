@@ -11,23 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from domain.strategies import (
-    FILLINGS,
-    LOOP,
-    covers,
-    fill,
-    object_covers,
-    shape,
-    state_covers,
-    states,
-    string_values,
-    text_parts,
-    triples,
-    two_states,
-    unknowns,
-    values,
-    words,
-)
+from domain.covering import FILLINGS, covers, fill, object_covers, shape, state_covers
+from domain.strategies import LOOP, states, string_values, text_parts, triples, two_states, unknowns, values, words
 from rosward.domain.choice import MAX_OPTIONS, generalise, join, join_all, lift, lift2, options, widen
 from rosward.domain.heap import Obj
 from rosward.domain.text import common, concat, make, matches
@@ -295,6 +280,15 @@ def test_join_of_objects_covers_both(three: tuple[Obj, Obj, Obj]) -> None:
 
 
 @given(triples)
+def test_join_of_objects_is_commutative(three: tuple[Obj, Obj, Obj]) -> None:
+    """Each order covers the other one."""
+    left, right, _ = three
+    one, other = join_objects(left, right, join), join_objects(right, left, join)
+    assert object_covers(one, other)
+    assert object_covers(other, one)
+
+
+@given(triples)
 def test_widening_of_objects_covers_both(three: tuple[Obj, Obj, Obj]) -> None:
     left, right, _ = three
     widened = join_objects(left, right, lambda a, b: widen(a, b, LOOP))
@@ -310,6 +304,16 @@ def test_join_of_objects_gives_back_what_covers_already(three: tuple[Obj, Obj, O
     joined = join_objects(join_objects(left, right, join), other, join)
     for part in three:
         assert join_objects(joined, part, join) is joined
+
+
+@given(triples, st.integers(0, 2))
+def test_a_chain_of_widened_objects_comes_to_rest(three: tuple[Obj, Obj, Obj], start: int) -> None:
+    """Whatever turns of a loop leave at an address, in any order: after some turns the record is the very same."""
+    record = three[start]
+    for turn, new in enumerate(itertools.islice(itertools.cycle(three), 36)):
+        wider = join_objects(record, new, lambda a, b: widen(a, b, LOOP))
+        assert wider is record or turn < 24
+        record = wider
 
 
 @given(two_states)

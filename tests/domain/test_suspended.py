@@ -3,72 +3,15 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from hypothesis import given
-from hypothesis import strategies as st
 
-from domain.strategies import LOOP, covers, values
-from rosward.domain.choice import join, options, widen
+from domain.covering import suspension_covers
+from domain.strategies import FUNCTIONS, LOOP, suspensions
+from rosward.domain.choice import join, widen
 from rosward.domain.heap import Obj
-from rosward.domain.suspended import ANY_TURN, EACH, KEPT, NO_TURN, Point, Step, Suspension, add_points, join_suspended
-from rosward.domain.values import NONE, UNBOUND, Const, Function, ModuleValue, Tuple, Value
+from rosward.domain.suspended import EACH, NO_TURN, Point, Step, Suspension, join_suspended
+from rosward.domain.values import NONE, UNBOUND, Const, Tuple
 from rosward.engine.state import join_objects
-from rosward.ir.program import Code, CodeKind, Parameters
-
-REGISTERS: Final = 2
-_NOTHING: Final = Parameters((), 0, None, (), None)
-CODES: Final = tuple(
-    Code(CodeKind.FUNCTION, name, name, "a.py", 1, _NOTHING, [], REGISTERS, (), (), (), is_generator=True)
-    for name in ("one", "two")
-)
-FUNCTIONS: Final = tuple(Function(code, ModuleValue(0, "m", "a.py"), (), (), ()) for code in CODES)
-
-
-@st.composite
-def entries(draw: st.DrawFn) -> tuple[Point, tuple[Value, ...]]:
-    """A point, and what it holds: outside of loops, or in a turn of one."""
-    function = draw(st.sampled_from(FUNCTIONS))
-    held = tuple(draw(st.lists(values, min_size=REGISTERS, max_size=REGISTERS)))
-    if draw(st.booleans()):
-        return Point(function, 0, (), (Step(draw(st.integers(0, 2)), ""),)), held
-    turn = draw(st.sampled_from((0, 1, ANY_TURN)))
-    ahead = () if turn == ANY_TURN else tuple(draw(st.lists(values, max_size=2)))
-    rest = draw(st.one_of(st.just(UNBOUND), values))
-    return Point(function, 0, (), (Step(0, EACH, turn), Step(0, ""))), (*held, NONE, Tuple(ahead), rest)
-
-
-@st.composite
-def suspensions(draw: st.DrawFn) -> Suspension:
-    """As a run makes them: where a yield may be in any turn, that is the only one of its points."""
-    return Suspension(add_points({}, dict(draw(st.lists(entries(), max_size=4)))), ended=draw(st.booleans()))
-
-
-def suspension_covers(above: Suspension, below: Suspension) -> bool:
-    """Whether each point at which one may stand is one of the other, in the same turn or in any, with what it holds."""
-    if below.ended and not above.ended:
-        return False
-    return all(_covered(above, point, held) for point, held in below.points.items())
-
-
-def _covered(above: Suspension, point: Point, held: tuple[Value, ...]) -> bool:
-    same = above.points.get(point)
-    if same is not None and all(map(covers, same[:REGISTERS], held)):
-        return len(held) == REGISTERS or _ahead_covers(same, held, exact=True) or _ahead_covers(same, held, exact=False)
-    anyway = above.points.get(point.syntactic)
-    return (
-        anyway is not None and all(map(covers, anyway[:REGISTERS], held)) and _ahead_covers(anyway, held, exact=False)
-    )
-
-
-def _ahead_covers(above: tuple[Value, ...], below: tuple[Value, ...], *, exact: bool) -> bool:
-    """Whether what one loop has ahead is among what another one may have."""
-    ahead, rest = above[REGISTERS + 1 : REGISTERS + KEPT]
-    known, more = below[REGISTERS + 1 : REGISTERS + KEPT]
-    if exact:
-        return covers(ahead, known) and (more is UNBOUND or covers(rest, more))
-    items = [i for o in options(known) if isinstance(o, Tuple) for i in o.items]
-    return all(covers(rest, i) for i in [*items, *(() if more is UNBOUND else (more,))])
 
 
 def test_covers_tells_apart() -> None:

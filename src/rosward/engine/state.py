@@ -76,7 +76,10 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     if isinstance(left.payload, Suspension) and isinstance(right.payload, Suspension):
         suspension = join_suspended(left.payload, right.payload, merge)
         result = result if suspension is left.payload else result.replace(payload=suspension)
-    elif left.kind in ("list", "set"):
+    elif isinstance(left.payload, Value) and isinstance(right.payload, Value):
+        payload = merge(left.payload, right.payload)
+        result = result if payload == left.payload else result.replace(payload=payload)
+    if left.kind in ("list", "set"):
         result = _join_elements(result, left, right, merge)
     elif left.kind == "dict":
         result = _join_entries(result, left, right, merge)
@@ -119,7 +122,7 @@ def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
         return result.replace(items=items)
     ours, theirs = element(left), element(right)
     ways = _alternatives(left, right)
-    payload = left.payload if ways is None and left.payload.__class__ is not Alternatives else ways
+    payload = ways if ways is not None or left.payload.__class__ is Alternatives else left.payload
     ends = _join_ends(left, right, merge)
     if left.items is None and (theirs is None or (ours is not None and merge(ours, theirs) == ours)):
         if ends == left.ends:
@@ -157,7 +160,7 @@ def _alternatives(left: Obj, right: Obj) -> Alternatives | None:
 
 def _told(obj: Obj) -> dict[Value, bool] | None:
     """The elements of a list that are told apart, and whether each is surely there."""
-    if obj.kind != "list":
+    if obj.kind != "list" or not (obj.payload is None or obj.payload.__class__ is Alternatives):
         return None
     if obj.items is not None:
         told = dict.fromkeys(obj.items, True)
@@ -175,6 +178,7 @@ def element(obj: Obj) -> Value | None:
 def _join_entries(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
     if (
         left.entries == right.entries
+        and list(left.entries) == list(right.entries)
         and left.maybe == right.maybe
         and left.rest == right.rest
         and left.rest_key == right.rest_key
@@ -190,11 +194,28 @@ def _join_entries(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
         elif ours != theirs:
             entries[key] = merge(ours, theirs)
     maybe.update(key for key in left.entries if key not in right.entries)
+    maybe.update(_out_of_order(left, right, maybe))
     rest = _merge_optional(left.rest, right.rest, merge)
-    rest_key = _merge_optional(left.rest_key, right.rest_key, merge)
+    rest_key = _merge_keys(left, right, merge)
     if entries == left.entries and maybe == left.maybe and rest == left.rest and rest_key == left.rest_key:
         return result
     return result.replace(entries=entries, maybe=frozenset(maybe), rest=rest, rest_key=rest_key)
+
+
+def _out_of_order(left: Obj, right: Obj, maybe: set[Value]) -> list[Value]:
+    """The keys that both have, where they come in different orders: none of them is surely the first."""
+    ours = [key for key in left.entries if key not in maybe]
+    theirs = [key for key in right.entries if key not in maybe]
+    return [] if ours == theirs else [a for a, b in zip(ours, theirs, strict=True) if a != b]
+
+
+def _merge_keys(left: Obj, right: Obj, merge: Merge) -> Value | None:
+    """The keys that are not known; None where they may be any."""
+    if left.rest is None or right.rest is None:
+        return right.rest_key if left.rest is None else left.rest_key
+    if left.rest_key is None or right.rest_key is None:
+        return None
+    return merge(left.rest_key, right.rest_key)
 
 
 def _merge_optional(left: Value | None, right: Value | None, merge: Merge) -> Value | None:

@@ -114,7 +114,7 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
     for option in options(index):
         key = key_of(option)
         if key is None:
-            if isinstance(obj.payload, Ref):
+            if isinstance(obj.payload, Value):
                 machine.report("RW203", "an attribute or variable with a name that is not known is set")
             obj = _store_unknown(machine, obj, option, value)
         elif compares(machine, key):  # it may be equal to another key
@@ -122,8 +122,8 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
         else:
             is_many = isinstance(key, Ref) and machine.obj(key).many
             obj = _store_known(obj, find(obj, key) or key, value, several or is_many)
-            if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
-                machine.store_attr(obj.payload, key.value, value)  # the `__dict__` of an object
+            if isinstance(obj.payload, Value) and isinstance(key, Const) and isinstance(key.value, str):
+                machine.store_attr(obj.payload, key.value, value)  # the `__dict__` of an object, or of several
     machine.update(ref, _bounded(obj))
 
 
