@@ -78,6 +78,7 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
     machine.frames.clear()
     machine.catchers.clear()
     try:
+        _schedule_hook(machine)
         machine.spin()
         handed.follow(machine)
         log.tell_spun()
@@ -127,6 +128,15 @@ def _give_words(machine: Interpreter, entry: Entry, configuration: Configuration
         else:
             words = machine.new_list((program,), machine.unknown(Cause.ARGUMENT, "sys.argv", "str"))
         machine.put(module.address, machine.at(module.address).with_attr("argv", words))
+
+
+def _schedule_hook(machine: Interpreter) -> None:
+    """`sys.excepthook` of the program, if it has one, may run at its end."""
+    module = machine.load_module("sys")
+    if isinstance(module, ModuleValue):
+        hooks = [machine.load_attr(module, name) for name in ("excepthook", "__excepthook__")]
+        if hooks[0] != hooks[1]:
+            machine.schedule(machine.load_attr(module, "_end"), (), "uncaught exception")
 
 
 def _main(machine: Interpreter, entry: Entry) -> None:

@@ -15,7 +15,7 @@ from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.suspended import EACH, Point, Step, Suspension
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Tuple, Unknown
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Tuple, Unknown, Value
 from rosward.engine.state import State
 
 A, B = Const("a"), Const("b")
@@ -37,8 +37,8 @@ def _told(*elements: tuple[Ref, bool]) -> Obj:
 
 def _dict(*keys: Const, maybe: tuple[Const, ...] = (), rest: bool = False, key: Unknown | None = None) -> Obj:
     rest_value = NONE if rest else None
-    entries = dict.fromkeys(keys, NONE)
-    return Obj("dict", CLASS, entries=dict(entries), maybe=frozenset(maybe), rest=rest_value, rest_key=key)
+    entries: dict[Value, Value] = dict.fromkeys(keys, NONE)
+    return Obj("dict", CLASS, entries=entries, maybe=frozenset(maybe), rest=rest_value, rest_key=key)
 
 
 def _generator(turn: int | None, *ahead: Const, ended: bool = False) -> Obj:

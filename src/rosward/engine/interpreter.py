@@ -29,6 +29,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import (
+    abandoned,
     activation,
     attributes,
     calls,
@@ -101,7 +102,6 @@ class Interpreter:
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began
-        self.ended_by: Value = UNBOUND  # the exceptions by which the main body may end, joined
         self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
         self.ways: dict[int, dict[int, suspending.Way]] = {}  # how each body that yields leads to its yields, by id()
         self.ends: State | None = None  # where the program ends early, joined
@@ -320,7 +320,9 @@ class Interpreter:
 
     def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""
-        return stepping.next_of(self, iterator, stepping.Action(kind, value), default)
+        item = stepping.next_of(self, iterator, stepping.Action(kind, value), default)
+        abandoned.watch(self, iterator)
+        return item
 
     def is_stepped(self, value: Value) -> bool:
         """Whether a value is followed step by step where it is iterated over."""
@@ -351,10 +353,7 @@ class Interpreter:
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
-        if self.schedule_book.running:
-            self.schedule_book.uncaught(self, exception)
-        else:
-            self.ended_by = join(self.ended_by, exception)
+        self.schedule_book.uncaught(self, exception)
 
     def guarded(self, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
         """What an action gives, and whether it may raise a builtin exception, which goes no further."""

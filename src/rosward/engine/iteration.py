@@ -12,9 +12,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.suspended import ANY_TURN, Suspension
+from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
@@ -29,7 +28,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, calls, classes, contents, metaclasses, stepping
+from rosward.engine import abandoned, attributes, calls, classes, contents, metaclasses, stepping
 from rosward.engine.alternatives import each_apart
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
@@ -56,7 +55,7 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun |
     frame.op, frame.sequence = op, 0
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
     frame.exits.broken = frame.exits.continued = None
-    returned = frame.exits.returned
+    returned, raised = frame.exits.returned, machine.raised
     if begun is None:
         source = stepping.made(machine, frame.registers[op.iterable], asynchronous=op.is_async)
     else:
@@ -74,25 +73,11 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun |
     frame.context = context
     for left in (frame.exits.broken, frame.exits.returned):
         if left is not None and left is not returned:
-            _leave(machine, left, source)
+            abandoned.close_behind(machine, left, source)
+    abandoned.watch_raising(machine, source, raised)
     if alive:
         alive = machine.run(op.orelse, frame)
     return behind(machine, frame, alive, saved)
-
-
-def _leave(machine: Interpreter, left: Snapshot, source: Value) -> None:
-    """Behind a loop that was left early, Python closes its generator where nothing else holds it."""
-    if isinstance(source, Ref) and may_act_when_closed(machine.state.heap.get(source.address)):
-        here, machine.state = machine.state, left.state.copy()
-        machine.close_generator(source)
-        left.state = join_states(left.state, machine.state, machine.fresh_version)
-        machine.state = here
-
-
-def may_act_when_closed(record: Obj | None) -> bool:
-    """Whether a generator may stand in a `try` or `with`, so that closing it runs something."""
-    suspension = None if record is None else record.payload
-    return isinstance(suspension, Suspension) and any(s.part == "body" for p in suspension.points for s in p.path)
 
 
 def _enter_turn(

@@ -64,7 +64,19 @@ class Entry:
 class Schedule:
     """All that was registered so far, by callback, arguments and event."""
 
-    __slots__ = ("_begun", "_event", "_raised", "_settled", "by_library", "entries", "named", "running", "spent")
+    __slots__ = (
+        "_begun",
+        "_event",
+        "_raised",
+        "_settled",
+        "by_library",
+        "entries",
+        "main_raised",
+        "named",
+        "running",
+        "spent",
+        "threads_raised",
+    )
 
     def __init__(self) -> None:
         self.entries: dict[object, Entry] = {}
@@ -73,6 +85,8 @@ class Schedule:
         self.spent = 0  # steps of all callbacks, but for those that are running
         self._begun = 0  # how many steps there were when these began
         self.by_library = False  # something that the program handed out may be called by a library
+        self.main_raised: Value = UNBOUND  # the exceptions by which the main body may end
+        self.threads_raised: Value = UNBOUND  # those that threads do not catch
         self._event = ""  # of the entry that is running
         self._raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
         self._settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
@@ -163,8 +177,12 @@ class Schedule:
         self._throw(machine)
 
     def uncaught(self, machine: Interpreter, exception: Value) -> None:
-        """What runs raises an exception and does not catch it: it comes out where the program spins. That of a thread ends there."""
+        """Nothing catches an exception. That of a callback comes out where the program spins, that of a thread ends there."""
+        if not self.running:
+            self.main_raised = join(self.main_raised, exception)
+            return
         if self._event == "thread":
+            self.threads_raised = join(self.threads_raised, exception)
             return
         for option in options(exception):
             known = self._raised.get(option)

@@ -10,7 +10,7 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_body import Body, misplaced
+from rosward.frontends.python_body import Body, Located, misplaced
 from rosward.frontends.python_expressions import BINARY
 from rosward.frontends.python_scopes import PlaceKind, ScopeKind
 from rosward.ir.ops import (
@@ -150,17 +150,23 @@ def _delete(body: Body, node: ast.Delete) -> None:
         _delete_one(body, target)
 
 
+def delete_name(body: Body, node: Located, name: str) -> None:
+    """`del name`."""
+    name = body.scope.mangle(name)
+    line, column = node.lineno, node.col_offset + 1
+    kind, number = body.place(name)
+    if kind is PlaceKind.REGISTER:
+        body.ops.append(Delete(line, column, "local", number, name))
+    elif kind is PlaceKind.CELL:
+        body.ops.append(Delete(line, column, "cell", number, name))
+    else:
+        body.ops.append(Delete(line, column, "global" if kind is PlaceKind.GLOBAL else "name", NO_REGISTER, name))
+
+
 def _delete_one(body: Body, target: ast.expr) -> None:
     line, column = target.lineno, target.col_offset + 1
     if isinstance(target, ast.Name):
-        name = body.scope.mangle(target.id)
-        kind, number = body.place(name)
-        if kind is PlaceKind.REGISTER:
-            body.ops.append(Delete(line, column, "local", number, name))
-        elif kind is PlaceKind.CELL:
-            body.ops.append(Delete(line, column, "cell", number, name))
-        else:
-            body.ops.append(Delete(line, column, "global" if kind is PlaceKind.GLOBAL else "name", NO_REGISTER, name))
+        delete_name(body, target, target.id)
     elif isinstance(target, ast.Attribute):
         obj = body.expression(target.value)
         body.ops.append(Delete(line, column, "attr", obj, body.scope.mangle(target.attr)))

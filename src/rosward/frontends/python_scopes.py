@@ -156,6 +156,16 @@ def find(scope: Scope, name: str, *, inside: bool = False) -> tuple[Scope | None
     return None, crossed
 
 
+def defines(scope: Scope, name: str) -> bool:
+    """Whether a name that `scope` reads is one that the file binds, in a scope around."""
+    at: Scope | None = scope
+    while at is not None:
+        if name in at.bound and (at is scope or at.kind is not ScopeKind.CLASS):
+            return True
+        at = at.parent
+    return False
+
+
 def _give(scopes: list[Scope]) -> None:
     """Give generator expressions that are used up at once the values of the variables around them: nothing can change these meanwhile."""
     for scope in reversed(scopes):

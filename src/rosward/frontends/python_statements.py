@@ -7,7 +7,7 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_assignments import finish_target, target_register
+from rosward.frontends.python_assignments import delete_name, finish_target, target_register
 from rosward.frontends.python_body import Body, misplaced
 from rosward.frontends.python_narrowing import assume, branch, condition, guards
 from rosward.frontends.python_scopes import PlaceKind, ScopeKind
@@ -129,6 +129,8 @@ def _handler(body: Body, node: ast.ExceptHandler) -> Handler:
         if kind is not PlaceKind.REGISTER:
             body.store(node, node.name, bind)
     body.statements(node.body)
+    if node.name is not None:
+        delete_name(body, node, node.name)
     body.ops = outer
     return Handler(match, caught, bind, inner)
 

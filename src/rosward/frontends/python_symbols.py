@@ -11,7 +11,7 @@ import ast
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from rosward.frontends.python_scopes import CLASS_CELL, Scope, ScopeKind
+from rosward.frontends.python_scopes import CLASS_CELL, Scope, ScopeKind, defines
 from rosward.ir.ops import NO_REGISTER
 
 _NOT_WALKED: Final = frozenset({"ctx", "op", "ops", "type_comment", "annotation", "returns", "type_params"})
@@ -33,11 +33,12 @@ _FIELDS: Final[Mapping[type, tuple[str, ...]]] = _walked_fields()
 class Symbols:
     """The scopes of a file, by the node that opens them (type parameter scopes: by the tuple of node and 'type')."""
 
-    __slots__ = ("at_once", "by_node", "drained", "scopes", "stack", "waiting")
+    __slots__ = ("at_once", "by_node", "drained", "scopes", "stack", "taken", "waiting")
 
     def __init__(self) -> None:
         self.drained: set[ast.AST] = set()  # generator expressions of which a call takes all
         self.at_once: set[ast.AST] = set()  # those of which a call takes some, and that nothing has afterwards
+        self.taken: list[tuple[ast.GeneratorExp, Scope, str]] = []  # both, with the function that does, or '.method'
         self.scopes: list[Scope] = []
         self.by_node: dict[ast.AST, Scope] = {}
         self.stack: list[Any] = []
@@ -70,6 +71,7 @@ def collect(tree: ast.Module) -> Symbols:
                 special(symbols, scope, node)
                 continue
             _children(stack, node)
+    _untake(symbols)
     return symbols
 
 
@@ -150,12 +152,11 @@ def _comprehension(
     symbols: Symbols, scope: Scope, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp
 ) -> None:
     lazy = isinstance(node, ast.GeneratorExp) and node not in symbols.drained and not _runs_elsewhere(node)
-    inner = Scope(ScopeKind.FUNCTION if lazy else ScopeKind.INLINE, scope, scope.private)
+    inner = Scope(ScopeKind.INLINE, scope, scope.private)
     content: list[Any] = []
     if lazy:
-        inner.is_generator = True
         inner.at_once = node in symbols.at_once
-        _bind(inner, FIRST)
+        _becomes_generator(inner)
     else:
         for name in _read_too_early(node.generators):
             inner.captured[scope.mangle(name)] = NO_REGISTER
@@ -176,7 +177,7 @@ _DRAINING_METHODS: Final = frozenset({"join", "extend", "update", "union"})
 _AT_ONCE: Final = frozenset({"any", "all", "next"})
 
 
-def _call(symbols: Symbols, _scope: Scope, node: ast.Call) -> None:
+def _call(symbols: Symbols, scope: Scope, node: ast.Call) -> None:
     """What a call does with a generator expression: take all of it, take of it and drop it, or (any other call) who knows."""
     first, function = node.args[0] if node.args else None, node.func
     if isinstance(first, ast.GeneratorExp):
@@ -184,9 +185,37 @@ def _call(symbols: Symbols, _scope: Scope, node: ast.Call) -> None:
         method = function.attr if isinstance(function, ast.Attribute) else ""
         if len(node.args) == 1 and (name in _DRAINS or method in _DRAINING_METHODS):
             symbols.drained.add(first)
+            symbols.taken.append((first, scope, name or f".{method}"))
         elif name in _AT_ONCE:
             symbols.at_once.add(first)
+            symbols.taken.append((first, scope, name))
     _children(symbols.stack, node)
+
+
+def _untake(symbols: Symbols) -> None:
+    """Where the file itself defines the function or method of that name, who knows what it does with a generator."""
+    methods = (
+        {name for s in symbols.scopes if s.kind is ScopeKind.CLASS for name in s.bound} if symbols.taken else set()
+    )
+    own = [
+        symbols.by_node[node]
+        for node, scope, name in symbols.taken
+        if (name[1:] in methods if name.startswith(".") else defines(scope, name)) and not _runs_elsewhere(node)
+    ]
+    for scope in own:
+        scope.at_once = False
+        if scope.kind is ScopeKind.INLINE:
+            scope.captured.clear()
+            _becomes_generator(scope)
+    if own:
+        for scope in symbols.scopes:
+            if scope.kind is ScopeKind.INLINE and scope.parent is not None:
+                scope.owner = scope.parent.owner
+
+
+def _becomes_generator(scope: Scope) -> None:
+    scope.kind, scope.owner, scope.is_generator = ScopeKind.FUNCTION, scope, True
+    _bind(scope, FIRST)
 
 
 def _runs_elsewhere(node: ast.GeneratorExp) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.choice import lift
+from rosward.domain.choice import join, lift, options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
@@ -27,6 +27,7 @@ from rosward.domain.values import (
 from rosward.models.contents import CONTENTS, contents
 from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.plain import EXCEPTION_HINT
 from rosward.models.std_support import class_obj, joined_elements, place, unknown_from
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
@@ -102,13 +103,33 @@ def _begin(call: NativeCall) -> Value:
     return call.machine.next_of(call.args[0], "next", NONE)
 
 
+_STOPPED: Final = Native("contextlib.stopped")
+
+
 def _end(call: NativeCall) -> Value:
-    """contextlib._end(generator, exception): runs it on from there. True where it swallows the exception; one that it raises goes outward."""
+    """contextlib._end(generator, exception): runs it on from there. True where it swallows the exception; one that it raises goes outward.
+
+    A generator that yields once more is a RuntimeError.
+    """
     generator, exception = call.args
-    swallows = Const(exception != NONE)
-    kind = "next" if exception == NONE else "throw"
-    answer = call.machine.next_of(generator, kind, exception, swallows)
-    return answer if answer is UNBOUND else swallows
+    machine = call.machine
+    answer = machine.next_of(generator, "next" if exception == NONE else "throw", exception, _STOPPED)
+    if answer is UNBOUND:
+        return answer
+    stopped = _STOPPED in options(answer)
+    if answer != _STOPPED and isinstance(generator, Ref) and not machine.obj(generator).many:
+        message = "generator didn't stop" if exception == NONE else "generator didn't stop after throw()"
+        if not stopped:
+            machine.close_generator(generator)
+        host(machine).throw(machine.call(Native("builtins.RuntimeError"), (Const(message),)))
+        if not stopped:
+            return UNBOUND
+    return Const(exception != NONE)
+
+
+def _or_any(call: NativeCall, known: Value) -> Value:
+    """The exceptions that are known to be uncaught, or any other one (an interrupt, say)."""
+    return join(known, call.machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT))
 
 
 def _unwind(call: NativeCall) -> Value:
@@ -182,6 +203,8 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "contextlib._end": _end,
     "contextlib._unwind": _unwind,
     "sys._handled": lambda call: host(call.machine).handled,
+    "sys._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.main_raised),
+    "threading._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.threads_raised),
     "inspect._kind_of": _kind_of,
     "queue._any": _any_of,
     "queue._alone": _alone,

@@ -69,6 +69,16 @@ def exc_info():
     return (type(error), error, error.__traceback__)
 def exception():
     return _handled()
+
+@native
+def _uncaught(): ...
+
+def excepthook(exctype, value, traceback, /) -> None: ...
+__excepthook__ = excepthook
+def _end():
+    """What an uncaught exception runs, any one that may end the program."""
+    error = _uncaught()
+    excepthook(type(error), error, error.__traceback__)
 def getsizeof(*args, **kwargs) -> int: ...
 def getrefcount(object, /) -> int: ...
 def getrecursionlimit() -> int: ...

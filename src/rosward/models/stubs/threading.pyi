@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`threading`: what a thread runs may run at any time from its start on."""
-from _rosward import reads_only, schedule, spin, spins, unknown
+from _rosward import native, reads_only, schedule, spin, spins, unknown
 
 reads_only(__name__)
 
@@ -20,6 +20,7 @@ class Thread:
         self.native_id = unknown('random', 'threading.Thread.native_id', 'int')
     def start(self):
         schedule(self.run, event='thread')
+        schedule(_end, event='end of a thread')
     def run(self):
         if self._target is not None:
             self._target(*self._args, **self._kwargs)
@@ -42,6 +43,20 @@ class Timer(Thread):
         self.interval = interval
         self.function = function
     def cancel(self): ...
+
+@native
+def _uncaught(): ...
+
+class ExceptHookArgs:
+    def __init__(self, args):
+        self.exc_type, self.exc_value, self.exc_traceback, self.thread = args
+
+def excepthook(args, /) -> None: ...
+__excepthook__ = excepthook
+def _end():
+    """What an exception runs that a thread does not catch."""
+    error = _uncaught()
+    excepthook(ExceptHookArgs((type(error), error, error.__traceback__, unknown('live', 'thread'))))
 
 class _Lock:
     def acquire(self, blocking=True, timeout=-1) -> bool: ...
