@@ -73,7 +73,7 @@ class Drawn:
 
 @dataclass
 class Draft:
-    """A program that grows. `known` says that nothing in it may be unknown before it runs."""
+    """A program that grows. `known` says that nothing in it may be unknown before it runs, `further` that it may hold any construct."""
 
     chooser: Chooser
     known: bool = True
@@ -84,6 +84,8 @@ class Draft:
     numbers: dict[str, int] = field(default_factory=dict)
     ways: tuple[Way, ...] = ()
     node_ways: tuple[Way, ...] = ()
+    statements: tuple[Statement, ...] = ()
+    further: bool = True
 
     def fresh(self, prefix: str) -> str:
         """A name that is not used yet."""
@@ -132,3 +134,6 @@ def block(lines: Sequence[str], depth: int = 1) -> str:
 
 Way = Callable[[Draft, Scope, int], str]
 """Writes an expression for a string, with what it needs before it."""
+
+Statement = Callable[[Draft, Scope, int], None]
+"""Writes statements that create entities on the node of the scope."""

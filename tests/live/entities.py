@@ -6,13 +6,10 @@ create(draft, scope, 2)    adds to the scope   for name in NAMES1: self.create_p
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Final
 
-from .draft import Draft, Scope, block
+from .draft import Draft, Scope, Statement, block
 from .values import condition, word
-
-Statement = Callable[[Draft, Scope, int], None]
 
 
 def name_of(draft: Draft, scope: Scope, depth: int) -> str:
@@ -277,6 +274,6 @@ STATEMENTS: Final[tuple[Statement, ...]] = (
 def create(draft: Draft, scope: Scope, depth: int) -> None:
     """Add statements that create entities."""
     for _ in range(draft.chooser.number(1, 2)):
-        statement = plain if depth <= 0 else draft.chooser.pick(STATEMENTS)
+        statement = plain if depth <= 0 else draft.chooser.pick(draft.statements)
         draft.used.add(f"create {statement.__name__}")
         statement(draft, scope, max(depth, 1))

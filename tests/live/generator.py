@@ -12,8 +12,11 @@ from __future__ import annotations
 from typing import Final, NamedTuple
 
 from .calls import CALL_WAYS
+from .constructs import FURTHER_STATEMENTS, FURTHER_WAYS
+from .constructs.arguments import cli_args, init_call
+from .constructs.overridden import node_base
 from .draft import Chooser, Draft, Scope, block
-from .entities import create
+from .entities import STATEMENTS, create
 from .hazards import HAZARDS
 from .node_values import NODE_WAYS
 from .values import WAYS, concatenation, constant, format_method, fstring, imported, percent, word
@@ -38,9 +41,11 @@ class Written(NamedTuple):
     used: frozenset[str]
 
 
-def write(chooser: Chooser, *, known: bool = True) -> Written:
-    """A program of one to three nodes."""
-    draft = Draft(chooser, known, ways=(*WAYS, *CALL_WAYS, *HAZARDS), node_ways=NODE_WAYS)
+def write(chooser: Chooser, *, known: bool = True, further: bool = True) -> Written:
+    """A program of one to three nodes. Without `further`, it is made without what stands in `constructs/`."""
+    ways = (*WAYS, *CALL_WAYS, *HAZARDS, *(FURTHER_WAYS if further else ()))
+    statements = (*STATEMENTS, *(FURTHER_STATEMENTS if further else ()))
+    draft = Draft(chooser, known, ways=ways, node_ways=NODE_WAYS, statements=statements, further=further)
     nodes = [_node(draft) for _ in range(chooser.pick([1, 1, 1, 2, 3]))]
     main = _main(draft, nodes)
     files = {name: "\n".join(lines) + "\n" for name, lines in draft.files.items()}
@@ -56,19 +61,20 @@ def _node(draft: Draft) -> str:
     name = draft.fresh("Robot")
     if kind == 0:
         return _without_class(draft)
+    base = node_base(draft)
     own, methods = _body(draft)
     options = _options(draft)
     label = _label(draft)
     parts = block(["\n".join(methods)] if methods else [], 1) if methods else ""
     if kind <= 3:
         draft.define(
-            f"class {name}(Node):\n    def __init__(self):\n"
+            f"class {name}({base}):\n    def __init__(self):\n"
             f"        super().__init__({label}{options})\n{block(own, 2)}\n{parts}"
         )
         return f"{name}()"
     if kind == 4:
         draft.define(
-            f"class {name}Base(Node):\n    def __init__(self, name, *args, **kw):\n"
+            f"class {name}Base({base}):\n    def __init__(self, name, *args, **kw):\n"
             "        super().__init__(name, *args, **kw)\n        self.setup_all()\n"
             "    def setup_all(self):\n        self.create_publisher(String, 'base_only', 10)\n"
             f"    def after(self):\n        pass\n\n\nclass {name}({name}Base):\n"
@@ -81,14 +87,14 @@ def _node(draft: Draft) -> str:
         draft.define(
             f"class {name}Mixin:\n    def add_state(self, topic):\n"
             "        self.state = self.create_publisher(String, topic + '_state', 10)\n\n\n"
-            f"class {name}({name}Mixin, Node):\n    def __init__(self, name, namespace=''):\n"
-            "        Node.__init__(self, name, namespace=namespace)\n"
+            f"class {name}({name}Mixin, {base}):\n    def __init__(self, name, namespace=''):\n"
+            "        {base}.__init__(self, name, namespace=namespace)\n"
             f"        self.add_state(name)\n{block(own, 2)}\n{parts}"
         )
         return f"{name}({label}, namespace={chooser.pick(['None', repr('given'), repr('/given/ns')])})"
     if kind == 6:
         draft.define(
-            f"class {name}(Node):\n    def create_publisher(self, msg_type, topic, *args, **kw):\n"
+            f"class {name}({base}):\n    def create_publisher(self, msg_type, topic, *args, **kw):\n"
             "        if topic.startswith('/'):\n"
             "            return super().create_publisher(msg_type, topic, *args, **kw)\n"
             "        return super().create_publisher(msg_type, 'over_' + topic.replace('~/', ''), *args, **kw)\n"
@@ -97,7 +103,7 @@ def _node(draft: Draft) -> str:
         )
         return f"{name}()"
     draft.define(
-        f"class {name}(Node):\n    default_name = {label}\n"
+        f"class {name}({base}):\n    default_name = {label}\n"
         "    def __init__(self, name=None, **kw):\n"
         f"        super().__init__(name or self.default_name, **kw)\n{block(own, 2)}\n{parts}\n"
         "    @classmethod\n    def make(cls, *args):\n        return cls(*args)"
@@ -126,17 +132,7 @@ def _options(draft: Draft) -> str:
     if chooser.chance(30):
         options += f", namespace={chooser.pick([repr('ns'), repr('/deep/ns'), repr(''), 'None'])}"
     if chooser.chance(20):
-        rules = chooser.pick(
-            [
-                "'left:=renamed'",
-                "'__ns:=/cli'",
-                "'__node:=' + 'cli_node'",
-                "'~/left:=/priv'",
-                "'scan:=~/own_scan'",
-                "'/abs/left:=rel_left'",
-            ]
-        )
-        options += f", cli_args=['--ros-args', '-r', {rules}]"
+        options += f", cli_args={cli_args(draft)}"
     if chooser.chance(15):
         draft.need("from rclpy.parameter import Parameter")
         options += ", parameter_overrides=[Parameter('param1', Parameter.Type.STRING, 'overridden')]"
@@ -175,16 +171,7 @@ def _without_class(draft: Draft) -> str:
 
 def _main(draft: Draft, nodes: list[str]) -> str:
     chooser = draft.chooser
-    start = chooser.pick(
-        [
-            "rclpy.init()",
-            "rclpy.init()",
-            "rclpy.init(args=None)",
-            "rclpy.init(args=['prog', '--ros-args', '-r', 'left:=all_left', '-r', 'scan:=/all/scan'])",
-            "rclpy.init(args=['--ros-args', '-r', '__ns:=/global'])",
-            "rclpy.init(args=['--ros-args', '-p', 'param1:=from_line'])",
-        ]
-    )
+    start = init_call(draft)
     made = "[" + ", ".join(nodes) + "]"
     if len(nodes) > 1 or chooser.chance(30):
         draft.need("from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor")
@@ -221,7 +208,7 @@ def _main(draft: Draft, nodes: list[str]) -> str:
             "finally:",
             "    rclpy.try_shutdown()",
         ]
-    elif shape == 1 and "args=" not in start:
+    elif shape == 1 and start == "rclpy.init()":
         body = ["with rclpy.init():", *block(spin).splitlines()]
     else:
         body = [start, *spin, *(["rclpy.try_shutdown()"] if shape == 2 else [])]
