@@ -30,7 +30,7 @@ from rosward.outputs.files import write_outputs
 from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
 from rosward.outputs.nodl import nodl_document
 
-SMALL: Final = Budget(steps=20_000, entry_steps=4_000, seconds=2.0)
+SMALL: Final = Budget(steps=20_000, entry_steps=4_000, net=False)
 FORMATS: Final = ("json", "policy", "dot", "html", "permissions")
 ROBOT: Final = "examples/delivery_robot/"
 
@@ -93,15 +93,20 @@ def _stands(seed: Seed, number: int) -> str:
     return f"models/{'nodes/' if name.endswith('.yaml') else ''}{Path(name).name}"
 
 
-def write_batch(folder: Path, batch: list[Changed]) -> None:
-    """The workspace of a batch."""
+def write_good(workspace: Path) -> None:
+    """The sound package that must be found whatever stands beside it."""
     for path, text in (
         ("good.py", GOOD),
         ("good.launch.xml", GOOD_LAUNCH),
         ("CMakeLists.txt", GOOD_CMAKE),
         ("package.xml", GOOD_MANIFEST),
     ):
-        _write(folder / "ws" / "good" / path, text.encode())
+        _write(workspace / "good" / path, text.encode())
+
+
+def write_batch(folder: Path, batch: list[Changed]) -> None:
+    """The workspace of a batch."""
+    write_good(folder / "ws")
     (folder / "models" / "nodes").mkdir(parents=True, exist_ok=True)
     for each in batch:
         if each.seed.startswith(ROBOT):

@@ -454,7 +454,12 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
     return True
 
 
-def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> bool:
+def store_past_hook(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
+    """What `object.__setattr__` does."""
+    _store_object(machine, ref, name, value, weak=weak, hooked=False)
+
+
+def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
     in_class = lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":
@@ -469,7 +474,7 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     setter = _setter(machine, in_class)
     if setter is not None:
         return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
-    hook = lookup(machine, obj.cls, "__setattr__") if obj.kind == "instance" else None
+    hook = lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
     if hook is not None and hook.__class__ is Function:
         machine.call(hook, (ref, Const(name), value))
         return True

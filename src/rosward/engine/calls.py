@@ -31,7 +31,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import activation, attributes, classes, declared, native_calls, removal
+from rosward.engine import activation, attributes, classes, declared, native_calls, object_methods
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
 from rosward.engine.catcher import LIBRARY, note, note_call
@@ -194,7 +194,7 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
         if is_exception(short):
             return classes.exception_object(machine, Native(name), args, keywords)
     if short == "object" or name.startswith("object."):
-        return _object_method(machine, short, args)
+        return object_methods.call(machine, short, args)
     if short.endswith(".__new__") and args and args[0].__class__ is Class:
         return classes.new_instance(machine, args[0], args[1:], keywords)
     if short.startswith("descriptor."):
@@ -217,36 +217,6 @@ def _of_type(machine: Interpreter, name: str, args: Arguments, keywords: Keyword
     if name == "type.__prepare__":
         return machine.new_dict({})
     return None
-
-
-def _object_method(machine: Interpreter, name: str, args: Arguments) -> Value:
-    """The methods that every class has from `object`."""
-    if name == "object":
-        return machine.allocate(Obj("instance", Native("builtins.object")))
-    if name == "object.__new__" and args:
-        cls = args[0]
-        return (
-            classes.new_instance(machine, cls, tuple(args[1:]))
-            if cls.__class__ is Class
-            else machine.unknown(Cause.CALL, name)
-        )
-    if name == "object.__getattribute__" and len(args) == 2:
-        return _plain_attribute(machine, args[0], args[1])
-    if name == "object.__delattr__" and len(args) == 2 and args[1].__class__ is Const:
-        removal.remove(machine, args[0], str(args[1].value))
-    if name == "object.__setattr__" and len(args) == 3 and args[0].__class__ is Ref and args[1].__class__ is Const:
-        ref, key = args[0], str(args[1].value)
-        machine.update(ref, machine.obj(ref).with_attr(key, args[2]))
-    if name in ("object.__repr__", "object.__str__", "object.__format__"):
-        return machine.unknown(Cause.RANDOM, name, "str")
-    return NONE
-
-
-def _plain_attribute(machine: Interpreter, target: Value, name: Value) -> Value:
-    """`object.__getattribute__(target, name)`."""
-    if target.__class__ is Ref and machine.obj(target).kind == "instance" and name.__class__ is Const:
-        return attributes.plain_attribute(machine, target, str(name.value))
-    return machine.unknown(Cause.OPERATION, "object.__getattribute__")
 
 
 def _descriptor(args: Arguments, name: str) -> Value:

@@ -106,7 +106,8 @@ def load(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -
 
 def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, level: int = 0) -> Value:
     """The module of a name as written in the module `importer`; the packages around it are run first."""
-    if level == 0 and name.startswith("_rosward"):
+    for_models = level == 0 and name.startswith("_rosward")
+    if for_models and (importer is None or machine.library.is_model_file(importer.file)):
         return External(name)
     meant = Relative(name)
     if level and importer is not None and not machine.library.is_model_file(importer.file):
@@ -120,6 +121,8 @@ def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, leve
         if importer.name == "__main__" and machine.library.find(meant.name, 0, importer) is not None:
             name, level = meant.name, 0
     found = machine.library.find(name, level, importer)
+    if found is None and for_models:  # a program's own, and not among the sources
+        return machine.unknown(Cause.MODULE, name)
     if found is None and not level and (space := machine.place_key(("module", name))) in machine.state.heap:
         return ModuleValue(space, name, "")
     if found is None:

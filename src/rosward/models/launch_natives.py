@@ -209,7 +209,7 @@ def _set_configuration(call: NativeCall) -> Value:
 
 
 def _assign(call: NativeCall, read: Callable[[str], Value | None], write: Callable[[str, Value | None], None]) -> None:
-    name, value = call.args
+    name, value = call.exactly(2)
     sure = not any(f.uncertain for f in host(call.machine).frames)
     for each in options(name):
         if not isinstance(each, Const):

@@ -191,6 +191,12 @@ class NativeCall(NamedTuple):
             return self.args[index]
         return self.keywords.get(name, default)
 
+    def exactly(self, count: int) -> tuple[Value, ...]:
+        """The positional arguments of a native that takes so many; fewer are a TypeError of the program."""
+        if len(self.args) < count:
+            raise MissingArgumentError
+        return self.args[:count]
+
     def reasons(self, *values: Value) -> tuple[Reason, ...]:
         """The reasons for which any of the values is unknown, for a result computed from them."""
         return tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))

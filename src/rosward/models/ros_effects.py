@@ -53,7 +53,7 @@ def _calls(call: NativeCall) -> Value:
 
 
 def _mark(call: NativeCall) -> Value:
-    spec, function = call.args
+    spec, function = call.exactly(2)
     if isinstance(function, Function):
         effects = (*function.effects, spec)
         return Function(function.code, function.module, function.cells, function.defaults, function.kwdefaults, effects)
@@ -357,7 +357,7 @@ def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
 
 
 def _default(call: NativeCall) -> Value:
-    kind, name, value = call.args
+    kind, name, value = call.exactly(3)
     return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, readable(name))))
 
 
@@ -382,7 +382,7 @@ def _report(call: NativeCall) -> Value:
 def _fail_unless(call: NativeCall) -> Value:
     """`_rosward.fail_unless(condition, exception, message)`: the library raises where the condition surely does not hold."""
     machine = host(call.machine)
-    condition, exception, message = call.args
+    condition, exception, message = call.exactly(3)
     if machine.truth(condition) is not False:
         return NONE
     return fail(machine, exception, readable(message), (message,))

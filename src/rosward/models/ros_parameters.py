@@ -236,7 +236,7 @@ def _parameter(call: NativeCall) -> Value:
 def _set(call: NativeCall) -> Value:
     """A new value; where it may be refused (by a callback, by its type) the old one stays possible."""
     machine = host(call.machine)
-    node, name, value = call.args
+    node, name, value = call.exactly(3)
     nodes, names = options(node), options(name)
     alone = len(nodes) == len(names) == 1
     for each in nodes:
@@ -276,7 +276,7 @@ def _is_given(call: NativeCall) -> Value:
     What nobody here knows to be set is for `get_parameter_or` as for a parameter with a default: the default stands for all that may be.
     """
     machine = host(call.machine)
-    node, name = call.args
+    node, name = call.exactly(2)
     if machine.log.configuration is None and not _own(machine, node)[1]:
         if all(
             table.is_declared(machine, node, n) is None and not table.may_name(machine, node, n) for n in options(name)

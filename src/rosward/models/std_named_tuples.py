@@ -35,7 +35,7 @@ def _names(machine: Machine, value: Value) -> tuple[str, ...] | None:
 def _make(call: NativeCall) -> Value:
     """collections._make_named_tuple(base, typename, field_names, defaults): the class."""
     machine = call.machine
-    base, typename, field_names, defaults = call.args
+    base, typename, field_names, defaults = call.exactly(4)
     names = _names(machine, field_names)
     if names is None or not isinstance(base, Class):
         return machine.unknown(Cause.CALL, "collections.namedtuple")

@@ -81,7 +81,7 @@ _COMPARISONS: Final = {
     "gt": ">",
     "ge": ">=",
     "is_": "is",
-    "is_not": "is not",
+    "is_not": "is-not",
 }
 
 

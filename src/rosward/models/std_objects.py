@@ -111,7 +111,7 @@ def _end(call: NativeCall) -> Value:
 
     A generator that yields once more is a RuntimeError.
     """
-    generator, exception = call.args
+    generator, exception = call.exactly(2)
     machine = call.machine
     answer = machine.next_of(generator, "next" if exception == NONE else "throw", exception, _STOPPED)
     if answer is UNBOUND:
@@ -134,7 +134,7 @@ def _or_any(call: NativeCall, known: Value) -> Value:
 
 def _unwind(call: NativeCall) -> Value:
     """contextlib._unwind(exits, exception): what leaving a stack of context managers does, the last first."""
-    exits, exception = call.args
+    exits, exception = call.exactly(2)
     items = call.machine.iterate(exits)
     known = items.known if items.rest is None else (*items.known, items.rest)
     return host(call.machine).unwind(known, exception)
@@ -155,7 +155,7 @@ def _alone(call: NativeCall) -> Value:
 def _elements(call: NativeCall) -> Value:
     """numpy._elements(items, dtype): the items where an array keeps them as they are, else unknown ones."""
     machine = call.machine
-    items, dtype = call.args
+    items, dtype = call.exactly(2)
     found = machine.iterate(items)
     kinds = {_kind(call, v) for v in found.known}
     if found.rest is None and len(kinds) == 1 and dtype == NONE and kinds <= {"int", "str", "list", "tuple"}:
