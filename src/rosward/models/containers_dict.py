@@ -29,7 +29,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models.builtin_attributes import has_attribute
 from rosward.models.contents import bare, plain_data
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import compares, equal
