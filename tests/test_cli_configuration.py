@@ -173,7 +173,8 @@ def test_exclude_on_the_command_line(pattern: str) -> None:
 
 def test_an_import_of_what_is_excluded_leads_outside_of_the_sources() -> None:
     Path("ws/src/talker.py").write_text(
-        "import rclpy\nfrom third_party.lib.vendor import node\nnode.create_publisher(1, 'x', 1)\n", encoding="utf-8"
+        "import rclpy\nfrom std_msgs.msg import String\nfrom third_party.lib.vendor import node\nnode.create_publisher(String, 'x', 1)\n",
+        encoding="utf-8",
     )
     assert "RW208 src/talker.py" not in extracted()[1]
     assert "RW208 src/talker.py" in extracted("--exclude", "third_party")[1]

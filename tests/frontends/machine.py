@@ -171,7 +171,11 @@ class Frame:
         self.registers[op.dst] = self.get(op.obj)[self.get(op.index)]
 
     def StoreItem(self, op: ops.StoreItem) -> None:  # noqa: N802
-        self.get(op.obj)[self.get(op.index)] = self.get(op.src)
+        obj, index, value = self.get(op.obj), self.get(op.index), self.get(op.src)
+        if not op.narrowing:
+            obj[index] = value
+        elif isinstance(obj, (list, dict)):
+            assert obj[index] is value, "a stale narrowing"
 
     def Delete(self, op: ops.Delete) -> None:  # noqa: N802
         if op.kind == "local":
