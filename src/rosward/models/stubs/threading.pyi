@@ -48,8 +48,8 @@ class Timer(Thread):
 def _uncaught(): ...
 
 class ExceptHookArgs:
-    def __init__(self, args):
-        self.exc_type, self.exc_value, self.exc_traceback, self.thread = args
+    def __init__(self, iterable=(), /):
+        self.exc_type, self.exc_value, self.exc_traceback, self.thread = iterable
 
 def excepthook(args, /) -> None: ...
 __excepthook__ = excepthook
