@@ -183,7 +183,8 @@ def test_models_describe_a_library() -> None:
         encoding="utf-8",
     )
     for option, found in (([], False), (["--models", "models"], True)):
-        assert main(["extract", "-q", *option]) == (0 if found else 1)  # without the model, a node is in hands that nobody knows
+        # without the model, a node is in hands that nobody knows
+        assert main(["extract", "-q", *option]) == (0 if found else 1)
         assert ("/radio" in Path("rosward-out/policy.xml").read_text(encoding="utf-8")) is found
 
 
