@@ -45,8 +45,8 @@ _TABLE: Final = (
     Rule(
         "RW008",
         "package description cannot be read",
-        _W,
-        "Correct the package.xml, setup.py, setup.cfg or CMakeLists.txt.",
+        _E,
+        "Correct the setup.py, setup.cfg, pyproject.toml or CMakeLists.txt: executables that it names may be missing.",
     ),
     Rule(
         "RW009",
@@ -95,6 +95,12 @@ _TABLE: Final = (
         "executable from elsewhere",
         _E,
         "Add the package of the module to the analysis: what it creates is missing.",
+    ),
+    Rule(
+        "RW017",
+        "faulty package.xml",
+        _W,
+        "Correct it: the ROS tools refuse the package. Its folder was read all the same.",
     ),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the value that is missing a default in the source."),

@@ -185,6 +185,16 @@ def test_pyproject(tmp_path: Path) -> None:
     assert (declared.name, declared.package_dir, declared.scripts[0][0]) == ("demo", (("", "src"),), "bin/x")
 
 
+def test_what_catkin_pkg_adds_is_no_executable(tmp_path: Path) -> None:
+    script = (
+        "from catkin_pkg.python_setup import generate_distutils_setup\n"
+        "d = generate_distutils_setup(packages=['demo'], scripts=['bin/x'])\nsetup(**d)"
+    )
+    found = described(tmp_path, script)
+    assert not found.findings
+    assert [name for name, _ in found.scripts] == ["bin/x"]
+
+
 @pytest.mark.parametrize(
     "text", ["[project\n", "x = 1\nx = 2\n", "a = " + "[" * 50_000, "a" * 10 + "\0", "project = 1\ntool = []\n"]
 )
@@ -236,7 +246,7 @@ BROKEN = {
 @pytest.mark.parametrize("what", list(BROKEN))
 def test_a_package_xml_that_cannot_be_read_is_told_and_its_files_are_kept(tmp_path: Path, what: str) -> None:
     found = read(tmp_path, {"demo/package.xml": BROKEN[what], "demo/a.py": ""})
-    assert [code for code, _ in codes(found)] == ["RW008"]
+    assert [code for code, _ in codes(found)] == ["RW017"]
     assert codes(found)[0][1].startswith("demo/package.xml")
     assert [package.name for package in found.packages] == ["demo"]
     assert names(found) == ["demo/a.py"]

@@ -295,6 +295,8 @@ def _call(node: ast.Call, scope: Scope) -> Any:
     dotted = _dotted(node.func)
     if dotted == "dict" and not arguments:
         return keywords
+    if dotted.rpartition(".")[2] == "generate_distutils_setup":
+        return keywords  # of catkin_pkg: beside these, what package.xml says, which names no executable
     if dotted in {"os.getenv", "os.environ.get"} and arguments and isinstance(arguments[0], str):
         return ROS_2.get(arguments[0], UNKNOWN)
     if dotted == "int" and len(arguments) == 1 and isinstance(arguments[0], str | int):

@@ -41,19 +41,19 @@ def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Fin
     """
     data = read_bytes(path, file, MANIFEST_LIMIT)
     if isinstance(data, Finding):
-        return Manifest(folder_name, ""), Finding("RW008", data.message, data.place)
+        return Manifest(folder_name, ""), Finding("RW017", data.message, data.place)
     outline = _Outline()
     problem = outline.read(data)
     manifest = Manifest(outline.name or folder_name, outline.build_type)
     if problem is not None:
         message, line = problem
-        return manifest, Finding("RW008", message, Place(file, line))
+        return manifest, Finding("RW017", message, Place(file, line))
     try:
         return _through_catkin_pkg(data), None
     except Exception as error:  # catkin_pkg raises AssertionError, ValueError, InvalidPackage and others
         reason = " ".join(str(error).replace(path, file).split())[:300] or type(error).__name__
         message = f"The ROS tools reject this package.xml, and would not build the package: {reason}"
-        return manifest, Finding("RW008", message, Place(file))
+        return manifest, Finding("RW017", message, Place(file))
 
 
 def _through_catkin_pkg(data: bytes) -> Manifest:
