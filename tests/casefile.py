@@ -12,7 +12,8 @@
     ```
 
 An expectation has one line for each node, entity and finding, sorted: `node`, `pub`, `sub`, `ss`, `sc`, `as`, `ac` with the full name and type, then
-`default`, `bound`, `pattern` or `unknown` where the name is not exact, and `conditional`; `finding CODE file:line`. Entities of the client
+`default`, `bound`, `pattern` or `unknown` where the name is not exact, `conditional`, and `assumed`
+for a node that nothing starts; `finding CODE file:line`. Entities of the client
 library are left out unless a line `show system` stands among the expectations; `show findings` adds their messages.
 `options:` before the files passes arguments on (`options: distro=humble`); `known:` says what rosward still
 does otherwise than it is written; `fails:` names the exception by which the real program ends.
@@ -98,7 +99,8 @@ def told(result: Result, *, system: bool = False, messages: bool = False) -> lis
     """The lines that describe a result."""
     lines = set()
     for node in result.network.nodes:
-        lines.add(" ".join(["node", node.fqn, *([] if node.resolution.value == "exact" else [node.resolution.value])]))
+        words = ["node", node.fqn, *([] if node.resolution.value == "exact" else [node.resolution.value])]
+        lines.add(" ".join([*words, *(["assumed"] if node.assumed else [])]))
         for entity in node.entities:
             if entity.system and not system:
                 continue

@@ -33,24 +33,25 @@ class Gathered(NamedTuple):
     findings: list[Finding]
 
 
-def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress) -> Gathered:
+def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, assumed: bool = True) -> Gathered:
     """The nodes of every executable, of files that nothing imports, and of node classes that nothing instantiates.
 
-    `params` are parameter files for all of them.
+    `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out.
     """
     findings: dict[Finding, None] = {}
     net = read.budget.net
     given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
-    everything = _run_all(read, configuration, progress)
+    everything = _run_all(read, configuration, progress, assumed=assumed)
     findings.update(dict.fromkeys((*read.sources.findings, *read.plan.findings)))
     nodes: list[Node] = []
     for each in everything:
         if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
-            process = Process(each.entry.package, each.entry.executable, each.entry.label, each.done)
+            entry = each.entry
+            process = Process(entry.package, entry.executable, entry.label, each.done, assumed=entry.assumed)
             findings.update(dict.fromkeys(each.log.findings))
             missing = "the nodes of this program are missing"
-            made = guarded(partial(collect, each.log, process, read.distro), Place(each.entry.file), missing, net=net)
+            made = guarded(partial(collect, each.log, process, read.distro), Place(entry.file), missing, net=net)
             if isinstance(made, Finding):
                 findings[made] = None
                 continue
@@ -63,7 +64,7 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress) -> 
     return Gathered(nodes, list(findings))
 
 
-def _run_all(read: SourcesRead, configuration: Configuration | None, progress: Progress) -> list[Run]:
+def _run_all(read: SourcesRead, configuration: Configuration | None, progress: Progress, *, assumed: bool) -> list[Run]:
     """Every process of the plan, then the files that none imports, then the node classes, and those of frameworks, that none instantiates."""
     library, plan, budget = read.library, read.plan, read.budget
     runs: list[Run] = []
@@ -76,12 +77,12 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
         module = read.sources.module(file)
         if module is not None and not any(id(module.code) in r.entered for r in runs):
             runs.append(run(library, plan.for_file(file), budget, configuration))
-    for file, names in node_classes(runs, library.node_class(None)).items():
+    for file, names in node_classes(runs, library.node_class(None)).items() if assumed else ():
         for name in names:  # nothing says that two of them share a process
-            runs.append(run(library, plan.for_class(file, name, alone=len(names) == 1), budget, configuration))
+            runs.append(run(library, plan.for_class(file, name), budget, configuration))
     for file, names in called_from_outside(runs, library.node_class(None)).items():
         for name in names:
-            each = run(library, plan.for_class(file, name, alone=len(names) == 1), budget, configuration)
+            each = run(library, plan.for_framework(file, name, alone=len(names) == 1), budget, configuration)
             if each.log.nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
                 runs.append(each)
     return runs

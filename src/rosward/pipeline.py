@@ -79,6 +79,7 @@ def extract(
     underlays: Sequence[SourcePath] = (),
     enclaves: str | None = None,
     assigned: Assignment = NOTHING_ASSIGNED,
+    assumed: bool = True,
     budget: Budget | None = None,
     progress: Progress | None = None,
 ) -> Result:
@@ -96,6 +97,7 @@ def extract(
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
         assigned: enclaves that somebody chose for some of the processes.
+        assumed: whether the nodes of classes that nothing instantiates are in the result, each marked as assumed.
         budget: limits of the analysis; `Budget().times(4)` has four times the steps.
         progress: called as the work goes on.
 
@@ -130,6 +132,7 @@ def extract(
             unknown,
             _Enclaves(mode, assigned),
             tell,
+            assumed=assumed,
         )
     )
 
@@ -142,7 +145,7 @@ class _Enclaves(NamedTuple):
 
 
 def _extract(
-    read: SourcesRead, request: Request, unknown: UnknownNames, wanted: _Enclaves, progress: Progress
+    read: SourcesRead, request: Request, unknown: UnknownNames, wanted: _Enclaves, progress: Progress, *, assumed: bool
 ) -> Result:
     systems: tuple[LaunchSystem, ...] = ()
     if request.deploys:
@@ -150,7 +153,7 @@ def _extract(
 
         gathered, systems = of_request(request, read, progress)
     else:
-        gathered = of_sources(read, request.params, progress)
+        gathered = of_sources(read, request.params, progress, assumed=assumed)
     findings = dict.fromkeys((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
@@ -179,6 +182,6 @@ def _network(
         findings,
         files=read.sources.files_read,
         lines=read.sources.lines_read,
-        processes=len({n.process for n in nodes}),
+        processes=len({n.process for n in nodes if not n.assumed}),
         unknown=unknown,
     )

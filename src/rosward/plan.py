@@ -17,6 +17,7 @@ from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.processes import Entry
+from rosward.ros.entities import assumed_label
 from rosward.source.workspace import ExecutableKind, SourceFile, Workspace
 from rosward.sources import SourceTree
 
@@ -33,8 +34,14 @@ class Plan(NamedTuple):
         """The process that runs a file that nothing else does."""
         return _entry(self.files.get(file), file, probe=True)
 
-    def for_class(self, file: str, name: str, *, alone: bool) -> Entry:
-        """The process that instantiates a node class that nothing else does; named after it where the file has several."""
+    def for_class(self, file: str, name: str) -> Entry:
+        """The process that instantiates a node class that nothing else does. Its label is not that of an executable: there is none."""
+        return _entry(self.files.get(file), file, classes=(name,))._replace(
+            label=assumed_label(file, name), assumed=True
+        )
+
+    def for_framework(self, file: str, name: str, *, alone: bool) -> Entry:
+        """The process in which a framework makes a class; named after it where the file has several."""
         entry = _entry(self.files.get(file), file, classes=(name,))
         return entry if alone else entry._replace(label=f"{entry.label}:{name}")
 

@@ -2,19 +2,20 @@
 """What runs: the processes of a set of sources, and the interpretation of each.
 
 A process is a console script, a script with a `__main__` block, a file that does something when run, or a file with node classes that
-nothing instantiates (each is instantiated with unknown arguments).
+nothing instantiates. Each of those is instantiated with unknown arguments, and its nodes are assumed: nothing is known to make them.
 """
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, External, Hole, ModuleValue, Unknown, Value
-from rosward.engine import handed, modules
+from rosward.engine import assumed, handed, modules
 from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
@@ -24,7 +25,7 @@ from rosward.engine.state import join_states
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.models.configuration import Configuration
-from rosward.models.effects import EffectLog
+from rosward.models.effects import EffectLog, EntityEffect, NodeEffect
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 
@@ -40,6 +41,15 @@ class Entry(NamedTuple):
     executable: str | None = None
     label: str = ""
     probe: bool = False  # counts only where it makes a node
+    assumed: bool = False  # nothing is known to start it
+
+
+@dataclass(slots=True)
+class _Imported:
+    """What the import of a file has made before a class of it is instantiated: that is told of the process that runs the file."""
+
+    nodes: tuple[NodeEffect, ...] = ()
+    entities: frozenset[EntityEffect] = frozenset()
 
 
 class Run(NamedTuple):
@@ -58,9 +68,10 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
     """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
     log = EffectLog(configuration)
     machine = Interpreter(library, budget, log)
+    imported = _Imported()
     try:
         _give_words(machine, entry, configuration)
-        _main(machine, entry)
+        _main(machine, entry, imported)
     except LimitReachedError as limit:
         place = limit.place
         log.findings[
@@ -86,6 +97,7 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
     except Exception as error:
         log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
+    log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
         log,
@@ -139,7 +151,7 @@ def _schedule_hook(machine: Interpreter) -> None:
             machine.schedule(machine.load_attr(module, "_end"), (), "uncaught exception")
 
 
-def _main(machine: Interpreter, entry: Entry) -> None:
+def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
     """The main body of a process."""
     plain = not entry.function and not entry.classes
     name = "__main__" if plain else entry.module
@@ -153,18 +165,14 @@ def _main(machine: Interpreter, entry: Entry) -> None:
                 modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
             )
         machine.call(function, (), {ANY: UNBOUND})
+    if entry.classes:
+        imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)
     for qualname in entry.classes:
         found = machine.at(address).attrs.get(qualname)
         if isinstance(found, Class) and machine.library.node_class(machine) in found.mro:
-            _instantiate(machine, found)
+            assumed.make(machine, found)
         elif isinstance(found, Class):
             machine.handed[found] = found.place  # whoever calls it from outside has it
-
-
-def _instantiate(machine: Interpreter, cls: Class) -> None:
-    """An instance of a node class that nothing instantiates: what its parameters will be is not known."""
-    if machine.call(cls, (), {ANY: UNBOUND}) is UNBOUND:
-        machine.report("RW209", f"{cls.name} cannot be made: its constructor fails")
 
 
 def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:

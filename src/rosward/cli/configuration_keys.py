@@ -149,6 +149,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "ament-prefix-path": Key(_flag, "true, false"),
     "tests": Key(_flag, "true, false"),
     "exclude": Key(_exclusions, "list of patterns"),
+    "no-assumed": Key(_flag, "true, false"),
     "budget": Key(_number, "number"),
     "launch": Key(_launches, 'list of `"FILE"` or `"PKG:FILE"`, with arguments'),
     "all-launch": Key(_flag, "true, false"),

@@ -93,6 +93,11 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         "--follow-links", action="store_true", help="enter symbolic links that lead out of the PATHs, too"
     )
     parser.add_argument(
+        "--no-assumed",
+        action="store_true",
+        help="leave out the nodes of classes that nothing in the sources makes an object of",
+    )
+    parser.add_argument(
         "--budget",
         type=_factor,
         default=1.0,
@@ -187,6 +192,7 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
                 **reading(options, request),
                 unknown=getattr(options, "unknown", "deny"),
                 **_wanted_enclaves(getattr(options, "enclaves", None)),
+                assumed=not options.no_assumed,
                 progress=progress,
             )
     except (NothingToReadError, UnknownRequestError) as error:

@@ -102,6 +102,7 @@ class Interpreter:
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began
+        self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
         self.ways: dict[int, dict[int, suspending.Way]] = {}  # how each body that yields leads to its yields, by id()
         self.ends: State | None = None  # where the program ends early, joined
@@ -354,6 +355,9 @@ class Interpreter:
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
         self.schedule_book.uncaught(self, exception)
+        if not self.schedule_book.running:
+            cls = raised.class_of(self, exception)
+            self.ended_at[self.place] = join(self.ended_at.get(self.place, UNBOUND), cls)
 
     def guarded(self, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
         """What an action gives, and whether it may raise a builtin exception, which goes no further."""

@@ -6,6 +6,7 @@ An effect keeps abstract values; `network.collect` turns them into names.
 
 from __future__ import annotations
 
+from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING, NamedTuple, final
 
 from rosward.domain.series import Series
@@ -123,6 +124,13 @@ class EffectLog:
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""
         return address in self._addresses
+
+    def leave_out(self, nodes: Iterable[NodeEffect], entities: Container[EntityEffect]) -> None:
+        """Forget nodes that have nothing but these entities: they are told elsewhere."""
+        own = {e.address for e in self.entities if e not in entities}
+        for node in nodes:
+            if node.address not in own:
+                self.nodes.pop(node, None)
 
     def assumed_node(self, machine: Interpreter, ref: Ref, base: Value) -> None:
         """An object whose class is not wholly known is used as a node."""

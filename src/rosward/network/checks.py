@@ -53,7 +53,7 @@ def place_of(node: Node, entity: Entity) -> Place:
 
 def _several_nodes_in_one_process(nodes: Iterable[Node]) -> Iterator[Finding]:
     """RW301, unless the nodes of the process are in one enclave already."""
-    for process, members in _grouped((node.process, node) for node in nodes):
+    for process, members in _grouped((node.process, node) for node in nodes if not node.assumed):
         if len({node.enclave for node in members}) > 1:
             names = ", ".join(sorted({node.fqn for node in members}))
             yield Finding(

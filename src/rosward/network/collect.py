@@ -37,7 +37,7 @@ _ORDER: Final = {r: n for n, r in enumerate(Resolution)}
 class Process(NamedTuple):
     """What is known of a process beside its effects: its package and executable, its label, and what every execution does.
 
-    `launched_by` is the place in a launch file that starts it; `conditional`: some execution does not start it.
+    `launched_by` is the place in a launch file that starts it; `conditional`: some execution does not start it; `assumed`: nothing does.
     """
 
     package: str | None
@@ -46,6 +46,7 @@ class Process(NamedTuple):
     done: frozenset[tuple[object, ...]]
     launched_by: Place | None = None
     conditional: bool = False
+    assumed: bool = False
 
 
 def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
@@ -106,7 +107,8 @@ def _node(
     distro: Distro,
     findings: dict[Finding, None],
 ) -> Node:
-    certain = identity.sole and not effect.late and not process.conditional and ("node", effect.address) in process.done
+    started = not process.conditional and not process.assumed
+    certain = identity.sole and not effect.late and started and ("node", effect.address) in process.done
     entities: list[Entity] = []
     for entity in log.entities:
         if entity.address == effect.address:
@@ -121,7 +123,7 @@ def _node(
     entities = [replace(e, system=True) if (e.kind, e.name, e.type) in asked else e for e in entities]
     entities += [e if identity.sole else replace(e, conditional=True) for e in made]
     if not certain:
-        entities = [replace(e, conditional=True) if not e.system else e for e in entities]
+        entities = [replace(e, conditional=True) for e in entities]
     fqn = names.fully_qualified(identity.namespace, identity.name)
     return Node(
         namespace=identity.namespace,
@@ -138,6 +140,7 @@ def _node(
         parameters=tuple(_parameters(log, effect.address)),
         reasons=identity.reasons,
         conditional=not certain,
+        assumed=process.assumed,
     )
 
 

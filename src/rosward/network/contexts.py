@@ -102,9 +102,9 @@ def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list
 
 
 def _shared(members: list[Node], taken: set[str]) -> str:
-    """An enclave for several nodes: the namespace of the first, then the executable."""
+    """An enclave for several nodes: the namespace of the first, then the executable, or the class of assumed nodes."""
     first = members[0]
-    label = first.process.rpartition("/")[2].replace("#", "_")
+    label = first.process.rpartition(":" if first.assumed else "/")[2].replace("#", "_")
     wanted = str(fully_qualified(Holed(first.namespace), literal(label)))
     enclave, number = wanted, 2
     while enclave in taken:

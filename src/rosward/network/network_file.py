@@ -4,8 +4,8 @@
     {"schema_version": 1, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
       ->  the nodes as `rosward.extract` gave them, and the findings
 
-Why a name is not known is not in the file, only where; and a node is one
-of some runs only where all that it has itself is.
+Why a name is not known is not in the file, only where; and a node is one of some runs only where all that it has itself is. That it is
+assumed, its process says.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from typing import Final, NamedTuple
 
 from rosward.findings import RULES, Finding
-from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Qos, Resolution
+from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Qos, Resolution, is_assumed_label
 from rosward.source.json_fields import Fields, UnreadableError, json_document
 from rosward.source.location import Place
 
@@ -52,18 +52,22 @@ def _node(fields: Fields) -> Node:
     entities = tuple(_entities(fields))
     own = [e for e in entities if not e.system]
     launched = fields.inner("launched_by") if "launched_by" in fields else None
+    executable, process = fields.text_or_none("executable"), fields.text("process")
+    assumed = executable is None and is_assumed_label(process)
     return Node(
         namespace=fields.text("namespace"),
         name=fields.text("name"),
         resolution=_resolution(fields),
         enclave=fields.text("enclave"),
         package=fields.text_or_none("package"),
-        executable=fields.text_or_none("executable"),
-        process=fields.text("process"),
+        executable=executable,
+        process=process,
         launched_by=None if launched is None else _place(launched),
         defined_at=_place(defined),
         entities=entities,
-        conditional=bool(own) and all(e.conditional for e in own),  # a node of which the file does not say it itself
+        # a node of which the file does not say it itself
+        conditional=assumed or (bool(own) and all(e.conditional for e in own)),
+        assumed=assumed,
     )
 
 

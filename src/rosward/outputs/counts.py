@@ -21,9 +21,12 @@ class Count(NamedTuple):
 
 
 class Counts(NamedTuple):
-    """The numbers of one network. `names` counts the names that the user's own code gives: endpoints, not nodes."""
+    """The numbers of one network. `assumed` are the nodes that nothing starts.
+
+    `names` counts the names that the user's own code gives: endpoints, not nodes."""
 
     nodes: int
+    assumed: int
     topics: Count
     services: Count
     actions: Count
@@ -37,6 +40,7 @@ def counts_of(network: Network) -> Counts:
     weights = [finding.rule.severity for finding in network.findings]
     return Counts(
         nodes=len(network.nodes),
+        assumed=sum(node.assumed for node in network.nodes),
         topics=_count(network.topics),
         services=_count(network.services),
         actions=_count(network.actions),

@@ -8,7 +8,7 @@ others for colour-blind eyes. Namespaces of nodes are clusters, and a name in a 
 namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not wholly known. What
 nearly everyone talks to (`/tf`) would pull all of the drawing into one knot: it gets a double outline and is drawn
 beside each of its nodes. What only the client library makes is hidden unless asked for. `class` attributes let a page
-restyle the drawing.
+restyle the drawing. A dashed outline in the colour of nodes is a node that is assumed: nothing starts it.
 """
 
 from __future__ import annotations
@@ -63,6 +63,7 @@ class _Vertex(NamedTuple):
     hub: bool
     tooltip: str
     link: str | None
+    assumed: bool = False
 
 
 class Drawing(NamedTuple):
@@ -122,7 +123,14 @@ def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vert
         link = f"#node-{number}" if links else None
         tooltip = _tooltip(node.fqn, node.reasons)
         key = _node_key(node)
-        drawn.setdefault(key, _Vertex(key, "node", node.fqn, node.fqn, (), "*" in node.fqn, False, tooltip, link))
+        if node.assumed:
+            tooltip += " (assumed: nothing starts it)"
+        known = drawn.get(key)
+        if known is None or (
+            known.assumed and not node.assumed
+        ):  # where something starts a node of the name, that counts
+            wild = "*" in node.fqn
+            drawn[key] = _Vertex(key, "node", node.fqn, node.fqn, (), wild, False, tooltip, link, node.assumed)
     types: dict[str, set[str]] = {}
     for node, entity, key, hub in ends:
         types.setdefault(key, set()).update({entity.type} if entity.type else ())
@@ -210,12 +218,14 @@ def _vertex(vertex: _Vertex, space: str, types: bool) -> str:
         f'fillcolor="{look.fill}"',
         f'color="{_DOUBT if vertex.doubtful else look.line}"',
         f"tooltip={_quoted(vertex.tooltip)}",
-        f'class="ros-{vertex.look}{" doubtful" if vertex.doubtful else ""}"',
+        f'class="ros-{vertex.look}{" doubtful" if vertex.doubtful else ""}{" assumed" if vertex.assumed else ""}"',
     ]
     if vertex.hub:
         attributes.append("peripheries=2")
     if vertex.doubtful:
         attributes.append('style="filled,dashed", penwidth=1.6')
+    elif vertex.assumed:
+        attributes.append('style="filled,dashed"')
     if vertex.link:
         attributes.append(f'href="{vertex.link}"')
     return f"{_quoted(vertex.key)} [{', '.join(attributes)}];"

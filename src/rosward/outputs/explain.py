@@ -214,6 +214,8 @@ def _value(value: object) -> str:
 
 
 def _started(start: Start) -> str:
+    if start.assumed:
+        return f"by nothing in the sources: it is assumed that somebody makes {start.process}"
     if start.launched_by is None:
         if start.package and start.executable:
             return f"ros2 run {start.package} {start.executable}"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What there is of one kind, as a plain table: one line each, for the eyes, for grep and for awk.
 
-node               package        executable      enclave            entities
-/porter/base_driver  delivery_base  base_driver  /porter/base_driver  4
+node                 package        executable   assumed  enclave              entities
+/porter/base_driver  delivery_base  base_driver  -        /porter/base_driver  4
 """
 
 from __future__ import annotations
@@ -54,6 +54,8 @@ def listing_json(rows: Sequence[Row], kind: str) -> str:
 def _cell(value: object) -> str:
     if isinstance(value, (list, tuple)):
         return printable(",".join(map(str, value))) or _NONE
+    if isinstance(value, bool):
+        return "yes" if value else _NONE
     return _NONE if value is None or value == "" else printable(str(value))
 
 
@@ -64,6 +66,7 @@ def _nodes(network: Network, system: bool) -> list[Row]:
             "node": node.fqn,
             "package": node.package,
             "executable": node.executable,
+            "assumed": node.assumed,
             "enclave": paths[node.enclave],
             "entities": sum(system or not e.system for e in node.entities),
             "defined": str(node.defined_at),

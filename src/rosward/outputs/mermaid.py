@@ -4,7 +4,8 @@
     talker publishes /chatter, listener subscribes  ->  n0(["talker"]) --> t0["/chatter"] --> n1(["listener"])
 
 Nodes are rounded, topics boxes, services hexagons, actions slanted, in the colours of `dot.py`; namespaces of nodes are subgraphs. A dashed
-edge exists in some executions only, a dashed red outline is a name that is not wholly known. Shapes have numbers for their identity and
+edge exists in some executions only, a dashed outline is a node that is assumed,
+and a red one a name that is not wholly known. Shapes have numbers for their identity and
 names stand in quoted labels as entities, so that no name is read as part of the drawing. Viewers refuse a text of more than 50 000
 characters or 500 edges: what is more than that is left out, and the drawing says so.
 """
@@ -32,6 +33,7 @@ _LOOKS: Final = {
     "action": ('[/"', '"/]', "fill:#f6e2ee,stroke:#a8457e,color:#111"),
 }
 _DOUBT: Final = "stroke:#c44200,stroke-width:2px,stroke-dasharray:5 3"
+_ASSUMED: Final = "stroke-dasharray:5 3"
 _TOWARDS_NODE: Final = (EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER, EntityKind.ACTION_SERVER)
 _PLAIN: Final = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/ .")
 
@@ -82,7 +84,8 @@ def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) 
     lines += _told(len(nodes) - len(chosen), len(every) - len(edges))
     lines += _subgraphs("/", shapes, ids, spaces)
     lines += _arrows(edges, ids)
-    lines += _styles(shapes, ids)
+    started = {node.fqn for node in network.nodes if not node.assumed}
+    lines += _styles(shapes, ids, started)
     return "\n".join(lines) + "\n"
 
 
@@ -156,12 +159,16 @@ def _arrows(edges: dict[tuple[_Key, _Key], bool], ids: dict[_Key, str]) -> Itera
         yield f"  {ids[tail]} {'-.->' if conditional else '-->'} {ids[head]}"
 
 
-def _styles(shapes: dict[_Key, _Shape], ids: dict[_Key, str]) -> Iterator[str]:
+def _styles(shapes: dict[_Key, _Shape], ids: dict[_Key, str], started: set[str]) -> Iterator[str]:
     for look, (_, _, style) in _LOOKS.items():
         members = [ids[key] for key in sorted(shapes) if key.look == look]
         if members:
             yield f"  classDef ros{look.title()} {style}"
             yield f"  class {','.join(members)} ros{look.title()}"
+    assumed = [ids[key] for key in sorted(shapes) if key.look == "node" and key.name not in started]
+    if assumed:
+        yield f"  classDef rosAssumed {_ASSUMED}"
+        yield f"  class {','.join(assumed)} rosAssumed"
     doubtful = [ids[key] for key in sorted(shapes) if "*" in key.name]
     if doubtful:
         yield f"  classDef rosDoubt {_DOUBT}"

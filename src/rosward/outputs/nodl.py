@@ -61,6 +61,8 @@ def nodl_document(node: Node) -> str:
     program = "/".join(part for part in (node.package, node.executable) if part)
     document["description"] = f"Node {node.name}{f' of {program}' if program else ''}, read from its source by rosward."
     parameters = {p.name: _parameter(p) for p in node.parameters if _is_described(p, left_out)}
+    if node.assumed:
+        left_out.append(f"Assumed: nothing in the sources makes {node.process}.")
     if parameters:
         document["parameters"] = parameters
     for kind, section in _SECTIONS:

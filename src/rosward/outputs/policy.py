@@ -127,6 +127,8 @@ def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
             f"The enclave was found as {enclave.found}, which no enclave can be called: "
             f"start the node with ROS_SECURITY_ENCLAVE_OVERRIDE={enclave.path} in its environment"
         )
+    for process in sorted({node.process for node in profile.nodes if node.assumed}):
+        yield f"Assumed: nothing in the sources makes {process}"
     if len(profile.nodes) > 1:
         places = ", ".join(str(node.defined_at) for node in profile.nodes)
         yield f"{len(profile.nodes)} nodes have this full name, and share this profile: {places}"

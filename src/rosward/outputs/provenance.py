@@ -54,13 +54,14 @@ class Source(NamedTuple):
 
 
 class Start(NamedTuple):
-    """How a process is started; `includes` are the places that include its launch file, outermost first."""
+    """How a process is started; `includes` are the places that include its launch file, outermost first. `assumed`: nothing starts it."""
 
     process: str
     package: str | None
     executable: str | None
     launched_by: Place | None
     includes: tuple[Place, ...]
+    assumed: bool = False
 
 
 class PolicyLine(NamedTuple):
@@ -112,7 +113,7 @@ class Starts:
         trails = {entry.trail for entry in self.entries(node)}
         trail = next(iter(trails)) if len(trails) == 1 else ()
         places = tuple(inclusion.place for inclusion in trail)
-        return Start(node.process, node.package, node.executable, node.launched_by, places)
+        return Start(node.process, node.package, node.executable, node.launched_by, places, node.assumed)
 
     def entries(self, node: Node) -> list[LaunchEntry]:
         """The entries of launch files that may be the start of a node."""

@@ -51,6 +51,8 @@ def _starter(members: list[Node]) -> Node:
 
 def _how(node: Node, enclave: str, shared: Collection[Place]) -> str:
     place = node.launched_by
+    if node.assumed:
+        return f", which nothing in the sources makes: start what makes it with --ros-args --enclave {enclave}"
     if node.given_enclave == enclave:
         return ": its start says so"
     if place is not None and place in shared:

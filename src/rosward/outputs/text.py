@@ -75,6 +75,9 @@ def summary(
     console.print()
     _print(console, ("  ", ""), *_things(counts))
     _print(console, ("  ", ""), *_names(counts))
+    if counts.assumed:
+        assumed = _several(counts.assumed, "node is", "nodes are")
+        _print(console, (f"  {assumed} assumed: nothing starts {'it' if counts.assumed == 1 else 'them'}", "yellow"))
     for group in doubts(network.findings):
         if verbose or group.rule.severity is not Severity.NOTE:
             console.print()

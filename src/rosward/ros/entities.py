@@ -7,12 +7,24 @@ All are frozen and hold fully qualified names: what is here is what the running 
 from __future__ import annotations
 
 import enum
+import re
 from dataclasses import dataclass, field, replace
 from typing import Final
 
 from rosward.source.location import Place
 
-__all__ = ["ENTITY_LISTS", "Entity", "EntityKind", "Node", "Parameter", "Qos", "Resolution", "replace"]
+__all__ = [
+    "ENTITY_LISTS",
+    "Entity",
+    "EntityKind",
+    "Node",
+    "Parameter",
+    "Qos",
+    "Resolution",
+    "assumed_label",
+    "is_assumed_label",
+    "replace",
+]
 
 
 class EntityKind(enum.Enum):
@@ -109,7 +121,8 @@ class Node:
     """One node of one process with everything that it has. `entities` is sorted by kind, name and type.
 
     `enclave` is where it runs; `given_enclave` is the one that its launch file, arguments or environment name, None where they name none.
-    `conditional`: some execution does not have it.
+    `conditional`: some execution does not have it. `assumed`: it is what a class makes that nothing in the sources instantiates, so no
+    execution is known that has it; it is conditional, too, and `process` names the class.
     """
 
     namespace: str
@@ -126,6 +139,7 @@ class Node:
     reasons: tuple[str, ...] = field(default=())
     given_enclave: str | None = None
     conditional: bool = False
+    assumed: bool = False
 
     @property
     def fqn(self) -> str:
@@ -137,3 +151,16 @@ class Node:
     def of_kind(self, kind: EntityKind) -> tuple[Entity, ...]:
         """The entities of one kind, in order."""
         return tuple(e for e in self.entities if e.kind is kind)
+
+
+_ASSUMED: Final = re.compile(r"class .+:\w+", re.DOTALL)
+
+
+def assumed_label(file: str, name: str) -> str:
+    """What stands in place of a process for a node class that nothing instantiates: `class demo/talker.py:Talker`."""
+    return f"class {file}:{name}"
+
+
+def is_assumed_label(process: str) -> bool:
+    """Whether a process is such a class."""
+    return _ASSUMED.fullmatch(process) is not None

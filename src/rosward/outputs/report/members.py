@@ -34,6 +34,7 @@ def node_row(member: Member, start: Start, rights: Rights, findings: Mapping[str
         "resolution": node.resolution.value,
         "reasons": list(node.reasons),
         "conditional": node.conditional,
+        "assumed": node.assumed,
         "place": place_row(node.defined_at),
         "launched_by": place_row(node.launched_by) if node.launched_by is not None else None,
         "includes": place_rows(start.includes),

@@ -58,7 +58,7 @@ rosward.elements = (() => {
     drawing.shapes.set(key, {
       key, ref: thing.id, kind: model.kindOf(thing), name: model.nameOf(thing), hub: false,
       home: home === undefined ? homes.of(thing) : home,
-      doubtful: model.doubtful(thing) || model.nameOf(thing).includes("*"), severity: model.severityOf(thing.id), system: thing.system === true,
+      doubtful: model.doubtful(thing) || model.nameOf(thing).includes("*"), severity: model.severityOf(thing.id), system: thing.system === true, assumed: thing.assumed === true,
     });
   }
 

@@ -53,6 +53,7 @@ rosward.look = (() => {
       { selector: "node.group", style: { "border-style": "double", "border-width": 4, "font-weight": 600 } },
       { selector: "node.system", style: { "background-opacity": 0.45 } },
       { selector: "node.hub", style: { "border-style": "double", "border-width": 4 } },
+      { selector: "node.assumed", style: { "border-style": "dashed", "border-width": 2 } },
       { selector: "node.doubtful", style: { "border-style": "dashed", "border-width": 2, "border-color": colour("doubt") } },
       ...badges,
       { selector: "node.frame", style: {

@@ -49,12 +49,13 @@ rosward.panel = (() => {
     const system = all.filter((each) => each.system);
     const enclave = model.enclaves.get(one.enclave);
     return el("div", { class: "content" },
-      head("node", named(one.fqn), one.resolution === "exact" ? null : parts.resolution(one)),
+      head("node", named(one.fqn), one.resolution === "exact" ? null : parts.resolution(one),
+        one.assumed ? el("span", { class: "tag sometimes", title: "Nothing in the sources starts it" }, "assumed") : null),
       actions(one),
       findings(one.id, own),
       one.reasons.length ? el("div", { class: "callout doubt" }, icon("warning"), el("ul", {}, one.reasons.map((text) => el("li", {}, named(text, "span"))))) : null,
       parts.facts([
-        ["package", one.package], ["executable", one.executable], ["process", one.process],
+        ["package", one.package], ["executable", one.executable], [one.assumed ? "made by" : "process", one.assumed ? `nothing in the sources: ${one.process}` : one.process],
         ["enclave", enclave && el("a", { href: route.toEnclave(enclave) }, named(enclave.path))],
       ]),
       KINDS.map(([kind, title]) => group(title, own.filter((each) => each.kind === kind), "node")),

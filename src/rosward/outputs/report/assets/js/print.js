@@ -29,7 +29,7 @@ rosward.print = (() => {
   function node(one) {
     const own = one.entities.map((id) => model.entities.get(id)).filter((each) => !each.system);
     return el("section", {}, el("h3", {}, named(one.fqn)),
-      el("p", {}, [one.package, one.executable, parts.placeText(one.place)].filter(Boolean).join(" · ")),
+      el("p", {}, [one.assumed ? "assumed: nothing starts it" : null, one.package, one.executable, parts.placeText(one.place)].filter(Boolean).join(" · ")),
       own.length ? table(["Kind", "Name", "Type", "QoS", "Created at"], own.map((each) => [each.kind, each.name + (each.resolution === "exact" ? "" : ` (${each.resolution})`), each.type || "not known", entity.qosText(each.qos), each.places.map(parts.placeText).join(", ")]))
         : el("p", {}, "It makes no publisher, subscription, service or action of its own."));
   }
