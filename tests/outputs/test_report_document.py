@@ -65,6 +65,7 @@ def test_a_whole_document() -> None:
             "resolution": "exact",
             "reasons": [],
             "conditional": False,
+            "assumed": False,
             "place": {"file": "src/demo/demo/talker.py", "line": 7},
             "launched_by": None,
             "includes": [],

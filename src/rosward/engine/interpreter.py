@@ -457,11 +457,8 @@ class Interpreter:
         sure: bool = False,
         plain: bool = False,
     ) -> Value:
-        """This path raises here: it ends where that is what the program wants (SystemExit), or waits for.
-
-        Any other failure of a builtin is taken as a value that is not known: what fails for the values that we see (a default list that
-        is too short) may go well for others.
-        """
+        """This path raises here: it ends where that is what the program wants (SystemExit), or waits for. Any other failure of a builtin
+        is taken as a value that is not known: what fails for the values that we see (a default list too short) may go well for others."""
         if error not in ("SystemExit", "StopIteration"):
             return raised.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
         catcher.throw(self, raised.builtin_error(self, error, args))
