@@ -88,7 +88,7 @@ def _node(draft: Draft) -> str:
             f"class {name}Mixin:\n    def add_state(self, topic):\n"
             "        self.state = self.create_publisher(String, topic + '_state', 10)\n\n\n"
             f"class {name}({name}Mixin, {base}):\n    def __init__(self, name, namespace=''):\n"
-            "        {base}.__init__(self, name, namespace=namespace)\n"
+            f"        {base}.__init__(self, name, namespace=namespace)\n"
             f"        self.add_state(name)\n{block(own, 2)}\n{parts}"
         )
         return f"{name}({label}, namespace={chooser.pick(['None', repr('given'), repr('/given/ns')])})"

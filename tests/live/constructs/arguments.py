@@ -79,7 +79,7 @@ def init_call(draft: Draft) -> str:
     if not draft.chooser.chance(40):
         return draft.chooser.pick(plain)
     draft.used.add("built arguments")
-    return f"rclpy.init({draft.chooser.pick(['args=', ''])}{built(draft)})"
+    return f"rclpy.init(args={built(draft)})"
 
 
 def cli_args(draft: Draft) -> str:
