@@ -21,6 +21,7 @@ import pytest
 
 pytest.importorskip("rclpy")
 
+from rosward.findings import Severity
 from rosward.pipeline import extract
 from rosward.running import snapshot
 from rosward.running.accepted import Accepted
@@ -112,7 +113,8 @@ def snapshot_of(folder: Path, environment: dict[str, str], nodes: int) -> Path:
 
 def compared(source: Path, seen: Path) -> Audit:
     result = extract(source, distro="kilted")
-    assert result.complete, result.findings
+    errors = {f.code for f in result.findings if f.rule.severity is Severity.ERROR}
+    assert errors <= {"RW305"}, result.findings  # a topic for which no policy has words
     return audit(result.network.nodes, result.findings, read_snapshot(str(seen)), Accepted())
 
 
