@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Class, External, Hole, ModuleValue, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, External, Function, Hole, ModuleValue, Unknown, Value
 from rosward.engine import assumed, handed, modules
 from rosward.engine.binding import ANY
 from rosward.engine.budget import Budget, LimitReachedError
@@ -164,7 +164,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
             function = (
                 modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
             )
-        machine.call(function, (), {ANY: UNBOUND})
+        machine.call(function, (), {} if _needs_nothing(function) else {ANY: UNBOUND})
     if entry.classes:
         imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)
     for qualname in entry.classes:
@@ -173,6 +173,14 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
             assumed.make(machine, found)
         elif isinstance(found, Class):
             machine.handed[found] = found.place  # whoever calls it from outside has it
+
+
+def _needs_nothing(function: Value) -> bool:
+    """Whether a function can be called as a console script does, without arguments."""
+    return isinstance(function, Function) and (
+        len(function.code.parameters.positional) == len(function.defaults)
+        and len(function.code.parameters.kwonly) == len(function.kwdefaults)
+    )
 
 
 def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:

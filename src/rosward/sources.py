@@ -113,11 +113,16 @@ class SourceTree:
             return ""
         return source.module if source.is_package else source.module.rpartition(".")[0]
 
-    def leads_out(self, file: str, level: int) -> bool:
-        """Whether a relative import with so many dots leads out of the file's ROS package, or of all that is analysed; so any of a script."""
+    def leads_out(self, file: str, name: str, level: int) -> bool:
+        """Whether a relative import with so many dots leads out of the file's ROS package, or of all that is analysed; so any of a script.
+
+        Not where there is no such package, and what is imported is not there either: the sources are then a part of a package.
+        """
         source = self._files.get(file)
         if source is None or self._resolver.is_script(source):
             return source is not None
+        if source.package is None and self.find(name, level, file) is None:
+            return False
         top = source.package.relative if source.package is not None else ""
         inner = file.removeprefix(f"{top}/") if top not in ("", ".") else file
         return level > max(inner.count("/"), (source.module or "").count("."))

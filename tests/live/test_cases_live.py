@@ -30,6 +30,7 @@ LEAST: Final = 150
 """How many programs have to run at least, besides the generated ones."""
 
 NOT_RUN: Final = {
+    "relative_imports: A file of a package that is not wholly there": "its package is not there",
     "loops: Loops that compute much": "runs for longer than a test may",
     "inputs: The content of a file": "reads a file outside of the project",
     "called_from_outside: A plugin of Webots": "Webots alone makes it",

@@ -70,8 +70,11 @@ class Sources(Protocol):
     def python_package(self, file: str) -> str:
         """The Python package in which a file lies, by its place; '' where it is no part of one, and for a script that is installed."""
 
-    def leads_out(self, file: str, level: int) -> bool:
-        """Whether a relative import with so many dots leads out of the file's ROS package, or of all that is analysed; so any of a script."""
+    def leads_out(self, file: str, name: str, level: int) -> bool:
+        """Whether a relative import with so many dots leads out of the file's ROS package, or of all that is analysed; so any of a script.
+
+        Not where there is no such package, and what is imported is not there either: the sources are then a part of a package.
+        """
 
     def shared(self, file: str) -> tuple[str, str] | None:
         """The package and the path in it of a file that is installed into the package's share folder; None for any other.

@@ -126,7 +126,8 @@ def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, leve
     if found is None and not level and (space := machine.place_key(("module", name))) in machine.state.heap:
         return ModuleValue(space, name, "")
     if found is None:
-        if machine.library.sources.belongs(name) and not _is_interface_module(name):
+        ours = machine.library.sources.belongs(name) if not level else name and not machine.catchers
+        if ours and not _is_interface_module(name):
             machine.report("RW207", f"{'.' * level}{name} is not among the sources")
         return External(name or "." * level)
     if found.model:

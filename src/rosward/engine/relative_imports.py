@@ -49,7 +49,8 @@ def relative(machine: Interpreter, importer: ModuleValue, name: str, level: int)
         else:
             others = True
     if refusals and not names and not others:
-        return Relative("", refusals[0], may=not machine.library.sources.leads_out(importer.file, level))
+        caught = bool(machine.catchers)  # the program knows that it may be run as a script
+        return Relative("", refusals[0], may=not caught and not machine.library.sources.leads_out(importer.file, name, level))
     return Relative(names[0] if len(names) == 1 and not others else "", may=bool(refusals))
 
 
