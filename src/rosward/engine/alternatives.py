@@ -8,7 +8,7 @@ make()                    both are called, neither sees what the other did
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join
 from rosward.domain.values import UNBOUND, Value
@@ -16,6 +16,10 @@ from rosward.engine.state import State, join_states
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
+
+_TOLD_APART: Final = 8
+"""What so many alternatives make is told apart. Beyond, all make the same objects: where each turn's are the alternatives of the
+next (`self.last = self.last[-9:]`), they would grow in number for ever."""
 
 
 def each_apart(machine: Interpreter, alternatives: Sequence[Value], action: Callable[[Value], Value]) -> Value:
@@ -25,9 +29,13 @@ def each_apart(machine: Interpreter, alternatives: Sequence[Value], action: Call
     before = machine.state.copy()
     after: State | None = None
     value: Value = UNBOUND
+    frame = machine.frames[-1] if machine.frames else None
+    sequence: int | None = None
     for number, option in enumerate(alternatives):
         if number:
             machine.state = before.copy()
+        if frame is not None and number >= _TOLD_APART:
+            frame.sequence = sequence = frame.sequence if sequence is None else sequence
         result = action(option)
         if result is UNBOUND:
             continue

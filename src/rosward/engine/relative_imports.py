@@ -50,7 +50,9 @@ def relative(machine: Interpreter, importer: ModuleValue, name: str, level: int)
             others = True
     if refusals and not names and not others:
         caught = bool(machine.catchers)  # the program knows that it may be run as a script
-        return Relative("", refusals[0], may=not caught and not machine.library.sources.leads_out(importer.file, name, level))
+        return Relative(
+            "", refusals[0], may=not caught and not machine.library.sources.leads_out(importer.file, name, level)
+        )
     return Relative(names[0] if len(names) == 1 and not others else "", may=bool(refusals))
 
 

@@ -13,26 +13,17 @@ from typing import Final
 from rosward.domain.unknown import Cause
 from rosward.domain.values import External, Native, Unknown, Value
 
-_READ: Final = frozenset(
-    (
-        *("builtins", "numpy", "scipy", "cv2", "PIL", "matplotlib", "mpl_toolkits", "pandas", "sklearn", "skimage"),
-        *("tensorflow", "keras", "torch", "torchvision", "onnxruntime", "mathutils", "transforms3d", "open3d", "sympy"),
-        *(
-            "requests",
-            "urllib",
-            "http",
-            "struct",
-            "random",
-            "statistics",
-            "hashlib",
-            "base64",
-            "binascii",
-            "uuid",
-            "secrets",
-        ),
-        *("locale", "textwrap", "unicodedata", "zlib", "gzip", "shutil", "tempfile", "pprint", "termcolor", "colorama"),
-    )
-)
+_WINDOWS: Final = {
+    "PyQt4", "PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "Tkinter", "customtkinter", "pygame",
+}  # fmt: skip
+"""What draws windows. `QApplication(sys.argv)` takes out the words that Qt knows, of which none is for ROS."""
+
+_READ: Final = _WINDOWS | {
+    "builtins", "numpy", "scipy", "cv2", "PIL", "matplotlib", "mpl_toolkits", "pandas", "sklearn", "skimage", "tensorflow",
+    "keras", "torch", "torchvision", "onnxruntime", "mathutils", "transforms3d", "open3d", "sympy", "requests", "urllib",
+    "http", "struct", "random", "statistics", "hashlib", "base64", "binascii", "uuid", "secrets", "locale", "textwrap",
+    "unicodedata", "zlib", "gzip", "shutil", "tempfile", "pprint", "termcolor", "colorama",
+}  # fmt: skip
 """Libraries whose functions and objects only read what they are given, as they are documented."""
 
 _WRITE: Final = frozenset(
@@ -40,36 +31,9 @@ _WRITE: Final = frozenset(
 )
 """The last words of the names of those that change it all the same."""
 
-
-_FOREIGN: Final = _READ | frozenset(
-    (
-        *(
-            "PyQt4",
-            "PyQt5",
-            "PyQt6",
-            "PySide2",
-            "PySide6",
-            "python_qt_binding",
-            "tkinter",
-            "Tkinter",
-            "customtkinter",
-            "pygame",
-        ),
-        *(
-            "can",
-            "serial",
-            "smbus",
-            "smbus2",
-            "RPi",
-            "selectors",
-            "selectors2",
-            "asyncio",
-            "threading",
-            "socket",
-            "ros2node",
-        ),
-    )
-)
+_FOREIGN: Final = _READ | {
+    "can", "serial", "smbus", "smbus2", "RPi", "selectors", "selectors2", "asyncio", "threading", "socket", "ros2node",
+}  # fmt: skip
 """Libraries that create nothing on a node that they get hold of: they know nothing of ROS, or only ask the graph."""
 
 
