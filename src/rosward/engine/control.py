@@ -119,7 +119,7 @@ def loop(
             frame.context = context
             return behind(machine, frame, alive, saved)
         limit += number + 1
-        number = number + 1 if 0 <= number < machine.budget.unroll else ANY_TURN
+        number = number + 1 if 0 <= number < machine.budget.unroll_while else ANY_TURN
     while True:
         note(machine)
         _enter_turn(machine, op, frame, context, number)
