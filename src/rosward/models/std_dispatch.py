@@ -20,7 +20,7 @@ from rosward.models.native import Machine, NativeCall, NativeFunction
 
 def _classes(call: NativeCall) -> Value:
     """functools._classes(function or class): the classes that `register` means, a tuple."""
-    value, skip = call.args
+    value, skip = call.exactly(2)
     while isinstance(value, (BoundMethod, Descriptor)):
         value = value.function if isinstance(value, BoundMethod) else value.getter
     if not isinstance(value, Function):

@@ -338,7 +338,7 @@ def item(call: NativeCall) -> Value:
 
 def _make_class(call: NativeCall) -> Value:
     """enum._make_class(base, name, names): `Enum('Side', 'LEFT RIGHT')`."""
-    machine, (base, name, names, kind, start) = call.machine, call.args
+    machine, (base, name, names, kind, start) = call.machine, call.exactly(5)
     first = int_of(start)
     if not isinstance(base, Class) or names == NONE:
         return machine.unknown(Cause.CALL, "enum.Enum")

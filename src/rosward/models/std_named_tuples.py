@@ -68,7 +68,7 @@ def _fields(machine: Machine, instance: Value) -> tuple[tuple[str, ...], dict[Va
 
 def _init(call: NativeCall) -> Value:
     """collections._fill(self, args, keywords): the fields of an instance."""
-    machine, (instance, args, keywords) = call.machine, call.args
+    machine, (instance, args, keywords) = call.machine, call.exactly(3)
     found = _fields(machine, instance)
     if found is None or not isinstance(instance, Ref):
         return NONE

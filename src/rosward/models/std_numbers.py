@@ -89,7 +89,7 @@ def _operator(call: NativeCall) -> Value:
     name = call.name.rpartition(".")[2]
     if len(call.args) != 2:
         return call.machine.die("TypeError", f"{name} expected 2 arguments")
-    left, right = call.args
+    left, right = call.exactly(2)
     if name in _COMPARISONS:
         return call.machine.compare(_COMPARISONS[name], left, right)
     return call.machine.binary(_OPERATORS[name], left, right)

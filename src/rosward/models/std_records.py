@@ -208,7 +208,7 @@ def _own_method(machine: Machine, cls: Value | None, name: str) -> Value | None:
 
 def _eq(call: NativeCall) -> Value:
     """dataclasses.eq(a, b): field by field."""
-    machine, (left, right) = call.machine, call.args
+    machine, (left, right) = call.machine, call.exactly(2)
     fields = fields_of(machine, class_of(machine, left) or NONE)
     if fields is None or class_of(machine, left) != class_of(machine, right):
         return FALSE if isinstance(right, (Const, Ref)) else machine.unknown(Cause.OPERATION, "==", "bool")

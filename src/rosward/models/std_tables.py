@@ -28,7 +28,7 @@ _DIALECTS: Final = {"excel": ",", "excel-tab": "\t", "unix": ","}
 
 def _rows(call: NativeCall) -> Value:
     """csv._rows(lines, dialect, options): a list of rows."""
-    lines, dialect, given = call.args
+    lines, dialect, given = call.exactly(3)
     known, rest = call.machine.iterate(lines)
     texts = [text_of(line) for line in known]
     if rest is not None or None in texts or len(texts) > _MOST:
@@ -58,7 +58,7 @@ def _sections(call: NativeCall) -> Value:
 
     Values in which another one is to be put in (`%(home)s`) are not known.
     """
-    text, allows = call.args
+    text, allows = call.exactly(2)
 
     def one(option: Value) -> Value:
         plain = text_of(option)
