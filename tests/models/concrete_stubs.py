@@ -108,6 +108,7 @@ class Stubs:
                 escape=lambda *_: None,
                 ask=lambda *_: None,
                 reads_only=lambda marked: marked,
+                register=lambda *_: None,
                 spins=lambda function: function,
             )
         found = self.load(name)

@@ -316,8 +316,9 @@ class Interpreter:
         return generators.run_out(self, ref)
 
     def close_generator(self, ref: Ref) -> None:
-        """`generator.close()`."""
-        generators.close(self, ref)
+        """`generator.close()`; any other object that stands for one has nothing to close."""
+        if self.obj(ref).kind == "generator":
+            generators.close(self, ref)
 
     def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""

@@ -63,18 +63,21 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         if own is None or own is UNBOUND:
             return in_class
         return True if in_class or name not in obj.partial else None
-    if isinstance(value, Class):
-        return (
-            True if name in ("__name__", "__qualname__", "__module__", "__doc__") else _in_class(machine, value, name)
-        )
+    if isinstance(value, Class):  # what `type` gives to each class, it gives to object
+        return True if hasattr(object, name) or name == "__module__" else _in_class(machine, value, name)
     if isinstance(value, ModuleValue):
         return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
     if isinstance(value, (Function, BoundMethod, Native)):
         return _of_callable(machine, value, name)
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
-        found = getattr(builtins, kind_of(machine, value), None)
-        return hasattr(None, name) if value == NONE else hasattr(found, name) if isinstance(found, type) else None
+        found = type(None) if value == NONE else getattr(builtins, kind_of(machine, value), None)
+        return _gives(found, name) if isinstance(found, type) else None
     return None
+
+
+def _gives(cls: type, name: str) -> bool:
+    """Whether instances of a class of Python have an attribute by it. What the class itself has from `type` (`__name__`) they have not."""
+    return any(name in vars(base) for base in cls.__mro__)
 
 
 def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
@@ -112,21 +115,28 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
     """Whether instances have an attribute by their class; None where a base or `__getattr__` may."""
     if not isinstance(cls, Class):
         return None
-    unknown = False
+    unknown = slots = False
     for base in cls.mro:
         if isinstance(base, Class):
             attrs = machine.obj(Ref(base.address)).attrs
             if attrs.get(name, UNBOUND) is not UNBOUND:
                 return True
+            slots = slots or "__slots__" in attrs
             unknown = unknown or may_hide(machine, base, name) or "__getattr__" in attrs or "__getattribute__" in attrs
         elif isinstance(base, Native):
             found = getattr(builtins, base.name.removeprefix("builtins."), None)
-            if isinstance(found, type) and hasattr(found, name):
+            if isinstance(found, type) and _gives(found, name):
                 return True
             unknown = unknown or not isinstance(found, type)
         else:
             unknown = True
-    return True if hasattr(object, name) else None if unknown else False
+    if _gives(object, name) or name == "__module__" or (name in _WITHOUT_SLOTS and not slots):
+        return True
+    return None if unknown or name in (*_WITHOUT_SLOTS, "__annotations__") else False
+
+
+_WITHOUT_SLOTS: Final = ("__dict__", "__weakref__")
+"""What instances have unless their class has `__slots__`."""
 
 
 def attribute_names(machine: Machine, value: Value) -> list[str]:

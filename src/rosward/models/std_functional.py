@@ -133,6 +133,7 @@ def _combine(call: NativeCall) -> Value:
 
 
 def _islice(call: NativeCall) -> Value:
+    call.exactly(2)
     bounds = [None if a == NONE else int_of(a) for a in call.args[1:]]
     if stepped(call, call.args[:1]) and 2 <= len(call.args) <= 4:
         start, stop, step = (NONE, call.args[1], NONE) if len(call.args) == 2 else (*call.args[1:], NONE)[:3]

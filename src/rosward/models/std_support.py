@@ -24,7 +24,7 @@ from rosward.models.native import Machine, NativeCall
 MAX_COMBINATIONS: Final = 64
 MAX_NODES: Final = 10_000
 MAX_DEPTH: Final = 40
-_FAILURES: Final = (ArithmeticError, LookupError, TypeError, ValueError)
+_FAILURES: Final = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 _PLAIN: Final = (type(None), bool, int, float, complex, str, bytes)
 
 

@@ -18,7 +18,7 @@ from typing import Any, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.pattern_cost import work
 from rosward.models.std_support import NotKnown, apply_plain, from_plain, text_of, to_plain, unknown_from
@@ -87,6 +87,8 @@ def _split(call: NativeCall) -> Value:
 
 def _list_of(call: NativeCall, run: Callable[..., object], values: tuple[Value, ...], hint: str) -> Value:
     found = apply_plain(call, run, values, "list")
+    if found is UNBOUND:
+        return found
     return join_all(
         option if _is_ref(option) else call.machine.new_list((), unknown_from(call, hint, (option,)))
         for option in options(found)
@@ -135,7 +137,14 @@ def _pure(function: Callable[..., object], hint: str) -> NativeFunction:
 
 
 def _shell_split(call: NativeCall) -> Value:
-    return _list_of(call, shlex.split, call.args[:1], "str")
+    def run(text: object, comments: Any, posix: Any) -> object:
+        if not isinstance(text, str):  # of None it would read the standard input of this process
+            raise AttributeError("shlex.split of something that is no text")
+        return shlex.split(text, bool(comments), bool(posix))
+
+    text = call.arg(0, "s") or call.exactly(1)[0]
+    given = (text, call.arg(1, "comments", Const(False)), call.arg(2, "posix", Const(True)))
+    return _list_of(call, run, tuple(v for v in given if v is not None), "str")
 
 
 def _literal(call: NativeCall) -> Value:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections`: over lists and dicts of the program."""
 from _rosward import contents, either, native, reads_only, unknown
+from collections.abc import MutableMapping
 
 OrderedDict = dict
 
@@ -87,12 +88,47 @@ class _Dict:
     def clear(self):
         self._dict.clear()
 
-class UserDict(_Dict):
-    @property
-    def data(self):
-        return self._dict
+class UserDict(MutableMapping):
+    def __init__(self, dict=None, /, **kwargs):
+        self.data = {}
+        if dict is not None:
+            self.update(dict)
+        if kwargs:
+            self.update(kwargs)
+    def __len__(self):
+        return len(self.data)
+    def __getitem__(self, key):
+        if key in self.data:
+            return self.data[key]
+        return self.__missing__(key)
+    def __missing__(self, key):
+        raise KeyError(key)
+    def __setitem__(self, key, value):
+        self.data[key] = value
+    def __delitem__(self, key):
+        del self.data[key]
+    def __iter__(self):
+        return iter(self.data)
+    def __contains__(self, key):
+        return key in self.data
+    def get(self, key, default=None):
+        return self[key] if key in self else default
+    def __or__(self, other):
+        return type(self)(self.data | (other.data if isinstance(other, UserDict) else other))
+    def __ior__(self, other):
+        self.data |= other.data if isinstance(other, UserDict) else other
+        return self
     def copy(self):
-        return type(self)(self._dict)
+        found = type(self).__new__(type(self))
+        found.__dict__.update(self.__dict__)
+        found.data = self.data.copy()
+        return found
+    @classmethod
+    def fromkeys(cls, iterable, value=None):
+        found = cls()
+        for key in iterable:
+            found[key] = value
+        return found
 
 class defaultdict(_Dict):
     def __new__(cls, *args, **kwargs):
