@@ -274,8 +274,10 @@ def make_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...], key
             if isinstance(option, Ref) and not cls.stub:
                 _framework(machine, cls, option)
         return join_all(initialised)
-    ref = new_instance(machine, cls, args, keywords)
-    if builtin_base(cls) is not None and _hidden(attributes.lookup(machine, cls, "__init__")):
+    base, initialiser = builtin_base(cls), attributes.lookup(machine, cls, "__init__")
+    own = base is not None and issubclass(base, OSError) and initialiser.__class__ is Function
+    ref = new_instance(machine, cls, () if own else args, keywords)  # OSError leaves it to an `__init__` to give it its arguments
+    if base is not None and _hidden(initialiser):
         said = machine.unknown(Cause.CALL, f"{cls.dotted}.args", "tuple")
         machine.update(ref, machine.obj(ref).with_attr("args", said))
     if _initialise(machine, cls, ref, args, keywords) is UNBOUND:
