@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Attributes: which one `value.name` is, and what an assignment to it changes.
+"""Attributes: which one `value.name` is.
 
 Order as in Python: properties of the class, the instance's own attributes, the class along its mro, `__getattr__`.
 What a class does not have is unknown with a reason, never an error: a write that the analysis did not see may have put it there.
@@ -8,10 +8,10 @@ What a class does not have is unknown with a reason, never an error: a write tha
 from __future__ import annotations
 
 import builtins
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, join_all, options
-from rosward.domain.heap import Obj
+from rosward.domain.choice import join, join_all
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     NONE,
@@ -36,7 +36,6 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import modules
-from rosward.engine.escape import name_of
 from rosward.engine.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.namespaces import table_of
 from rosward.models.builtin_attributes import ANY_ATTRIBUTE, may_hide
@@ -239,7 +238,7 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     if machine.hooked:
         hook = lookup(machine, obj.cls, "__getattribute__")
         if hook.__class__ is Function:
-            return machine.call(hook, (ref, Const(name)))
+            return _computed(machine, ref, name, lambda: machine.call(hook, (ref, Const(name))))
     return plain_attribute(machine, ref, name)
 
 
@@ -250,9 +249,9 @@ def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
     own = obj.attrs.get(name)
     in_class = lookup(machine, cls, name)
     if in_class.__class__ is Descriptor and in_class.kind == "property":
-        return bind(machine, in_class, ref, cls)
-    if _setter(machine, in_class) is not None:  # a data descriptor goes before what the object holds itself
-        return bind(machine, in_class or NONE, ref, cls)
+        return _computed(machine, ref, name, lambda: bind(machine, in_class, ref, cls))
+    if setter_of(machine, in_class) is not None:  # a data descriptor goes before what the object holds itself
+        return _computed(machine, ref, name, lambda: bind(machine, in_class or NONE, ref, cls))
     if own is not None and own is not UNBOUND:
         if not obj.many and name not in obj.partial:
             return own
@@ -261,7 +260,9 @@ def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
         fallback = lookup(machine, cls, "__getattr__") if name in obj.partial else None
         return own if fallback is None else join(own, machine.call(fallback, (ref, Const(name))))
     if in_class is not None:
-        value = bind(machine, in_class, ref, cls)
+        if in_class.__class__ is Function:
+            return BoundMethod(ref, in_class)
+        value = _computed(machine, ref, name, lambda: bind(machine, in_class, ref, cls))
         if in_class.__class__ is Descriptor and in_class.kind == "cached_property" and value is not UNBOUND:
             machine.update(ref, machine.obj(ref).with_attr(name, value))
         return value
@@ -277,6 +278,15 @@ def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
     if fallback is not None:
         return machine.call(fallback, (ref, Const(name)))
     return _missing(machine, ref, cls, name)
+
+
+def _computed(machine: Interpreter, ref: Ref, name: str, read: Callable[[], Value]) -> Value:
+    """What code of the program gives for an attribute; where it raises AttributeError, `__getattr__` is asked."""
+    fallback = lookup(machine, machine.obj(ref).cls, "__getattr__")
+    if fallback is None:
+        return read()
+    found, failed = machine.guarded(read, "AttributeError", unseen=False)
+    return join(found, machine.call(fallback, (ref, Const(name)))) if failed else found
 
 
 def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
@@ -320,7 +330,7 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     if found is not None:
         if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
             return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
-        return found
+        return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
     if meta is not None:
         return bind(machine, meta, cls, metaclass_of(machine, cls))
     if name in ("__name__", "__qualname__"):
@@ -419,78 +429,7 @@ def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
     return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
 
 
-def open_up(machine: Interpreter, value: Value) -> None:
-    """A library that is not read may have given a function attributes."""
-    if isinstance(value, Function):
-        address = machine.library.function_address(value)
-        record = machine.state.heap.get(address) or Obj("instance", NONE)
-        if ANY_ATTRIBUTE not in record.partial:
-            machine.put(address, record.replace(partial=record.partial | {ANY_ATTRIBUTE}))
-
-
-def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
-    """target.name = value; False where this raises for sure."""
-    several = target.__class__ is Choice
-    for option in options(target):
-        if option.__class__ is Ref:
-            if not _store_object(machine, option, name, value, weak=several):
-                return several
-        elif option.__class__ in (Class, ModuleValue):
-            address = option.address
-            if isinstance(option, ModuleValue) and machine.library.is_model_file(option.file):
-                machine.may_call((value,))  # a library may call what the program puts in its place
-            record = machine.at(address)
-            old = record.attrs.get(name)
-            changed = record.with_attr(name, join(old, value) if several and old is not None else value)
-            if several and (old is None or name in record.partial):
-                changed.partial = record.partial | {name}
-            machine.put(address, changed)
-        elif option.__class__ is Function:
-            address = machine.library.function_address(option)
-            record = machine.state.heap.get(address) or Obj("instance", NONE)
-            machine.put(address, record.with_attr(name, value))
-        elif option.__class__ in (External, Unknown):
-            machine.escape((value,), name_of(option), option)
-    return True
-
-
-def store_past_hook(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
-    """What `object.__setattr__` does."""
-    _store_object(machine, ref, name, value, weak=weak, hooked=False)
-
-
-def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
-    obj = machine.obj(ref)
-    in_class = lookup(machine, obj.cls, name) if obj.kind == "instance" else None
-    if in_class.__class__ is Descriptor and in_class.kind == "property":
-        if in_class.setter is not None:
-            return machine.call(in_class.setter, (ref, value)) is not UNBOUND
-        if not obj.many:
-            cls = obj.cls.name if obj.cls.__class__ is Class else ""
-            machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
-            machine.throw(Native("builtins.AttributeError"))
-            return False
-        return True
-    setter = _setter(machine, in_class)
-    if setter is not None:
-        return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
-    hook = lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
-    if hook is not None and hook.__class__ is Function:
-        machine.call(hook, (ref, Const(name), value))
-        return True
-    old = obj.attrs.get(name)
-    if old is not None and (weak or obj.many):
-        value = join(old, value)
-    if old is not value or name in obj.partial:
-        absent = obj.partial | {name} if old is None and weak else obj.partial
-        changed = obj.with_attr(name, value)
-        if weak and name in absent:
-            changed.partial = absent
-        machine.put(ref.address, changed)
-    return True
-
-
-def _setter(machine: Interpreter, in_class: Value | None) -> Value | None:
+def setter_of(machine: Interpreter, in_class: Value | None) -> Value | None:
     """`__set__` of a descriptor that a class of the program defines."""
     if not isinstance(in_class, Ref) or machine.obj(in_class).kind != "instance":
         return None

@@ -31,7 +31,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import activation, attributes, classes, declared, native_calls, object_methods
+from rosward.engine import activation, assignment, attributes, classes, declared, native_calls, object_methods
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
 from rosward.engine.catcher import LIBRARY, note, note_call
@@ -172,7 +172,7 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
     escape(machine, (*args, *keywords.values()), function.name, function)
     if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
         # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
-        attributes.open_up(machine, args[0])
+        assignment.open_up(machine, args[0])
         return args[0]
     return machine.unknown(Cause.CALL, function.name)
 

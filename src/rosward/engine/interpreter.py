@@ -31,6 +31,7 @@ from rosward.domain.values import (
 from rosward.engine import (
     abandoned,
     activation,
+    assignment,
     attributes,
     calls,
     catcher,
@@ -360,9 +361,9 @@ class Interpreter:
             cls = raised.class_of(self, exception)
             self.ended_at[self.place] = join(self.ended_at.get(self.place, UNBOUND), cls)
 
-    def guarded(self, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
+    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
         """What an action gives, and whether it may raise a builtin exception, which goes no further."""
-        return raised.guarded(self, action, error)
+        return raised.guarded(self, action, error, unseen=unseen)
 
     def unwind(self, exits: Sequence[Value], exception: Value) -> Value:
         """Call the exits of a stack of context managers."""
@@ -378,7 +379,7 @@ class Interpreter:
 
     def store_attr(self, target: Value, name: str, value: Value) -> None:
         """target.name = value."""
-        attributes.store(self, target, name, value)
+        assignment.store(self, target, name, value)
 
     def delete_attr(self, target: Value, name: str) -> None:
         """del target.name."""

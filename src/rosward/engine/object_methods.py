@@ -14,7 +14,7 @@ from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Native, Ref, Value
-from rosward.engine import attributes, classes, removal
+from rosward.engine import assignment, attributes, classes, removal
 from rosward.engine.escape import escape
 from rosward.engine.specials import NOT_IMPLEMENTED
 
@@ -74,7 +74,7 @@ def _set(machine: Interpreter, target: Value, name: Value, value: Value) -> Valu
     for option in options(target):
         for each in known:
             if option.__class__ is Ref:
-                attributes.store_past_hook(machine, option, each, value, weak=several)
+                assignment.store_past_hook(machine, option, each, value, weak=several)
     return NONE
 
 

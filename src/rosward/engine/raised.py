@@ -118,8 +118,13 @@ def fail(
     return UNBOUND if sure and (waits or plain) else unknown
 
 
-def guarded(machine: Interpreter, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
-    """What an action gives, and whether it may raise a builtin exception, which goes no further (`getattr(x, 'y', default)`)."""
+def guarded(
+    machine: Interpreter, action: Callable[[], Value], error: str, *, unseen: bool = True
+) -> tuple[Value, bool]:
+    """What an action gives, and whether it may raise a builtin exception, which goes no further (`getattr(x, 'y', default)`).
+
+    `unseen`: whether what Python or a library may raise by itself, in any operation, counts as that exception.
+    """
     frame, catchers = machine.frames[-1], machine.catchers
     catcher, others = Catcher(machine, frame), Catcher(machine, frame)
     machine.catchers = [*catchers, catcher]
@@ -127,7 +132,7 @@ def guarded(machine: Interpreter, action: Callable[[], Value], error: str) -> tu
         value = action()
     finally:
         machine.catchers = catchers
-    caught: list[State] = [catcher.snapshot.state.copy()] if catcher.level else []
+    caught: list[State] = [catcher.snapshot.state.copy()] if catcher.level and unseen else []
     for exception, snapshot in catcher.arrivals.items():
         answer = may_catch(machine, exception, Native(f"builtins.{error}"))
         if answer is not False:

@@ -15,6 +15,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
 from rosward.engine import (
+    assignment,
     attributes,
     calls,
     classes,
@@ -115,7 +116,7 @@ def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool |
     if op.narrowing:
         narrowing.narrow_attribute(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
         return None
-    alive = attributes.store(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
+    alive = assignment.store(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
     return None if alive else DEAD
 
 

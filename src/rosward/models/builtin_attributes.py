@@ -18,6 +18,7 @@ from rosward.domain.values import (
     BoundMethod,
     Class,
     Const,
+    Descriptor,
     Function,
     ModuleValue,
     Native,
@@ -63,8 +64,12 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         if own is None or own is UNBOUND:
             return in_class
         return True if in_class or name not in obj.partial else None
-    if isinstance(value, Class):  # what `type` gives to each class, it gives to object
-        return True if hasattr(object, name) or name == "__module__" else _in_class(machine, value, name)
+    if isinstance(value, Class):
+        if hasattr(object, name) or name == "__module__":  # what `type` gives to each class, it gives to object
+            return True
+        there = _in_class(machine, value, name)
+        meta = machine.obj(Ref(value.address)).cls
+        return _in_class(machine, meta, name) if there is False and isinstance(meta, Class) else there
     if isinstance(value, ModuleValue):
         return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
     if isinstance(value, (Function, BoundMethod, Native)):
@@ -109,6 +114,51 @@ def may_hide(machine: Machine, cls: Class, name: str) -> bool:
     if not isinstance(hidden, Tuple):
         return True
     return Const(name) in hidden.items or name.startswith((f"_{cls.name.lstrip('_')}__", "_rosward"))
+
+
+def is_computed(machine: Machine, value: Value, name: str) -> bool:
+    """Whether code of the program is run to find value.name: a property, a descriptor, `__getattr__`, `__getattribute__`."""
+    if isinstance(value, ModuleValue):
+        attrs = machine.obj(Ref(value.address)).attrs
+        return attrs.get(name, UNBOUND) is UNBOUND and _is_own(attrs.get("__getattr__"))
+    if isinstance(value, Class):
+        above = machine.obj(Ref(value.address)).cls
+        own = _found(machine, value, name)
+        there = own is not None
+        if there and _gives(machine, own):
+            return True
+    elif isinstance(value, Ref) and machine.obj(value).kind == "instance":
+        above = machine.obj(value).cls
+        there = machine.obj(value).attrs.get(name, UNBOUND) is not UNBOUND
+    else:
+        return False
+    found = _found(machine, above, name)
+    if isinstance(found, Descriptor):
+        return _is_own(found.getter) and (found.kind == "property" or (found.kind == "cached_property" and not there))
+    if _gives(machine, found) or _is_own(_found(machine, above, "__getattribute__")):
+        return True
+    return not there and found is None and _is_own(_found(machine, above, "__getattr__"))
+
+
+def _found(machine: Machine, cls: Value, name: str) -> Value | None:
+    """What the classes that are read have under a name."""
+    for base in cls.mro if isinstance(cls, Class) else ():
+        found = machine.obj(Ref(base.address)).attrs.get(name, UNBOUND) if isinstance(base, Class) else UNBOUND
+        if found is not UNBOUND:
+            return found
+    return None
+
+
+def _gives(machine: Machine, value: Value | None) -> bool:
+    """Whether a value is a descriptor: an object with `__get__`."""
+    if not isinstance(value, Ref) or machine.obj(value).kind != "instance":
+        return False
+    return _found(machine, machine.obj(value).cls, "__get__") is not None
+
+
+def _is_own(value: Value | None) -> bool:
+    """Whether a function is the program's."""
+    return isinstance(value, Function) and not value.code.file.startswith("models:")
 
 
 def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
@@ -180,11 +230,12 @@ def _get_one(call: NativeCall, value: Value, name: Value) -> Value:
     machine, default = call.machine, call.args[2:3]
     known = text_of(name)
     if known is not None:
-        there = has_attribute(machine, value, known) if default else True
-        if there is False:
-            return with_origins(default[0], origins(name))
         if not default:
             return with_origins(machine.load_attr(value, known), origins(name))
+        computed = is_computed(machine, value, known)
+        there = True if computed else has_attribute(machine, value, known)
+        if there is False:
+            return with_origins(default[0], origins(name))
         found, failed = machine.guarded(lambda: machine.load_attr(value, known), "AttributeError")
         return with_origins(join(found, default[0]) if failed or not there else found, origins(name))
     if isinstance(name, Const):
@@ -225,23 +276,21 @@ def _set(call: NativeCall) -> Value:
     return NONE
 
 
-def _has_hook(machine: Machine, value: Value) -> bool:
-    """Whether a class of the program answers for attributes that are not there."""
-    cls = machine.obj(value).cls if isinstance(value, Ref) else None
-    return isinstance(cls, Class) and any(
-        isinstance(b, Class) and not b.stub and "__getattr__" in machine.obj(Ref(b.address)).attrs for b in cls.mro
-    )
-
-
 def _has(call: NativeCall) -> Value:
+    machine = call.machine
+
     def one(value: Value, name: Value) -> Value:
         known = text_of(name)
-        there = None if known is None else has_attribute(call.machine, value, known)
-        if there is None and known is not None and _has_hook(call.machine, value):
-            call.machine.load_attr(value, known)  # `__getattr__` says whether it is there
-        return (
-            unknown_from(call.machine, "hasattr", "bool", value, name) if there is None else Const(there, origins(name))
-        )
+        if known is None:
+            there = None
+        elif is_computed(machine, value, known):
+            found, failed = machine.guarded(lambda: machine.load_attr(value, known), "AttributeError")
+            if found is UNBOUND and not failed:
+                return UNBOUND
+            there = None if failed and found is not UNBOUND else not failed
+        else:
+            there = has_attribute(machine, value, known)
+        return unknown_from(machine, "hasattr", "bool", value, name) if there is None else Const(there, origins(name))
 
     return spread(one, *call.args[:2])
 

@@ -53,8 +53,8 @@ class Machine(Protocol):
     def store_item(self, target: Value, index: Value, value: Value) -> None:
         """target[index] = value."""
 
-    def guarded(self, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
-        """What an action gives, and whether it may raise a builtin exception, which goes no further."""
+    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
+        """What an action gives, and whether it may raise a builtin exception, which goes no further; `unseen`: or any operation may."""
 
     def binary(self, operator: str, left: Value, right: Value) -> Value:
         """left operator right."""
