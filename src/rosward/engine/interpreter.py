@@ -93,6 +93,7 @@ class Interpreter:
         self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
         self.deadline = time.process_time() + budget.seconds
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
+        self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
         self.choosing = False  # what is being called is one of several alternatives
         self.raised = 0
