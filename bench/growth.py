@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How does the time grow with the program? Programs of 10, 100, 1,000 and 4,000 of each kind are written and analysed.
 
-    python bench/growth.py [KIND...] [--sizes 10,100,1000,4000] [--most 1.35]
+    python bench/growth.py [KIND...] [--sizes 10,100,1000,4000] [--most 1.25]
 
 Prints CPU seconds, the ratio of the last two sizes, memory, and the exponent between them (1: in proportion; n log n is 1.1 to 1.2). What every
 run costs before it reads anything is taken off. Exit status 1 where an exponent is above `--most`, or a run fails.
@@ -15,11 +15,14 @@ import sys
 import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 from measure import measure
 
 _SECONDS: Final = 600.0
+_QUICK: Final = 3.0
+_LEAST: Final = 0.2
+"""Less is not told from what every run costs."""
 _HEAD: Final = (
     "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\nfrom std_srvs.srv import Empty\n"
 )
@@ -84,42 +87,124 @@ def _remaps(n: int) -> Files:
     return _main([f"n = Node('n', cli_args=['--ros-args', {rules}])", "n.create_publisher(String, 'a0', 1)"])
 
 
-KINDS: Final[dict[str, tuple[Callable[[int], Files], tuple[str, ...]]]] = {
-    "publishers": (lambda n: _node([f"self.create_publisher(String, 't{i}', 1)" for i in range(n)]), ()),
-    "timers": (
+def _files(n: int) -> Files:
+    return {f"f{i}.py": "import rclpy\nx = 1\n" for i in range(n)} | _main(["Node('n')"])
+
+
+def _imports(n: int) -> Files:
+    files = {f"f{i}.py": f"import rclpy\nfrom f{i - 1} import x\n" if i % 40 else "x = 't'\n" for i in range(n)}
+    lines = [f"Node('n').create_publisher(String, f{i}.x, 1)" for i in range(39, n, 40)]
+    return files | _main(lines, "".join(f"import f{i}\n" for i in range(39, n, 40)))
+
+
+def _packages(n: int) -> Files:
+    files: Files = {}
+    for i in range(n):
+        name = f"p{i}"
+        files[f"{name}/package.xml"] = _PACKAGE.replace("<name>p<", f"<name>{name}<")
+        files[f"{name}/setup.py"] = (
+            f"from setuptools import setup\nsetup(name='{name}', packages=['{name}'], "
+            f"entry_points={{'console_scripts': ['run = {name}.m:main']}})\n"
+        )
+        files[f"{name}/{name}/__init__.py"] = ""
+        files[f"{name}/{name}/m.py"] = _main([f"Node('{name}')"])["m.py"]
+    return files
+
+
+def _parameter_file(n: int) -> Files:
+    entries = "".join(f"    p{i}: {i}\n" for i in range(n))
+    return {
+        **_node([f"self.declare_parameter('p{i}', 0)" for i in range(0, n, 40)]),
+        "p.yaml": f"n:\n  ros__parameters:\n{entries}",
+    }
+
+
+def _talking(n: int) -> Files:
+    """Copies of one program, each of which listens to the one before."""
+    program = f"{_HEAD}rclpy.init()\nn = Node('n')\nn.create_publisher(String, 'out', 1)\nn.create_subscription(String, 'in', print, 1)\n"
+    lines = "\n".join(
+        f"<node pkg='p' exec='n.py' name='n{i}'><remap from='out' to='t{i}'/><remap from='in' to='t{i - 1}'/></node>"
+        for i in range(n)
+    )
+    cmake = "project(p)\ninstall(PROGRAMS n.py DESTINATION lib/p)\n"
+    launch = _LAUNCH.format(lines)
+    return {"package.xml": _PACKAGE, "CMakeLists.txt": cmake, "launch/top.launch.xml": launch, "n.py": program}
+
+
+def _policy(n: int) -> Files:
+    topics = "".join(f"<topic>t{i}</topic>" for i in range(n))
+    profile = f"<profile ns='/' node='n'><topics publish='ALLOW'>{topics}</topics></profile>"
+    text = f"<policy version='0.2.0'><enclaves><enclave path='/n'><profiles>{profile}</profiles></enclave></enclaves></policy>"
+    return _node([f"self.create_publisher(String, 't{i}', 1)" for i in range(n)]) | {"policy.xml": text}
+
+
+_EXTRACT: Final = ("extract", "{source}", "-q", "-o", "{out}")
+_TOP: Final = "{source}/launch/top.launch.xml"
+
+
+class Kind(NamedTuple):
+    """What grows, and the command that reads it."""
+
+    make: Callable[[int], Files]
+    command: tuple[str, ...] = _EXTRACT
+
+
+KINDS: Final[dict[str, Kind]] = {
+    "publishers": Kind(lambda n: _node([f"self.create_publisher(String, 't{i}', 1)" for i in range(n)])),
+    "timers": Kind(
         lambda n: _node(
             [f"self.create_timer({i + 1}, self.tick)" for i in range(n)], "    def tick(self):\n        self.n = 1\n"
-        ),
-        (),
+        )
     ),
-    "timers, each its own": (
+    "timers, each its own": Kind(
         lambda n: _node(
             [f"self.create_timer(1.0, self.t{i})" for i in range(n)],
             "".join(f"    def t{i}(self):\n        self.n{i} = {i}\n" for i in range(n)),
-        ),
-        (),
+        )
     ),
-    "subscriptions": (_callbacks, ()),
-    "nodes in one process": (lambda n: _main([f"n{i} = Node('n{i}')" for i in range(n)]), ()),
-    "processes": (_processes, ()),
-    "parameters": (lambda n: _node([f"self.declare_parameter('p{i}', {i})" for i in range(n)]), ()),
-    "remaps": (_remaps, ()),
-    "class chain": (_class_chain, ()),
-    "methods": (
+    "subscriptions": Kind(_callbacks),
+    "nodes in one process": Kind(lambda n: _main([f"n{i} = Node('n{i}')" for i in range(n)])),
+    "processes": Kind(_processes),
+    "files": Kind(_files),
+    "imports": Kind(_imports),
+    "packages": Kind(_packages),
+    "parameters": Kind(lambda n: _node([f"self.declare_parameter('p{i}', {i})" for i in range(n)])),
+    "entries of a parameter file": Kind(_parameter_file, (*_EXTRACT, "--params", "{source}/p.yaml")),
+    "remaps": Kind(_remaps),
+    "class chain": Kind(_class_chain),
+    "methods": Kind(
         lambda n: _node(
             [f"self.m{i}()" for i in range(n)],
             "".join(f"    def m{i}(self):\n        self.a{i} = 1\n" for i in range(n)),
-        ),
-        (),
+        )
     ),
-    "functions that call each other": (_call_chain, ()),
-    "branches": (lambda n: _main([f"if input():\n        x{i} = {i}" for i in range(n)] + ["Node('n')"]), ()),
-    "findings": (lambda n: _node([f"self.create_publisher(String, input(), {i})" for i in range(n)]), ()),
-    "includes": (_includes, ("--launch", "launch/top.launch.xml")),
-    "nodes of a launch file": (_launched, ("--launch", "launch/top.launch.xml")),
-    "launch files": (_launch_files, ("--all-launch",)),
+    "functions that call each other": Kind(_call_chain),
+    "branches": Kind(lambda n: _main([f"if input():\n        x{i} = {i}" for i in range(n)] + ["Node('n')"])),
+    "items of a literal": Kind(
+        lambda n: _main(
+            [
+                f"a = [{', '.join(map(str, range(n)))}]",
+                f"b = {{{', '.join(f'{i}: {i}' for i in range(n))}}}",
+                f"Node('n').create_publisher(String, f't{{a[{n // 2}] + b[{n // 2}]}}', 1)",
+            ]
+        )
+    ),
+    "concatenations": Kind(
+        lambda n: _main(["t = 't'", *("t += 'x'" for _ in range(n)), "Node('n').create_publisher(String, t, 1)"])
+    ),
+    "terms of a sum": Kind(
+        lambda n: _main(
+            [f"t = {' + '.join(repr(f'x{i}') for i in range(n))}", "Node('n').create_publisher(String, t, 1)"]
+        )
+    ),
+    "findings": Kind(lambda n: _node([f"self.create_publisher(String, input(), {i})" for i in range(n)])),
+    "rules of a policy": Kind(_policy, ("check", "{source}/policy.xml", "{source}", "-o", "{out}")),
+    "includes": Kind(_includes, (*_EXTRACT, "--launch", _TOP)),
+    "nodes of a launch file": Kind(_launched, (*_EXTRACT, "--launch", _TOP)),
+    "programs of a launch file": Kind(_talking, (*_EXTRACT, "--launch", _TOP)),
+    "launch files": Kind(_launch_files, (*_EXTRACT, "--all-launch")),
+    "nodes of a report": Kind(_talking, (*_EXTRACT, "--format", "html", "--launch", _TOP)),
 }
-"""What grows: the program, and the options of the command."""
 
 
 def main() -> int:
@@ -127,16 +212,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("kinds", nargs="*", metavar="KIND", help=f"some of: {', '.join(KINDS)}")
     parser.add_argument("--sizes", default="10,100,1000,4000")
-    parser.add_argument("--most", type=float, default=1.35, help="the greatest exponent that is well")
+    parser.add_argument("--most", type=float, default=1.25, help="the greatest exponent that is well")
     options = parser.parse_args()
     sizes = [int(size) for size in options.sizes.split(",")]
     failed = False
-    start = _cost({"n.py": "x = 1\n"}, ())[0] or 0.0
+    start = min(_cost({"n.py": "x = 1\n"}, _EXTRACT)[0] or 0.0 for _ in range(5))
     print(f"{'':32}" + "".join(f"{size:>9}" for size in sizes) + "    ratio  exponent       MB")
     for kind in options.kinds or KINDS:
-        make, arguments = KINDS[kind]
-        costs = [_cost(make(size), arguments) for size in sizes]
-        seconds = [None if cpu is None else max(cpu - start, 0.01) for cpu, _ in costs]
+        make, command = KINDS[kind]
+        costs = [_least(make(size), command) for size in sizes]
+        seconds = [None if cpu is None else max(cpu - start, _LEAST) for cpu, _ in costs]
         cells = "".join(f"{'failed' if cpu is None else f'{cpu:.2f}':>9}" for cpu in seconds)
         before, last = seconds[-2], seconds[-1]
         if before is None or last is None:
@@ -149,25 +234,22 @@ def main() -> int:
     return 1 if failed else 0
 
 
-def _cost(files: Files, arguments: Sequence[str]) -> tuple[float | None, float]:
+def _least(files: Files, command: Sequence[str]) -> tuple[float | None, float]:
+    """What one analysis costs; of a quick one, the least of three: what else the machine does would hide it."""
+    first = _cost(files, command)
+    if first[0] is None or first[0] > _QUICK:
+        return first
+    return min((first, _cost(files, command), _cost(files, command)), key=lambda cost: cost[0] or _SECONDS)
+
+
+def _cost(files: Files, words: Sequence[str]) -> tuple[float | None, float]:
     """CPU seconds (None: it failed) and MB of one analysis."""
     with tempfile.TemporaryDirectory() as folder:
-        source = Path(folder, "source")
+        source, out = Path(folder, "source"), Path(folder, "out")
         for name, text in files.items():
             source.joinpath(name).parent.mkdir(parents=True, exist_ok=True)
             source.joinpath(name).write_text(text, encoding="utf-8")
-        where = [str(source / a) if "/" in a else a for a in arguments]
-        command = [
-            sys.executable,
-            "-m",
-            "rosward",
-            "extract",
-            str(source),
-            "-q",
-            "-o",
-            str(Path(folder, "out")),
-            *where,
-        ]
+        command = [sys.executable, "-m", "rosward", *(word.format(source=source, out=out) for word in words)]
         run = measure(command, seconds=_SECONDS)
     return (run.cpu if run.status in (0, 1) else None), run.peak_mb
 

@@ -238,7 +238,12 @@ def _unmade(runs: Iterable[Run]) -> Iterator[Class]:
         made |= each.instantiated
         for cls in each.log.classes:
             defined[cls.place] = cls
-            inherited.update(b.place for b in cls.mro[1:] if isinstance(b, Class))
+            work = [*cls.bases]
+            while work:
+                base = work.pop()
+                if isinstance(base, Class) and base.place not in inherited:
+                    inherited.add(base.place)
+                    work += base.bases
     for place, cls in sorted(defined.items()):
         if place not in made and place not in inherited and "." not in cls.qualname:
             yield cls

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, final
 
-from rosward.domain.values import Class, External, Unknown
+from rosward.domain.values import Class, External, Unknown, Value
 from rosward.engine.attributes import CREATING
 from rosward.engine.escape import name_of
 from rosward.findings import Finding
@@ -102,8 +102,14 @@ def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:
     """The first base that is not among the sources, by file and qualified name of the class."""
     found: dict[tuple[str, str], str] = {}
     for run in runs:
+        first: dict[Value, Value | None] = {}
         for cls in run.log.classes:
-            base = next((b for b in cls.mro if b.__class__ in (External, Unknown)), None)
+            above = cls.bases[0] if len(cls.bases) == 1 else None
+            if above in first:  # its order is that of its only base
+                base = first[above]
+            else:
+                base = next((b for b in cls.mro if b.__class__ in (External, Unknown)), None)
+            first[cls] = base
             if base is not None:
                 found[cls.place.file, cls.qualname] = name_of(base)
     return found

@@ -6,9 +6,11 @@ self.items.append(x)    heap[a] = heap[a].with_items(items + (x,))
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Set
 from typing import Final, NamedTuple, TypedDict, final
 
 from rosward.domain.series import Series
+from rosward.domain.table import NO_MARKS, unmarked, written
 from rosward.domain.values import Value
 
 NO_ATTRS: Final[dict[str, Value]] = {}
@@ -73,7 +75,7 @@ class Obj:
         self,
         kind: str,
         cls: Value,
-        attrs: dict[str, Value] = NO_ATTRS,
+        attrs: Mapping[str, Value] = NO_ATTRS,
         items: tuple[Value, ...] | None = (),
         rest: Value | None = None,
         entries: dict[Value, Value] | None = None,
@@ -81,7 +83,7 @@ class Obj:
         rest_key: Value | None = None,
         many: bool = False,
         payload: object = None,
-        partial: frozenset[str] = frozenset(),
+        partial: Set[str] = NO_MARKS,
         ends: Series | None = None,
     ) -> None:
         self.kind = kind
@@ -122,9 +124,9 @@ class Obj:
     def with_attr(self, name: str, value: Value) -> Obj:
         """A copy in which one attribute differs."""
         copy = self.copy()
-        copy.attrs = {**self.attrs, name: value}
+        copy.attrs = written(self.attrs, name, value)
         if name in self.partial:
-            copy.partial = self.partial - {name}
+            copy.partial = unmarked(self.partial, name)
         return copy
 
     def copy(self) -> Obj:

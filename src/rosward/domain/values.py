@@ -226,7 +226,7 @@ class Class(Value):
     `mro` is its method resolution order (itself first), the external and builtin bases in it as `External` and `Native`.
     """
 
-    __slots__ = ("address", "bases", "module", "mro", "name", "place", "qualname", "stub")
+    __slots__ = ("address", "bases", "enumeration", "module", "mro", "name", "place", "qualname", "stub")
 
     def __init__(
         self,
@@ -247,6 +247,9 @@ class Class(Value):
         self.mro = (self, *mro)
         self.place = place
         self.stub = stub  # declared by a library model, not by the analysed sources
+        self.enumeration: bool = (stub and module == "enum") or any(
+            isinstance(b, Class) and b.enumeration for b in bases
+        )
 
     @property
     def dotted(self) -> str:

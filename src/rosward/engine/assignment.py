@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
+from rosward.domain.table import marked
 from rosward.domain.values import (
     NONE,
     UNBOUND,
@@ -43,7 +44,7 @@ def open_up(machine: Interpreter, value: Value) -> None:
         address = machine.library.function_address(value)
         record = machine.state.heap.get(address) or Obj("instance", NONE)
         if ANY_ATTRIBUTE not in record.partial:
-            machine.put(address, record.replace(partial=record.partial | {ANY_ATTRIBUTE}))
+            machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
 
 def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
@@ -55,13 +56,15 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
                 return several
         elif option.__class__ in (Class, ModuleValue):
             address = option.address
+            if name == "__init_subclass__":
+                machine.unhooked = None
             if isinstance(option, ModuleValue) and machine.library.is_model_file(option.file):
                 machine.may_call((value,))  # a library may call what the program puts in its place
             record = machine.at(address)
             old = record.attrs.get(name)
             changed = record.with_attr(name, join(old, value) if several and old is not None else value)
             if several and (old is None or name in record.partial):
-                changed.partial = record.partial | {name}
+                changed.partial = marked(record.partial, name)
             machine.put(address, changed)
         elif option.__class__ is Function:
             address = machine.library.function_address(option)
@@ -103,7 +106,7 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     if old is not None and (weak or obj.many):
         value = join(old, value)
     if old is not value or name in obj.partial:
-        absent = obj.partial | {name} if old is None and weak else obj.partial
+        absent = marked(obj.partial, name) if old is None and weak else obj.partial
         changed = obj.with_attr(name, value)
         if weak and name in absent:
             changed.partial = absent

@@ -24,7 +24,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, contents, metaclasses
+from rosward.engine import attributes, contents, metaclasses, subclass_hooks
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
@@ -106,7 +106,7 @@ def _make(
     finally:
         machine.frames.pop()
     _seal(machine, cls, body)
-    if isinstance(meta, Class) and not any(_is_enum_base(b) for b in cls.mro):
+    if isinstance(meta, Class) and not cls.enumeration:
         return metaclasses.finish(machine, cls, meta, combination, keywords, complete)
     return complete(machine, cls, keywords)
 
@@ -117,15 +117,12 @@ def complete(machine: Interpreter, cls: Class, keywords: dict[str, Value]) -> Cl
     if not cls.stub and "__getattribute__" in machine.at(cls.address).attrs:
         machine.hooked = True
     _tell_members(machine, cls)
-    if any(_is_enum_base(b) for b in cls.mro[1:]):
+    if any(b.__class__ is Class and b.enumeration for b in cls.bases):
         machine.call(Native("enum.make_members"), (cls,))
-    for base in cls.mro[1:]:
-        if isinstance(base, Class):
-            hook = machine.at(base.address).attrs.get("__init_subclass__")
-            if hook is not None and hook is not UNBOUND:
-                function = hook.getter if hook.__class__ is Descriptor else hook
-                machine.call(BoundMethod(cls, function), (), keywords)
-                break
+    hook = subclass_hooks.inherited(machine, cls)
+    if hook is not None:
+        function = hook.getter if hook.__class__ is Descriptor else hook
+        machine.call(BoundMethod(cls, function), (), keywords)
     return cls
 
 
@@ -230,7 +227,7 @@ def _is_enum_base(base: Value) -> bool:
 
 def is_enum(_machine: Interpreter, cls: Class) -> bool:
     """Whether a class is an enumeration with members of its own."""
-    return any(_is_enum_base(b) for b in cls.mro[1:]) and not _is_enum_base(cls)
+    return cls.enumeration and not _is_enum_base(cls)
 
 
 def new_instance(
@@ -276,7 +273,9 @@ def make_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...], key
         return join_all(initialised)
     base, initialiser = builtin_base(cls), attributes.lookup(machine, cls, "__init__")
     own = base is not None and issubclass(base, OSError) and initialiser.__class__ is Function
-    ref = new_instance(machine, cls, () if own else args, keywords)  # OSError leaves it to an `__init__` to give it its arguments
+    ref = new_instance(
+        machine, cls, () if own else args, keywords
+    )  # OSError leaves it to an `__init__` to give it its arguments
     if base is not None and _hidden(initialiser):
         said = machine.unknown(Cause.CALL, f"{cls.dotted}.args", "tuple")
         machine.update(ref, machine.obj(ref).with_attr("args", said))

@@ -231,7 +231,9 @@ def _run_from(
 
 
 def close(machine: Interpreter, ref: Ref) -> None:
-    """`generator.close()`: GeneratorExit is raised where it stands, and goes no further."""
+    """`generator.close()`: GeneratorExit is raised where it stands, and goes no further. What is no generator has nothing to close."""
+    if machine.obj(ref).kind != "generator":
+        return
     frame = machine.frames[-1]
     outer, catcher = machine.catchers, Catcher(machine, frame)
     machine.catchers = [*outer, catcher]

@@ -67,8 +67,7 @@ if TYPE_CHECKING:
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
-_OBJECTS_A_STEP: Final = 3
-"""How many objects are joined in the time of one step, about."""
+_OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one step, about
 _LONGEST_PATH: Final = 12
 
 
@@ -94,6 +93,7 @@ class Interpreter:
         self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
         self.deadline = time.process_time() + budget.seconds
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
+        self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
         self.choosing = False  # what is being called is one of several alternatives
         self.raised = 0
@@ -317,9 +317,8 @@ class Interpreter:
         return generators.run_out(self, ref)
 
     def close_generator(self, ref: Ref) -> None:
-        """`generator.close()`; any other object that stands for one has nothing to close."""
-        if self.obj(ref).kind == "generator":
-            generators.close(self, ref)
+        """`generator.close()`."""
+        generators.close(self, ref)
 
     def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""

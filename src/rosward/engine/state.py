@@ -7,7 +7,9 @@ else:       self.t = 'b'      heap 2: self.t 'b'
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from itertools import compress
+from operator import is_not
 from typing import Final, final
 
 from rosward.domain.choice import join, join_all
@@ -16,6 +18,7 @@ from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.series import joined as joined_series
 from rosward.domain.suspended import Suspension, join_suspended
+from rosward.domain.table import differing, marked, more_marks, written
 from rosward.domain.values import UNBOUND, Ref, Value
 
 Merge = Callable[[Value, Value], Value]
@@ -61,15 +64,17 @@ def join_states(left: State, right: State, fresh: Callable[[int], int], merge: M
 def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     """An object record that covers both; `left` itself where it already does."""
     result = left
-    attrs = _join_attrs(left.attrs, right.attrs, merge)
+    attrs, one_sided = _join_attrs(left.attrs, right.attrs, merge)
     if attrs is not left.attrs:
         result = left.copy()
         result.attrs = attrs
     if left.kind in _PARTIAL and left.attrs is not right.attrs:
-        absent = left.partial | right.partial | (left.attrs.keys() ^ right.attrs.keys())
-        if absent != left.partial:
+        absent = left.partial
+        for name in (*more_marks(left.partial, right.partial), *one_sided):
+            absent = marked(absent, name)
+        if absent is not left.partial:
             result = result.copy() if result is left else result
-            result.partial = frozenset(absent)
+            result.partial = absent
     if right.many and not left.many:
         result = result.copy() if result is left else result
         result.many = True
@@ -86,20 +91,20 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     return result
 
 
-def _join_attrs(left: dict[str, Value], right: dict[str, Value], merge: Merge) -> dict[str, Value]:
-    if left is right:
-        return left
-    result = left
-    for name, theirs in right.items():
-        ours = left.get(name)
-        if ours is theirs:
+def _join_attrs(
+    left: Mapping[str, Value], right: Mapping[str, Value], merge: Merge
+) -> tuple[Mapping[str, Value], list[str]]:
+    """The attributes that cover both, and the names that only one of them has."""
+    result, one_sided = left, []
+    for name, ours, theirs in differing(left, right):
+        if ours is None or theirs is None:
+            one_sided.append(name)
+        if theirs is None:
             continue
         merged = theirs if ours is None else merge(ours, theirs)
         if ours is None or merged != ours:
-            if result is left:
-                result = left.copy()
-            result[name] = merged
-    return result
+            result = written(result, name, merged)
+    return result, one_sided
 
 
 def _join_elements(result: Obj, left: Obj, right: Obj, merge: Merge) -> Obj:
@@ -227,9 +232,10 @@ def _merge_optional(left: Value | None, right: Value | None, merge: Merge) -> Va
 def join_registers(left: list[Value], right: list[Value], merge: Merge = join) -> list[Value]:
     """The registers that cover both; `left` itself where it already does."""
     result = left
-    for number, theirs in enumerate(right):
-        ours = left[number]
-        if ours is theirs or theirs is UNBOUND:
+    differ = map(is_not, left, right)
+    for number in compress(range(len(right)), differ):
+        ours, theirs = left[number], right[number]
+        if theirs is UNBOUND:
             continue
         merged = theirs if ours is UNBOUND else merge(ours, theirs)
         if merged is not ours and merged != ours:

@@ -56,7 +56,7 @@ def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None
     if found is None or found is UNBOUND:
         frame.op, frame.sequence = op, 0
         found = modules.load_global(machine, frame.module, op.name)
-    elif record.partial and op.name in record.partial and hasattr(builtins, op.name):
+    elif op.name in record.partial and hasattr(builtins, op.name):
         found = join(found, modules.load_global(machine, frame.module, op.name))
     frame.registers[op.dst] = found
 

@@ -76,11 +76,11 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         return _of_callable(machine, value, name)
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
         found = type(None) if value == NONE else getattr(builtins, kind_of(machine, value), None)
-        return _gives(found, name) if isinstance(found, type) else None
+        return _has_by_class(found, name) if isinstance(found, type) else None
     return None
 
 
-def _gives(cls: type, name: str) -> bool:
+def _has_by_class(cls: type, name: str) -> bool:
     """Whether instances of a class of Python have an attribute by it. What the class itself has from `type` (`__name__`) they have not."""
     return any(name in vars(base) for base in cls.__mro__)
 
@@ -175,12 +175,12 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
             unknown = unknown or may_hide(machine, base, name) or "__getattr__" in attrs or "__getattribute__" in attrs
         elif isinstance(base, Native):
             found = getattr(builtins, base.name.removeprefix("builtins."), None)
-            if isinstance(found, type) and _gives(found, name):
+            if isinstance(found, type) and _has_by_class(found, name):
                 return True
             unknown = unknown or not isinstance(found, type)
         else:
             unknown = True
-    if _gives(object, name) or name == "__module__" or (name in _WITHOUT_SLOTS and not slots):
+    if _has_by_class(object, name) or name == "__module__" or (name in _WITHOUT_SLOTS and not slots):
         return True
     return None if unknown or name in (*_WITHOUT_SLOTS, "__annotations__") else False
 
