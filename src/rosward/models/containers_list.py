@@ -17,7 +17,7 @@ from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
 from rosward.models.list_alternatives import Told, keep_told, told
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
-from rosward.models.operators_compare import comparable, equal
+from rosward.models.operators_compare import comparable, compares, equal
 from rosward.models.plain import (
     MAX_ITEMS,
     NOT_PLAIN,
@@ -156,10 +156,22 @@ def _remove(call: NativeCall) -> Value:
 def _position(machine: Machine, items: tuple[Value, ...], value: Value) -> int | None:
     """The index of the first element that equals a value; -1 where there is none, None where it is not known."""
     for number, item in enumerate(items):
-        answer = equal(machine, item, value)
+        answer = _same(machine, item, value)
+        if answer is None and compares(machine, item):  # the next ones may be asked, too
+            for other in items[number + 1 :]:
+                _same(machine, other, value)
         if answer is not False:
             return number if answer else None
     return -1
+
+
+def _same(machine: Machine, item: Value, value: Value) -> bool | None:
+    """Whether an element is what is looked for, or equals it, as the program's `__eq__` says."""
+    if item == value and isinstance(item, Ref) and not machine.obj(item).many:
+        return True
+    if compares(machine, item) or compares(machine, value):
+        return machine.truth(machine.compare("==", item, value))
+    return equal(machine, item, value)
 
 
 def _clear(call: NativeCall) -> Value:
@@ -181,7 +193,7 @@ def _index(call: NativeCall) -> Value:
 
 def _count(call: NativeCall) -> Value:
     known, rest = call.machine.iterate(call.args[0])
-    answers = [equal(call.machine, item, call.args[1]) for item in known]
+    answers = [_same(call.machine, item, call.args[1]) for item in known]
     if None in answers or rest is not None:
         return unknown_from(call.machine, call.name, "int", *call.args)
     return Const(answers.count(True), origins(call.args[1]))
