@@ -45,6 +45,10 @@ ANY_ATTRIBUTE: Final = "*"
 """Among the attributes of a function that may be there: a library that is not read may have set others."""
 
 
+class _Plain:
+    """What objects of a class have that says nothing of them."""
+
+
 class _Sample:
     def method(self) -> None:
         """A method: what all of them have is asked of it."""
@@ -59,22 +63,30 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
     if isinstance(value, Ref) and machine.obj(value).kind == "instance":
         obj = machine.obj(value)
         own = obj.attrs.get(name)
-        in_class = _in_class(machine, obj.cls, name)
+        in_class = _in_class(machine, obj.cls, name, _Plain())
         if own is None or own is UNBOUND:
             return in_class
         return True if in_class or name not in obj.partial else None
     if isinstance(value, Class):
         return (
-            True if name in ("__name__", "__qualname__", "__module__", "__doc__") else _in_class(machine, value, name)
+            True
+            if name in ("__name__", "__qualname__", "__module__", "__doc__")
+            else _in_class(machine, value, name, object)
         )
     if isinstance(value, ModuleValue):
-        return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
+        record = machine.obj(Ref(value.address))
+        return True if record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial else None
     if isinstance(value, (Function, BoundMethod, Native)):
         return _of_callable(machine, value, name)
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
         found = getattr(builtins, kind_of(machine, value), None)
-        return hasattr(None, name) if value == NONE else hasattr(found, name) if isinstance(found, type) else None
+        return hasattr(None, name) if value == NONE else _objects_have(found, name) if isinstance(found, type) else None
     return None
+
+
+def _objects_have(cls: type, name: str) -> bool:
+    """Whether objects of a builtin class have an attribute: not what only the class itself has, as `__name__`."""
+    return any(name in vars(base) for base in cls.__mro__)
 
 
 def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
@@ -108,25 +120,27 @@ def may_hide(machine: Machine, cls: Class, name: str) -> bool:
     return Const(name) in hidden.items or name.startswith((f"_{cls.name.lstrip('_')}__", "_rosward"))
 
 
-def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
-    """Whether instances have an attribute by their class; None where a base or `__getattr__` may."""
+def _in_class(machine: Machine, cls: Value, name: str, every: object) -> bool | None:
+    """Whether instances have an attribute by their class; None where a base or `__getattr__` may. `every`: what has what all of them have."""
     if not isinstance(cls, Class):
         return None
     unknown = False
     for base in cls.mro:
         if isinstance(base, Class):
-            attrs = machine.obj(Ref(base.address)).attrs
-            if attrs.get(name, UNBOUND) is not UNBOUND:
+            record = machine.obj(Ref(base.address))
+            attrs = record.attrs
+            if attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial:
                 return True
+            unknown = unknown or name in record.partial
             unknown = unknown or may_hide(machine, base, name) or "__getattr__" in attrs or "__getattribute__" in attrs
         elif isinstance(base, Native):
             found = getattr(builtins, base.name.removeprefix("builtins."), None)
-            if isinstance(found, type) and hasattr(found, name):
+            if isinstance(found, type) and found is not object and _objects_have(found, name):
                 return True
             unknown = unknown or not isinstance(found, type)
         else:
             unknown = True
-    return True if hasattr(object, name) else None if unknown else False
+    return True if hasattr(every, name) else None if unknown else False
 
 
 def attribute_names(machine: Machine, value: Value) -> list[str]:
