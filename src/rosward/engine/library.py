@@ -139,6 +139,12 @@ class Library:
         """A record of the models' heap; an empty one where there is none."""
         return self._loader.state.heap.get(address) or _NOTHING
 
+    def ground(self, address: int) -> Obj | None:
+        """What stands at an address before a process writes to it: a model's record, or that of a function without attributes."""
+        if address >= self.first_address:
+            return None
+        return _NOTHING if address < -1 else self._loader.state.heap.get(address)
+
     def native(self, name: str) -> NativeFunction | None:
         """The model in code of a dotted name."""
         return self._natives.get(name)
