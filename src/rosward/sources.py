@@ -7,12 +7,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final, final
 
-from rosward.engine.library import Found
+from rosward.engine.found import Found
 from rosward.findings import Finding
 from rosward.frontends.python_module import FrontendError, lower_module
 from rosward.guard import guarded
 from rosward.ir.program import Module
-from rosward.source.imports import ImportResolver
+from rosward.source.imports import ImportResolver, Resolution
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
@@ -87,10 +87,30 @@ class SourceTree:
         found = self._resolver.resolve(name, level, source)
         if found is None:
             return self._launch_file(name, source) if importer in self._launch and level == 0 else None
-        if found.file is not None:
-            self._files.setdefault(found.file.relative, found.file)
-        file = found.file.relative if found.file is not None else ""
-        return Found(found.name, file or found.name, file, guess=found.guess)
+        return self._found(found)
+
+    def _found(self, found: Resolution) -> Found:
+        """A file that is imported under another name than its own is a module apart from that of its own name."""
+        if found.file is None:
+            return Found(found.name, found.name, "", guess=found.guess)
+        file = found.file.relative
+        self._files.setdefault(file, found.file)
+        key = file if found.name == found.file.module else f"{found.name} in {file}"
+        return Found(found.name, key, file, guess=found.guess)
+
+    def in_folder(self, folder: str, name: str) -> Found | None:
+        """The module of a name, imported from a folder below that of all sources."""
+        found = self._resolver.in_folder(folder, name)
+        return None if found is None else self._found(found)
+
+    def named(self, name: str) -> tuple[tuple[str, Found], ...]:
+        """All files that a name may mean, each with the folder from which it would be imported."""
+        return tuple((folder, self._found(found)) for folder, found in self._resolver.named(name))
+
+    def is_of(self, file: str, package: str) -> bool:
+        """Whether a file belongs to the ROS package of that name."""
+        source = self._files.get(file)
+        return source is not None and source.package is not None and source.package.name == package
 
     def _launch_file(self, name: str, importer: SourceFile) -> Found | None:
         """A launch file that another one imports: `sys.path.append(…)` and `import rs_launch`; the only one of that name, nearest first."""

@@ -15,6 +15,7 @@ from domain.covering import FILLINGS, covers, fill, object_covers, shape, state_
 from domain.strategies import LOOP, states, string_values, text_parts, triples, two_states, unknowns, values, words
 from rosward.domain.choice import MAX_OPTIONS, generalise, join, join_all, lift, lift2, options, widen
 from rosward.domain.heap import Obj
+from rosward.domain.memory import Heap
 from rosward.domain.text import common, concat, make, matches
 from rosward.domain.values import (
     NONE,
@@ -376,9 +377,23 @@ def test_a_join_leaves_the_right_side_and_all_copies_alone(two: tuple[State, Sta
 def test_filling_takes_over_what_is_missing_and_nothing_else(two: tuple[State, State]) -> None:
     left, right = two
     ours, theirs = dict(left.heap.items()), dict(right.heap.items())
-    left.heap.fill(right.heap)
+    left.heap.fill(right.heap, lambda ours, theirs: join_objects(ours, theirs, join))
     assert dict(left.heap.items()) == {**theirs, **ours}
     assert dict(right.heap.items()) == theirs
+
+
+@given(values, values)
+def test_what_one_copy_writes_over_the_ground_is_joined_with_it(of_ground: Value, written: Value) -> None:
+    """An object that only one of two copies changed is, in the other, as the ground has it."""
+    ground = {7: Obj("cell", NONE, attrs={"value": of_ground}), 70: Obj("cell", NONE, attrs={"value": of_ground})}
+    for one_way in (True, False):
+        left = Heap(ground=ground.get)
+        right = left.copy()
+        (left if one_way else right)[7] = Obj("cell", NONE, attrs={"value": written})
+        left.cover(right, lambda ours, theirs: join_objects(ours, theirs, join))
+        assert covers(left.stands(7).attrs["value"], of_ground)
+        assert covers(left.stands(7).attrs["value"], written)
+        assert left.stands(70) is ground[70]
 
 
 @given(unknowns, values)

@@ -214,8 +214,6 @@ def test_partial_and_wraps(machine: FakeMachine) -> None:
     )
     decorator = machine.native("functools.wraps", function)
     assert machine.call(decorator, (Const("wrapper"),)) == Const("wrapper")
-    assert machine.native("functools.lru_cache", function) == function
-    assert machine.call(machine.native("functools.lru_cache", maxsize=NONE), (function,)) == function
 
 
 def test_itertools(machine: FakeMachine) -> None:

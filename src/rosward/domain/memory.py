@@ -4,6 +4,9 @@
 before = heap.copy()        shares everything
 heap[a] = changed           copies the page of `a`, not the heap
 heap.cover(before, join)    looks only at the pages that differ
+
+A heap stands on a ground, which all copies share and none writes to: what a copy holds of an object of the ground takes the place of that
+object for this copy alone.
 """
 
 from __future__ import annotations
@@ -14,6 +17,7 @@ from typing import Final, final
 from rosward.domain.heap import Obj
 
 Page = list[Obj | None]
+Ground = Callable[[int], Obj | None]
 
 SHIFT: Final = 6
 MASK: Final = (1 << SHIFT) - 1
@@ -50,10 +54,12 @@ class Heap:
     `pages` is open to reading, because every operation of a program reads some object; who writes goes through `heap[address] = …`.
     """
 
-    __slots__ = ("_covered", "_own", "pages")
+    __slots__ = ("_changed", "_covered", "_ground", "_own", "pages")
 
-    def __init__(self, objects: Iterable[tuple[int, Obj]] = ()) -> None:
+    def __init__(self, objects: Iterable[tuple[int, Obj]] = (), ground: Ground | None = None) -> None:
         self.pages: dict[int, Page] = {}
+        self._ground = ground
+        self._changed = frozenset[int]()  # the pages with objects that take the place of one of the ground
         self._covered = Covered()
         self._own: set[int] = set()  # the pages that no copy shares
         for address, obj in objects:
@@ -63,6 +69,8 @@ class Heap:
         """An independent copy."""
         copy = Heap.__new__(Heap)
         copy.pages = self.pages.copy()
+        copy._ground = self._ground
+        copy._changed = self._changed
         copy._covered = self._covered
         copy._own = set()
         if self._own:
@@ -74,6 +82,11 @@ class Heap:
         page = self.pages.get(address >> SHIFT)
         return None if page is None else page[address & MASK]
 
+    def stands(self, address: int) -> Obj | None:
+        """The object at an address, of this copy or of the ground."""
+        found = self.get(address)
+        return found if found is not None or self._ground is None else self._ground(address)
+
     def __contains__(self, address: int) -> bool:
         return self.get(address) is not None
 
@@ -83,6 +96,8 @@ class Heap:
         if number not in self._own:
             page = self.pages[number] = list(_BLANK) if page is None else page.copy()
             self._own.add(number)
+            if number not in self._changed and self._ground is not None and self._ground(address) is not None:
+                self._changed |= {number}
         assert page is not None
         page[address & MASK] = obj
 
@@ -108,15 +123,21 @@ class Heap:
         """
         changed, compared = False, 0
         covered = self._covered.pairs(widens=widens)
-        for number, theirs in other.pages.items():
-            ours = self.pages.get(number)
+        on_ground = self._changed | other._changed if self._changed or other._changed else self._changed
+        numbers = [*other.pages, *(self._changed - other.pages.keys())] if self._changed else other.pages
+        for number in numbers:
+            ours, theirs = self.pages.get(number), other.pages.get(number)
             if ours is theirs:
                 continue
-            if ours is None:
+            if number in on_ground:
+                ours, theirs = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
+            elif ours is None:
                 self._share(number, other)
                 changed = True
                 continue
-            merged, as_here, as_there = ours, True, True
+            assert ours is not None
+            assert theirs is not None
+            merged, as_here, as_there = ours, True, number not in on_ground
             for offset, (a, b) in enumerate(zip(ours, theirs, strict=True)):
                 if a is b:
                     continue
@@ -140,20 +161,30 @@ class Heap:
             else:
                 self.pages[number] = merged
                 self._own.add(number)
+        self._changed = on_ground
         return compared, changed
 
-    def fill(self, other: Heap) -> None:
-        """Take over what only the other has."""
+    def _grounded(self, number: int, page: Page | None, beside: Page | None) -> Page:
+        """A page with the objects of the ground in the places where the page beside it holds another one."""
+        here, there = page or _BLANK, beside or _BLANK
+        assert self._ground is not None
+        return [
+            self._ground((number << SHIFT) + offset) if a is None and b is not None else a
+            for offset, (a, b) in enumerate(zip(here, there, strict=True))
+        ]
+
+    def fill(self, other: Heap, merge: Callable[[Obj, Obj], Obj]) -> None:
+        """Take over what only the other has; of an object of the ground that only the other has changed, both."""
         for number, theirs in other.pages.items():
             ours = self.pages.get(number)
-            if ours is None:
+            if ours is None and number not in other._changed:
                 self._share(number, other)
             elif ours is not theirs:
-                missing = [offset for offset, obj in enumerate(ours) if obj is None and theirs[offset] is not None]
-                for offset in missing:
-                    obj = theirs[offset]
-                    assert obj is not None
-                    self[(number << SHIFT) + offset] = obj
+                for offset, obj in enumerate(theirs):
+                    if obj is not None and (ours is None or ours[offset] is None):
+                        address = (number << SHIFT) + offset
+                        ground = self.stands(address)
+                        self[address] = obj if ground is None else merge(ground, obj)
 
     def _share(self, number: int, other: Heap) -> None:
         """One page for both from now on."""

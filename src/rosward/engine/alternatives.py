@@ -8,7 +8,7 @@ make()                    both are called, neither sees what the other did
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from rosward.domain.choice import join
 from rosward.domain.values import UNBOUND, Value
@@ -17,12 +17,13 @@ from rosward.engine.state import State, join_states
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
+T = TypeVar("T")
 _TOLD_APART: Final = 8
 """What so many alternatives make is told apart. Beyond, all make the same objects: where each turn's are the alternatives of the
 next (`self.last = self.last[-9:]`), they would grow in number for ever."""
 
 
-def each_apart(machine: Interpreter, alternatives: Sequence[Value], action: Callable[[Value], Value]) -> Value:
+def each_apart(machine: Interpreter, alternatives: Sequence[T], action: Callable[[T], Value]) -> Value:
     """What an action gives for each alternative from the same state, results and states joined; UNBOUND where none comes back."""
     if len(alternatives) == 1:
         return action(alternatives[0])

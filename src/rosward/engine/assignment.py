@@ -106,9 +106,10 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     if old is not None and (weak or obj.many):
         value = join(old, value)
     if old is not value or name in obj.partial:
-        absent = marked(obj.partial, name) if old is None and weak else obj.partial
+        one_of_several = weak or obj.many
+        absent = marked(obj.partial, name) if old is None and one_of_several else obj.partial
         changed = obj.with_attr(name, value)
-        if weak and name in absent:
+        if name in absent and (weak or old is None):
             changed.partial = absent
         machine.put(ref.address, changed)
     return True

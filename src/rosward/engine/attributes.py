@@ -36,6 +36,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine import modules
+from rosward.engine.builtin_classes import of_class, of_exception_class
 from rosward.engine.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.namespaces import table_of
 from rosward.models.builtin_attributes import ANY_ATTRIBUTE, may_hide
@@ -85,8 +86,8 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
             return Const(value.name.rpartition(".")[2])  # type: ignore[attr-defined]
         base = value.name.removeprefix("builtins.")  # type: ignore[attr-defined]
         if is_exception(base):
-            return _of_native_class(machine, base, name) or _of_exception_class(machine, base, name)
-        return Native(f"{base}.{name}")
+            return _of_native_class(machine, base, name) or of_exception_class(machine, base, name)
+        return of_class(base, name) or Native(f"{base}.{name}")
     if cls is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
     if cls is Partial and name in ("func", "args"):
@@ -100,18 +101,6 @@ def _of_external(machine: Interpreter, value: External, name: str) -> Value:
     if name in NODE_METHODS and "." in value.name and not is_interface(value):
         return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)
     return External(f"{value.name}.{name}")
-
-
-def _of_exception_class(machine: Interpreter, cls: str, name: str) -> Value:
-    """What Python's own exception classes have as any class has."""
-    if name == "__module__":
-        return Const("builtins")
-    if name in ("__mro__", "__bases__"):
-        found = getattr(getattr(builtins, cls), name)
-        return Tuple(tuple(Native(f"builtins.{b.__name__}") for b in found))
-    if name == "__class__":
-        return Native("builtins.type")
-    return Native(f"{cls}.{name}") if hasattr(getattr(builtins, cls), name) else machine.unknown(Cause.ERROR, name)
 
 
 _OF_TYPE: Final = frozenset({"__new__", "__init__", "__call__", "__prepare__"})

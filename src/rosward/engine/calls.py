@@ -7,7 +7,7 @@ call trees do not explode; recursion beyond a few levels is solved by a fixpoint
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
 from rosward.domain.heap import Obj
@@ -161,6 +161,10 @@ def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keyw
     return machine.unknown(Cause.CALL, name)
 
 
+_QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "ismethod", "isdata", "callable")
+"""How the names of functions begin that answer whether something is so."""
+
+
 def _call_external(machine: Interpreter, function: External, args: Arguments, keywords: Keywords) -> Value:
     """Something of a library that is not modelled: its callable arguments may be called; an interface type makes a message."""
     if attributes.is_interface(function):
@@ -170,7 +174,8 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
         return call_native(machine, function.name, args, keywords)
     note_call(machine)
     escape(machine, (*args, *keywords.values()), function.name, function)
-    if len(args) == 1 and not keywords and args[0].__class__ in (Function, Class):
+    asks = function.name.rpartition(".")[2].startswith(_QUESTIONS)
+    if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):
         # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
         assignment.open_up(machine, args[0])
         return args[0]

@@ -104,7 +104,7 @@ class Catcher:
             return
         self.version = machine.state.version
         state = self.snapshot.state
-        old = state.heap.get(address)
+        old = state.heap.stands(address)
         merged = obj if old is None else join_objects(old, obj, join)
         if merged is not old:
             state.heap[address] = merged

@@ -79,7 +79,7 @@ class Interpreter:
         self.library = library
         self.budget = budget
         self.log = log
-        self.state = State(Heap(), 0, NOTHING_DONE)
+        self.state = State(Heap(ground=library.ground), 0, NOTHING_DONE)
         self.frames: list[Frame] = []
         self.catchers: list[catcher.Catcher] = []
         self.schedule_book = Schedule()

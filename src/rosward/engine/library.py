@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Final, NamedTuple, Protocol, final
+from typing import Final, final
 
 from rosward.domain.heap import Obj
 from rosward.domain.text import make
@@ -18,6 +18,7 @@ from rosward.domain.values import Class, Const, External, Function, Hole, Module
 from rosward.engine import modules
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
+from rosward.engine.found import Found, Sources
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.model_units import absolute, units
 from rosward.engine.stub_files import StubFiles
@@ -26,7 +27,6 @@ from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.effects import EffectLog
-from rosward.models.file_paths import Files
 from rosward.models.native import NativeFunction
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
@@ -36,51 +36,6 @@ _SMALL: Final = 1 << 60
 _PROCESS_ADDRESSES: Final = 10_000_000
 _MODELLED_FIRST: Final = frozenset({"rclpy", "launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common"})
 """Libraries whose models go before their sources: what they do is more than their Python says, or is asked for by name."""
-
-
-class Found(NamedTuple):
-    """Where a module name leads: its full dotted name, a key that identifies it, its file ('' for a folder), whether it is a model."""
-
-    name: str
-    key: str
-    file: str
-    model: bool = False
-    guess: bool = False
-
-
-class Sources(Protocol):
-    """The files of the analysis, as the engine sees them."""
-
-    @property
-    def files(self) -> Files:
-        """What is installed into the share folders of packages, as data."""
-
-    def find(self, name: str, level: int, importer: str) -> Found | None:
-        """The module of a name as written in the file `importer`."""
-
-    def module(self, file: str) -> Module | None:
-        """The lowered file; None where it cannot be read (a finding has said so)."""
-
-    def interface_has(self, module: str, name: str) -> bool | None:
-        """Whether `package.msg` (srv, action) has an interface of that name; None where the package is not known."""
-
-    def belongs(self, name: str) -> bool:
-        """Whether the first part of a dotted name is a package of the analysis."""
-
-    def python_package(self, file: str) -> str:
-        """The Python package in which a file lies, by its place; '' where it is no part of one, and for a script that is installed."""
-
-    def leads_out(self, file: str, name: str, level: int) -> bool:
-        """Whether a relative import with so many dots leads out of the file's ROS package, or of all that is analysed; so any of a script.
-
-        Not where there is no such package, and what is imported is not there either: the sources are then a part of a package.
-        """
-
-    def shared(self, file: str) -> tuple[str, str] | None:
-        """The package and the path in it of a file that is installed into the package's share folder; None for any other.
-
-        The package is '' for a launch file outside of packages; its path is then that below the folder of all sources.
-        """
 
 
 @final
@@ -138,6 +93,12 @@ class Library:
     def at(self, address: int) -> Obj:
         """A record of the models' heap; an empty one where there is none."""
         return self._loader.state.heap.get(address) or _NOTHING
+
+    def ground(self, address: int) -> Obj | None:
+        """What stands at an address before a process writes to it: a model's record, or that of a function without attributes."""
+        if address >= self.first_address:
+            return None
+        return _NOTHING if address < -1 else self._loader.state.heap.get(address)
 
     def native(self, name: str) -> NativeFunction | None:
         """The model in code of a dotted name."""

@@ -13,7 +13,10 @@ from rosward.domain.choice import join_all
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
+from rosward.engine import import_path
+from rosward.engine.alternatives import each_apart
 from rosward.engine.catcher import note_import
+from rosward.engine.found import Found
 from rosward.engine.frame import Frame
 from rosward.engine.relative_imports import Relative, main_package, relative
 from rosward.ir import ops
@@ -120,8 +123,21 @@ def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, leve
             note_import(machine)
         if importer.name == "__main__" and machine.library.find(meant.name, 0, importer) is not None:
             name, level = meant.name, 0
+    own = not level and (importer is None or not machine.library.is_model_file(importer.file))
+    if own and (given := import_path.registered(machine, name)) is not None:
+        return given
     found = machine.library.find(name, level, importer)
-    if found is None and for_models:  # a program's own, and not among the sources
+    if not own:
+        return _load_found(machine, meant, name, importer, level, found)
+    ways = import_path.on_path(machine, name, found)
+    return each_apart(machine, ways, lambda way: _load_found(machine, meant, name, importer, level, way))
+
+
+def _load_found(
+    machine: Interpreter, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: Found | None
+) -> Value:
+    """The module that an import of a name leads to."""
+    if found is None and not level and name.startswith("_rosward"):  # a program's own, and not among the sources
         return machine.unknown(Cause.MODULE, name)
     if found is None and not level and (space := machine.place_key(("module", name))) in machine.state.heap:
         return ModuleValue(space, name, "")
@@ -144,9 +160,15 @@ def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, leve
             parent = ModuleValue(machine.place_key(("module", above)), ".".join(parts[:-1]), "")
             run_module(machine, parent, parent.name)
     address = machine.place_key(("module", found.key))
+    if address in machine.state.heap:
+        address = import_path.imported(machine, whole, found, address)
     module = ModuleValue(address, whole, found.file)
-    if address not in machine.state.heap and not run_module(machine, module, whole):
-        return UNBOUND
+    if address not in machine.state.heap:
+        if not run_module(machine, module, whole):
+            return UNBOUND
+        given = None if level else import_path.registered(machine, whole)
+        if given is not None:
+            return given
     if parent.__class__ is ModuleValue and parent != module:
         record = machine.at(parent.address)
         if record.attrs.get(parts[-1]) != module:
@@ -188,11 +210,14 @@ def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int =
     if lowered is not None:
         attrs["__doc__"] = Const(lowered.code.doc)
     machine.put(module.address, Obj("module", Native("builtins.module"), attrs=attrs))
+    ours = not machine.library.is_model_file(module.file)
+    if ours:
+        import_path.register(machine, name, module)
     if lowered is None:
         return True
     code = lowered.code
     context = machine.context("module", module.file, turn)
-    frame = Frame(code, [UNBOUND] * code.registers, (), module, context, machine.library.is_model_file(code.file))
+    frame = Frame(code, [UNBOUND] * code.registers, (), module, context, not ours)
     frame.cells = tuple(machine.new_cells(code, context))
     frames, machine.frames = machine.frames, [frame]
     machine.entered.add(id(code))

@@ -18,7 +18,7 @@ from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
-from rosward.engine.state import State, join_states
+from rosward.engine.state import State, join_objects, join_states
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
@@ -240,7 +240,7 @@ class Schedule:
 
     def _call(self, machine: Interpreter, entry: Entry) -> None:
         self._event = entry.event
-        machine.state.heap.fill(entry.state.heap)
+        machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
         code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())
         frame = Frame(code, [], (), machine.library.nowhere, entry.context, False)
         frame.op = Op(entry.place.line, entry.place.column)

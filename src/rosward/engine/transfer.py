@@ -32,6 +32,7 @@ from rosward.engine import (
 )
 from rosward.engine.frame import Frame
 from rosward.ir import ops
+from rosward.models import ros_parameter_table
 from rosward.models.strings import format_value
 from rosward.models.strings_format import joined
 
@@ -263,6 +264,8 @@ def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
     if kept is None:
         return DEAD if value.__class__ is Choice else None
     frame.registers[op.dst] = kept
+    if kept != value:
+        ros_parameter_table.narrow(machine, value, kept)
     return None
 
 

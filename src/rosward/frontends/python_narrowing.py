@@ -307,7 +307,8 @@ def _subject(body: Body, node: ast.expr) -> tuple[int, Subject | None]:
         dst = body.register()
         body.ops.append(LoadItem(node.lineno, node.col_offset + 1, dst, obj, index))
         return dst, Subject("item", dst, obj, key=index)
-    return body.expression(node), None
+    register = body.expression(node)
+    return register, Subject("register", register) if isinstance(node, ast.Call) else None
 
 
 def _held(body: Body, node: ast.expr) -> int:

@@ -71,7 +71,8 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
         meta = machine.obj(Ref(value.address)).cls
         return _in_class(machine, meta, name) if there is False and isinstance(meta, Class) else there
     if isinstance(value, ModuleValue):
-        return True if machine.obj(Ref(value.address)).attrs.get(name, UNBOUND) is not UNBOUND else None
+        record = machine.obj(Ref(value.address))
+        return True if record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial else None
     if isinstance(value, (Function, BoundMethod, Native)):
         return _of_callable(machine, value, name)
     if isinstance(value, (Const, Text, Tuple, Range, Ref)):
@@ -168,10 +169,12 @@ def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
     unknown = slots = False
     for base in cls.mro:
         if isinstance(base, Class):
-            attrs = machine.obj(Ref(base.address)).attrs
-            if attrs.get(name, UNBOUND) is not UNBOUND:
+            record = machine.obj(Ref(base.address))
+            attrs = record.attrs
+            if attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial:
                 return True
             slots = slots or "__slots__" in attrs
+            unknown = unknown or name in record.partial
             unknown = unknown or may_hide(machine, base, name) or "__getattr__" in attrs or "__getattribute__" in attrs
         elif isinstance(base, Native):
             found = getattr(builtins, base.name.removeprefix("builtins."), None)

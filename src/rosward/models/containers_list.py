@@ -142,14 +142,14 @@ def _remove(call: NativeCall) -> Value:
     machine, ref, value = call.machine, _receiver(call), call.args[1]
     if ref is None:
         return NONE
-    items = machine.obj(ref).items
-    found = None if items is None else _position(machine, items, value)
-    if items is not None and found == -1:
+    series = machine.obj(ref).series()
+    found = _position(machine, series.head, value)
+    if series.exact and found == -1:
         raise Raised("ValueError", "list.remove(x): x not in list", (Const("list.remove(x): x not in list"),))
-    if items is None or found is None:
+    if found is None or found == -1:
         add_to_rest(machine, ref, ())
     else:
-        write(machine, ref, (*items[:found], *items[found + 1 :]))
+        write_series(machine, ref, series.without_at(found))
     return NONE
 
 

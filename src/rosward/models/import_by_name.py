@@ -79,8 +79,17 @@ def _entry_points(call: NativeCall) -> Value:
     return call.machine.unknown(Cause.CALL, call.name)
 
 
+def _reload(call: NativeCall) -> Value:
+    """`importlib.reload(module)`: the module, as it is."""
+    call.machine.report(
+        "RW203", "importlib.reload is not followed: what the module changed since it was imported is kept"
+    )
+    return call.exactly(1)[0]
+
+
 NATIVES: Final[dict[str, NativeFunction]] = {
     "importlib.import_module": _import_module,
+    "importlib.reload": _reload,
     "builtins.__import__": _import,
     "importlib.metadata.entry_points": _entry_points,
     "importlib_metadata.entry_points": _entry_points,

@@ -18,6 +18,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, Const, Ref, Unknown, Value
 from rosward.models import containers_dict
 from rosward.models.failures import fail
+from rosward.models.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -100,10 +101,34 @@ def value_of(machine: Interpreter, node: Value, name: Value) -> Value | None:
     return join_all(known) if known else None
 
 
+def narrow(machine: Interpreter, before: Value, after: Value) -> None:
+    """The value that was read of a parameter turned out to be another one: so it is where it is read again.
+
+    The origin of a default names its parameter, not the node: where two nodes have such a one, it is not known whose was read.
+    """
+    labels = {o.name for option in options(before) for o in origins_of(option) if o.kind == "parameter"}
+    if len(labels) != 1:
+        return
+    key = Const(labels.pop())
+    nodes = {Ref(effect.address) for effect in machine.log.nodes}
+    tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
+    held = [table for table in tables if machine.obj(table).entries.get(key) == before]
+    if len(held) == 1 and not machine.obj(held[0]).many:
+        record = machine.obj(held[0])
+        machine.update(held[0], record.replace(entries={**record.entries, key: after}))
+
+
 def not_declared(machine: Interpreter, name: Value, method: str) -> Value:
     """`method` raises, since the parameter is not declared."""
     message = f"parameter {readable(name)!r} is not declared here: {method} raises ParameterNotDeclaredException"
     return raise_(machine, "ParameterNotDeclaredException", message, name)
+
+
+def may_lack_value(machine: Interpreter, value: Value, label: str) -> None:
+    """`get_parameter` raises where nobody has given a parameter a value that has no default: whoever catches that is reached."""
+    reasons = [r for option in options(value) if isinstance(option, Unknown) for r in option.reasons]
+    if any(r.cause is Cause.PARAMETER and r.subject == label for r in reasons):
+        machine.throw(machine.unknown(Cause.PARAMETER, label, EXCEPTION_HINT))
 
 
 def raise_(machine: Interpreter, exception: str, message: str, *args: Value) -> Value:

@@ -225,6 +225,7 @@ def _parameter(call: NativeCall) -> Value:
                 continue
             value = table.value_of(machine, node, name)
             if value is not None:
+                table.may_lack_value(machine, value, label)
                 found += [_now(machine, v, label) for v in options(value)]
             elif declared is not False:
                 found.append(machine.unknown(Cause.PARAMETER, label))

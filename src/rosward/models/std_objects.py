@@ -190,6 +190,29 @@ def _kind_of(call: NativeCall) -> Value:
     return lift(one, call.args[0]) if call.args else NONE
 
 
+def _function_of(value: Value) -> Function | None:
+    """The function of a method."""
+    while isinstance(value, BoundMethod):
+        value = value.function
+    return value if isinstance(value, Function) else None
+
+
+def _yields(call: NativeCall) -> Value:
+    """inspect._yields(function): whether it is a generator function."""
+    found = _function_of(call.args[0]) if call.args else None
+    return _kinds_known(call) if found is None else Const(found.code.is_generator and not found.code.is_coroutine)
+
+
+def _awaits(call: NativeCall) -> Value:
+    """inspect._awaits(function): whether it is a coroutine function."""
+    found = _function_of(call.args[0]) if call.args else None
+    return _kinds_known(call) if found is None else Const(found.code.is_coroutine and not found.code.is_generator)
+
+
+def _kinds_known(call: NativeCall) -> Value:
+    return call.machine.unknown(Cause.CALL, call.name, "bool")
+
+
 def _method(call: NativeCall) -> Value:
     """types.MethodType(function, object): the function, bound to the object."""
     return lift(lambda function: BoundMethod(call.args[1], function), call.args[0])
@@ -205,7 +228,9 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "sys._handled": lambda call: host(call.machine).handled,
     "sys._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.main_raised),
     "threading._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.threads_raised),
+    "inspect._awaits": _awaits,
     "inspect._kind_of": _kind_of,
+    "inspect._yields": _yields,
     "queue._any": _any_of,
     "queue._alone": _alone,
     "asyncio._any": _any_of,

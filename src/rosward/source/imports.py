@@ -103,6 +103,31 @@ class ImportResolver:
                 return found
         return self._guess(parts, package, package.path)
 
+    def in_folder(self, folder: str, name: str) -> Resolution | None:
+        """What `import name` means, where a folder below that of all sources is the first in `sys.path`."""
+        path = self._inside(folder)
+        found = None if path is None else self._descend(path, name.split("."), None)
+        return found if found is not None and found.file is not None else None
+
+    def named(self, name: str) -> list[tuple[str, Resolution]]:
+        """All files of the sources that the absolute `name` may mean, each with the folder that `sys.path` would hold."""
+        if name.partition(".")[0] in _NEVER_GUESSED:
+            return []
+        parts = name.split(".")
+        up = len(parts)
+        return [
+            (
+                place_name(os.fspath(file.path.parents[up if file.is_package else up - 1]), self._root),
+                Resolution(name, file, os.fspath(file.path.parent) if file.is_package else None, guess=True),
+            )
+            for file in self._that_end_with(parts)
+        ]
+
+    def _inside(self, folder: str) -> str | None:
+        """The path of a folder below that of all sources; None where a link leads out."""
+        path = os.path.normpath(os.path.join(self._root, folder))  # noqa: PTH118
+        return None if self.is_left_out(path) else path
+
     def is_script(self, file: SourceFile) -> bool:
         """Whether a file is installed to be run by its path."""
         return os.fspath(file.path) in self._scripts
@@ -239,13 +264,7 @@ class ImportResolver:
         """The one file that could be meant if `sys.path` held its folder."""
         if parts[0] in _NEVER_GUESSED:
             return None
-        wanted = "".join(f"{os.sep}{part}" for part in parts)
-        here = os.fspath(near)
-        found = [
-            file
-            for file in self._by_stem.get(parts[-1], ())
-            if os.fspath(file.path) != here and _without_suffix(os.fspath(file.path)).endswith(wanted)
-        ]
+        found = [file for file in self._that_end_with(parts) if file.path != near]
         own = [file for file in found if package is not None and file.package is package]
         for candidates in (own, found):
             if len(candidates) == 1:
@@ -254,6 +273,12 @@ class ImportResolver:
                     ".".join(parts), file, os.fspath(file.path.parent) if file.is_package else None, guess=True
                 )
         return None
+
+    def _that_end_with(self, parts: list[str]) -> list[SourceFile]:
+        """The files whose paths end as an import of these parts spells them."""
+        wanted = "".join(f"{os.sep}{part}" for part in parts)
+        files = self._by_stem.get(parts[-1], ())
+        return [file for file in files if _without_suffix(os.fspath(file.path)).endswith(wanted)]
 
     def _package_of(self, path: str) -> Package | None:
         owners = [package for package in self._packages if path.startswith(f"{package.path}{os.sep}")]

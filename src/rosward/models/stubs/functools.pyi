@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`functools`: partial application; decorators that keep the function. The rest is models/std_functional.py."""
-from _rosward import either, native
+from _rosward import either, native, reads_only
 import functools
 
 WRAPPER_ASSIGNMENTS = ('__module__', '__name__', '__qualname__', '__doc__', '__annotations__')
@@ -13,6 +13,44 @@ class partialmethod:
         self._keywords = keywords
     def __get__(self, obj, cls=None):
         return functools.partial(self._func, obj, *self._args, **self._keywords)
+
+class _Cached:
+    """A function that is run once for each list of arguments, as long as its result is kept."""
+    def __init__(self, func, maxsize):
+        self._results = {}
+        self._most = maxsize
+        self.__wrapped__ = func
+        self.__name__ = func.__name__
+        self.__doc__ = func.__doc__
+    def __call__(self, *args, **kwargs):
+        if self._most == 0:
+            return self.__wrapped__(*args, **kwargs)
+        key = (args, tuple(kwargs.items()))
+        if key in self._results:
+            found = self._results.pop(key)
+        else:
+            found = self.__wrapped__(*args, **kwargs)
+            if self._most is not None and len(self._results) >= self._most:
+                del self._results[next(iter(self._results))]
+        self._results[key] = found
+        return found
+    def __get__(self, obj, cls=None):
+        return self if obj is None else functools.partial(self, obj)
+    def cache_clear(self):
+        self._results = {}
+    @reads_only
+    def cache_info(self): ...
+    @reads_only
+    def cache_parameters(self) -> dict: ...
+
+def cache(user_function, /):
+    return _Cached(user_function, None)
+def lru_cache(maxsize=128, typed=False):
+    if callable(maxsize):
+        return _Cached(maxsize, 128)
+    return functools.partial(_kept, maxsize)
+def _kept(maxsize, func):
+    return _Cached(func, maxsize)
 
 @native
 def _classes(cls, skip): ...

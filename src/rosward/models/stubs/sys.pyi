@@ -41,8 +41,8 @@ class _Hooks:
     """What nobody looks at twice."""
 
 argv = _argv()
-path = unknown('live', 'sys.path', 'list')
-modules = unknown('live', 'sys.modules', 'dict')
+path = [*unknown('live', 'sys.path', 'list')]
+modules = {unknown('live', 'sys.modules', 'str'): unknown('live', 'sys.modules')}
 executable = unknown('live', 'sys.executable', 'str')
 platform = 'linux'
 byteorder = 'little'

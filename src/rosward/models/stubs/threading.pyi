@@ -106,7 +106,14 @@ class Barrier:
     def abort(self) -> None: ...
 
 class local:
+    """Each thread has attributes of its own: one object stands for all, so what one thread sets may be there, and what was there before."""
     _rosward_hidden = ()
+    def __setattr__(self, name, value):
+        if unknown('live', 'thread', 'bool'):
+            object.__setattr__(self, name, value)
+    def __delattr__(self, name):
+        if unknown('live', 'thread', 'bool'):
+            object.__delattr__(self, name)
 
 _main = Thread(name='MainThread')
 

@@ -5,6 +5,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 """
 
 from _rosward import (
+    array_type,
     ask,
     calls,
     create_node,
@@ -107,6 +108,7 @@ class Node:
         "_timers", "_type_description_service", "_validate_qos_or_depth_parameter", "_validate_topic_or_service_name",
         "_waitables", "_wake_executor", "ParameterInput",
     )
+    _rosward_pre = ()
     _rosward_lifecycle = False
     _rosward_lifecycle_services = True
 
@@ -314,15 +316,24 @@ class Node:
 
     def set_parameters(self, parameter_list):
         results = []
-        for new in parameter_list:
-            self._set(new)
+        for parameter in parameter_list:
+            for new in self._modified([parameter]):
+                self._set(new)
             results.append(message(SetParametersResult, "result"))
         return results
 
     def set_parameters_atomically(self, parameter_list):
-        for new in parameter_list:
+        for new in self._modified(parameter_list):
             self._set(new)
         return message(SetParametersResult, "result")
+
+    def _modified(self, parameters):
+        if not self._rosward_pre:
+            return parameters
+        modified = []
+        for callback in self._rosward_pre:
+            modified.extend(callback(parameters))
+        return modified
 
     def _set(self, new):
         ask(self, "has_parameter", new.name)
@@ -336,6 +347,7 @@ class Node:
 
     def add_pre_set_parameters_callback(self, callback):
         may_refuse(self)
+        self._rosward_pre = (*self._rosward_pre, callback)
         schedule(callback, _new_parameters(), event="parameters")
 
     def add_on_set_parameters_callback(self, callback):
@@ -543,6 +555,8 @@ def _ring():
 
 def _can_be_value(value):
     """Whether a parameter can have the value, by its type."""
+    if isinstance(value, (list, tuple)):
+        return array_type(value) != ""
     return not isinstance(value, (dict, set, frozenset, bytes, bytearray, complex))
 
 

@@ -7,26 +7,26 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 from array import array
 from enum import IntEnum
 
-from _rosward import fail_unless, reads_only, unknown
+from _rosward import array_type, fail_unless, field_of, reads_only, unknown
 from rcl_interfaces.msg import Parameter as ParameterMsg
 
 PARAMETER_SEPARATOR_STRING = "."
 
 
 class _ParameterValue:
-    """Stands for rcl_interfaces/msg/ParameterValue: whichever field is asked for holds the value."""
+    """Stands for rcl_interfaces/msg/ParameterValue: the field of its type holds the value, the others what a new message has."""
 
     def __init__(self, value):
         self.type = Parameter.Type.from_parameter_value(value)
-        self.bool_value = value
-        self.integer_value = value
-        self.double_value = value
-        self.string_value = value
-        self.byte_array_value = value
-        self.bool_array_value = value
-        self.integer_array_value = value
-        self.double_array_value = value
-        self.string_array_value = value
+        self.bool_value = field_of(value, "bool", False)
+        self.integer_value = field_of(value, "integer", 0)
+        self.double_value = field_of(value, "double", 0.0)
+        self.string_value = field_of(value, "string", "")
+        self.byte_array_value = field_of(value, "byte_array", [])
+        self.bool_array_value = field_of(value, "bool_array", [])
+        self.integer_array_value = field_of(value, "integer_array", [])
+        self.double_array_value = field_of(value, "double_array", [])
+        self.string_array_value = field_of(value, "string_array", [])
 
 
 class Parameter:
@@ -54,16 +54,7 @@ class Parameter:
                 return Parameter.Type.DOUBLE
             if isinstance(parameter_value, str):
                 return Parameter.Type.STRING
-            for item in parameter_value:
-                if isinstance(item, bool):
-                    return Parameter.Type.BOOL_ARRAY
-                if isinstance(item, int):
-                    return Parameter.Type.INTEGER_ARRAY
-                if isinstance(item, float):
-                    return Parameter.Type.DOUBLE_ARRAY
-                if isinstance(item, str):
-                    return Parameter.Type.STRING_ARRAY
-            return Parameter.Type.BYTE_ARRAY
+            return getattr(Parameter.Type, array_type(parameter_value))
 
         def check(self, parameter_value):
             if self == Parameter.Type.NOT_SET:
