@@ -21,9 +21,9 @@ from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
 from rosward.domain.series import Series
 from rosward.engine.budget import Budget
-from rosward.findings import Finding
+from rosward.findings import INTERNAL_ERROR, Finding
 from rosward.gather import Gathered
-from rosward.guard import guarded
+from rosward.guard import Steps, guarded
 from rosward.ir.program import Module
 from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
@@ -59,7 +59,9 @@ def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deplo
     systems, findings = systems_of(request, outset)
     nodes, doubts = _of_systems(systems, read.sources, outset, progress)
     doubts += _never_launched(systems, read.plan) if request.all_launch else []
-    return Deployed(Gathered(nodes, [*findings, *doubts]), tuple(s.tree() for s in systems))
+    steps = Steps(net=read.budget.net)
+    trees = tuple(s.tree(steps) for s in systems)
+    return Deployed(Gathered(nodes, [*findings, *doubts, *steps.findings]), trees)
 
 
 def launched(
@@ -89,8 +91,11 @@ def launched(
             exclude=exclude,
             follow_links=follow_links,
         )
+        steps = Steps(net=read.budget.net)
         systems, findings = systems_of(request, Outset.of(read))
-        return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
+        trees = tuple(s.tree(steps) for s in systems)
+        told = {*findings, *steps.findings, *(f for f in read.plan.findings if f.code == INTERNAL_ERROR)}
+        return trees, tuple(sorted(told, key=lambda f: (f.place, f.code, f.message)))
 
     return with_deep_stack(work)
 
