@@ -24,7 +24,6 @@ from rosward.engine.budget import Budget
 from rosward.findings import INTERNAL_ERROR, Finding
 from rosward.gather import Gathered
 from rosward.guard import Steps, guarded
-from rosward.ir.program import Module
 from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
@@ -130,7 +129,8 @@ def _of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, 
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
-    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m)]
+    entered = {code for run in runs.all() for code in run.entered}
+    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and id(m.code) in entered]
     missing = "code that never runs is not told"
     told = guarded(lambda: list(unreached(runs.all(), read)), Place("", 0), missing, net=outset.budget.net)
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
@@ -161,10 +161,6 @@ class _Runs:
     def all(self) -> list[Run]:
         """What was interpreted."""
         return list(self._runs.values())
-
-    def entered(self, module: Module) -> bool:
-        """Whether one of the programs ran a module."""
-        return any(id(module.code) in run.entered for run in self._runs.values())
 
     def of(self, program: Launched) -> _Made:
         """The nodes of a program and its findings."""
