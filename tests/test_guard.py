@@ -10,6 +10,7 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -189,24 +190,162 @@ def test_the_exit_status_of_a_fault_is_3(
     assert "report" in told.err
 
 
-def test_a_format_costs_no_other(
-    workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(
+    "step",
+    [
+        "rosward.reading.make_plan",
+        "rosward.pipeline.with_enclaves",
+        "rosward.pipeline.size_findings",
+        "rosward.pipeline.connect",
+        "rosward.network.checks._wildcards",
+        "rosward.network.loose_ends.loose_ends",
+        "rosward.reduction.compact.compact",
+    ],
+)
+def test_a_step_on_the_way_of_everything_costs_what_it_gives(
+    step: str,
+    workspace: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr(output_files, "graph_dot", failing)
+    monkeypatch.setattr(step, failing)
     out = tmp_path / "out"
-    assert main(["extract", str(workspace), "-o", str(out)]) == 3
-    assert {p.name for p in out.iterdir()} >= {"network.json", "policy.xml", "graph.svg", "report.html"}
-    assert "dot" in capsys.readouterr().err
-    assert json.loads((out / "network.json").read_text())
+    wanted = ["--format", "json,policy,permissions,dot,mermaid,svg,html,sarif,junit", "--compact"]
+    assert main(["extract", str(workspace), "-o", str(out), *wanted]) == 3
+    text = (out / "network.json").read_text()
+    document = json.loads(text)
+    assert {"bad", "good"} == {n["name"] for n in document["nodes"]}
+    assert all(f'"/{name}"' in text for name in ("before_bad", "after_bad", "before_good", "after_good"))
+    assert text.count('"RW299"') == 1
+    assert "rosward itself failed here (RuntimeError in rosward/" in text
+    assert "RW299" in capsys.readouterr().err
+    assert len(ET.parse(out / "policy.xml").getroot().findall(".//enclave")) == 2
+    for file in ("graph.dot", "graph.mmd", "graph.svg", "report.html", "findings.sarif", "findings.junit.xml"):
+        assert (out / file).is_file()
+    assert "RW299" in (out / "findings.sarif").read_text()
+
+
+def test_without_the_net_a_step_raises(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosward.network.checks._wildcards", failing)
+    with pytest.raises(RuntimeError):
+        rosward.extract(workspace, budget=Budget(net=False))
+
+
+WRITERS = {
+    "json": "network_json",
+    "policy": "policy_xml",
+    "permissions": "permissions",
+    "dot": "graph_dot",
+    "mermaid": "graph_mermaid",
+    "svg": "graph_svg",
+    "html": "report_html",
+    "sarif": "sarif_json",
+    "junit": "junit_xml",
+}
+
+
+@pytest.mark.parametrize("broken_format", WRITERS)
+def test_a_format_costs_no_other(
+    broken_format: str,
+    workspace: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(output_files, WRITERS[broken_format], failing)
+    out = tmp_path / "out"
+    assert main(["extract", str(workspace), "-o", str(out), "--format", ",".join(WRITERS)]) == 3
+    files = {
+        "json": "network.json",
+        "policy": "policy.xml",
+        "permissions": "permissions",
+        "dot": "graph.dot",
+        "mermaid": "graph.mmd",
+        "svg": "graph.svg",
+        "html": "report.html",
+        "sarif": "findings.sarif",
+        "junit": "findings.junit.xml",
+    }
+    there = {p.name for p in out.iterdir()}
+    assert files[broken_format] not in there
+    assert there >= {file for one, file in files.items() if one != broken_format}
+    message = f"the format {broken_format} was not written"
+    told = capsys.readouterr()
+    assert message in told.err
+    assert message in " ".join(told.out.split())
+    for one in {"json", "html", "sarif", "junit"} - {broken_format}:
+        assert message in (out / files[one]).read_text(), one
+
+
+@pytest.mark.parametrize("step", ["rosward.outputs.github.github_commands", "rosward.outputs.text.summary"])
+def test_what_is_printed_costs_nothing_that_is_written(
+    step: str, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(step, failing)
+    out = tmp_path / "out"
+    assert main(["extract", str(workspace), "-o", str(out), "--format", "json,github"]) == 3
+    assert (out / "network.json").is_file()
+    assert "RW299" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("step", "kept"),
+    [
+        ("rosward.systems.entry", "all.launch.xml"),
+        ("rosward.outputs.launch_tree._entry", "RW299"),
+        ("rosward.reading.make_plan", "good.py"),
+    ],
+)
+def test_the_launch_tree_shows_the_rest(
+    step: str, kept: str, workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (workspace / "all.launch.xml").write_text('<launch><node pkg="demo" exec="good.py"/></launch>')
+    monkeypatch.setattr(step, failing)
+    assert main(["launch-tree", str(workspace)]) == 3
+    printed = capsys.readouterr()
+    assert "RW299" in printed.out
+    assert kept in printed.out
+    assert printed.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("step", "kept"),
+    [
+        ("rosward.differences.compare._beyond", "nodes gained: 1"),
+        ("rosward.differences.compare._change", "rights gained: 11"),
+        ("rosward.differences.of_nodes.snapshot_of", "nothing is compared"),
+        ("rosward.pipeline.connect", "nodes gained: 1"),
+        ("rosward.outputs.diff_text._line", "the differences were not written"),
+    ],
+)
+def test_a_comparison_tells_the_rest(
+    step: str,
+    kept: str,
+    workspace: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    new = tmp_path / "new"
+    new.mkdir()
+    (new / "bad.py").write_text(NODE.format(name="bad", line=""))
+    (new / "more.py").write_text(NODE.format(name="more", line=""))
+    (workspace / "good.py").unlink()
+    monkeypatch.setattr(step, failing)
+    assert main(["diff", str(workspace), str(new)]) == 3
+    printed = capsys.readouterr()
+    assert "RW299" in printed.err
+    assert kept in printed.out
 
 
 def test_any_other_fault_is_told_in_one_line(
     workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("rosward.pipeline.connect", failing)
+    monkeypatch.setattr("rosward.outputs.listing.rows_of", failing)
     assert main(["list", "nodes", str(workspace)]) == 3
     told = capsys.readouterr().err
-    assert told.startswith("rosward: internal error (RuntimeError in rosward/pipeline.py:")
+    assert told.startswith("rosward: internal error (RuntimeError in rosward/cli/listing.py:")
     assert told.count("\n") == 1
 
 

@@ -73,10 +73,12 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
         progress("analysing", number, total)
         runs.append(run(library, entry, budget, configuration))
     progress("analysing", total, total)
+    entered = {code for r in runs for code in r.entered}
     for file in sorted(plan.related):
         module = read.sources.module(file)
-        if module is not None and not any(id(module.code) in r.entered for r in runs):
+        if module is not None and id(module.code) not in entered:
             runs.append(run(library, plan.for_file(file), budget, configuration))
+            entered |= runs[-1].entered
     for file, names in node_classes(runs, library.node_class(None)).items() if assumed else ():
         for name in names:  # nothing says that two of them share a process
             runs.append(run(library, plan.for_class(file, name), budget, configuration))

@@ -4,6 +4,9 @@
     read = guarded(lambda: lower(text), Place("robot.py"), "what this file creates is missing", net=True)
     isinstance(read, Finding)        ->  it failed; else it is what `lower` gave
 
+    steps = Steps()
+    drawn = steps(lambda: draw(graph), "", "the graph is not drawn")    ->  "" where it failed; then it is told in `steps.findings`
+
 The net is no excuse: whatever is caught is a defect. `net=False` lets it through, for tests and for whoever looks for such defects.
 """
 
@@ -12,15 +15,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
-from typing import Final, TypeVar
+from typing import Final, TypeVar, final
 
 from rosward.findings import INTERNAL_ERROR, Finding
 from rosward.source.location import Place
 
-__all__ = ["guarded", "internal_error", "where"]
+__all__ = ["Steps", "guarded", "internal_error", "where"]
 
 _T = TypeVar("_T")
 _PACKAGE: Final = Path(__file__).parent
+_EVERYTHING: Final = Place("", 0)
 
 
 def guarded(work: Callable[[], _T], place: Place, missing: str, *, net: bool) -> _T | Finding:
@@ -31,6 +35,23 @@ def guarded(work: Callable[[], _T], place: Place, missing: str, *, net: bool) ->
         return work()
     except Exception as error:
         return internal_error(error, place, missing)
+
+
+@final
+class Steps:
+    """Steps on the way of everything: where one fails, the way goes on with something plainer."""
+
+    def __init__(self, *, net: bool = True) -> None:
+        self.findings: list[Finding] = []
+        self._net = net
+
+    def __call__(self, work: Callable[[], _T], instead: _T, missing: str, place: Place = _EVERYTHING) -> _T:
+        """What `work` gives, or what is given instead of it."""
+        found = guarded(work, place, missing, net=self._net)
+        if not isinstance(found, Finding):
+            return found
+        self.findings.append(found)
+        return instead
 
 
 def internal_error(error: Exception, place: Place, missing: str) -> Finding:

@@ -21,10 +21,9 @@ from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
 from rosward.domain.series import Series
 from rosward.engine.budget import Budget
-from rosward.findings import Finding
+from rosward.findings import INTERNAL_ERROR, Finding
 from rosward.gather import Gathered
-from rosward.guard import guarded
-from rosward.ir.program import Module
+from rosward.guard import Steps, guarded
 from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
@@ -59,7 +58,9 @@ def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deplo
     systems, findings = systems_of(request, outset)
     nodes, doubts = _of_systems(systems, read.sources, outset, progress)
     doubts += _never_launched(systems, read.plan) if request.all_launch else []
-    return Deployed(Gathered(nodes, [*findings, *doubts]), tuple(s.tree() for s in systems))
+    steps = Steps(net=read.budget.net)
+    trees = tuple(s.tree(steps) for s in systems)
+    return Deployed(Gathered(nodes, [*findings, *doubts, *steps.findings]), trees)
 
 
 def launched(
@@ -89,8 +90,11 @@ def launched(
             exclude=exclude,
             follow_links=follow_links,
         )
+        steps = Steps(net=read.budget.net)
         systems, findings = systems_of(request, Outset.of(read))
-        return tuple(s.tree() for s in systems), tuple(sorted(findings, key=lambda f: (f.place, f.code, f.message)))
+        trees = tuple(s.tree(steps) for s in systems)
+        told = {*findings, *steps.findings, *(f for f in read.plan.findings if f.code == INTERNAL_ERROR)}
+        return trees, tuple(sorted(told, key=lambda f: (f.place, f.code, f.message)))
 
     return with_deep_stack(work)
 
@@ -125,7 +129,8 @@ def _of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, 
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
-    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and runs.entered(m)]
+    entered = {code for run in runs.all() for code in run.entered}
+    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and id(m.code) in entered]
     missing = "code that never runs is not told"
     told = guarded(lambda: list(unreached(runs.all(), read)), Place("", 0), missing, net=outset.budget.net)
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
@@ -156,10 +161,6 @@ class _Runs:
     def all(self) -> list[Run]:
         """What was interpreted."""
         return list(self._runs.values())
-
-    def entered(self, module: Module) -> bool:
-        """Whether one of the programs ran a module."""
-        return any(id(module.code) in run.entered for run in self._runs.values())
 
     def of(self, program: Launched) -> _Made:
         """The nodes of a program and its findings."""

@@ -18,10 +18,11 @@ from rosward.deployment.request import Request, UnknownRequestError
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Severity
 from rosward.gather import Gathered, of_sources
+from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
-from rosward.network.connect import connect
-from rosward.network.contexts import EnclaveMode, with_enclaves
+from rosward.network.connect import apart, connect, with_findings
+from rosward.network.contexts import EnclaveMode, each_its_own, with_enclaves
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchSystem
 from rosward.reading import EVERYTHING, NothingToReadError, Progress, SourcePath, SourcesRead, read_sources, silent
@@ -172,16 +173,33 @@ def _extract(
 def _network(
     read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, wanted: _Enclaves
 ) -> Network:
-    nodes, conflicts = with_enclaves(gathered.nodes, wanted.mode, wanted.assigned)
-    findings.update(dict.fromkeys((*conflicts, *size_findings(nodes, unknown))))
+    steps = Steps(net=read.budget.net)
+    placed = steps(
+        lambda: with_enclaves(gathered.nodes, wanted.mode, wanted.assigned),
+        None,
+        "the enclaves are not those that were asked for: each node has one of its own",
+    )
+    nodes, conflicts = placed or (each_its_own(gathered.nodes), [])
+    nothing: list[Finding] = []
+    too_large = steps(lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large is not told")
+    findings.update(dict.fromkeys((*conflicts, *too_large)))
     if not nodes:
         findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
-    return connect(
-        read.distro.value,
-        nodes,
-        findings,
-        files=read.sources.files_read,
-        lines=read.sources.lines_read,
-        processes=len({n.process for n in nodes if not n.assumed}),
-        unknown=unknown,
+    counts = _Counts(read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed}))
+    distro = read.distro.value
+    network = steps(
+        lambda: connect(distro, nodes, findings, **counts._asdict(), unknown=unknown, net=read.budget.net),
+        None,
+        "what the nodes meet at is missing, and what is wrong in the whole is not told",
     )
+    if network is None:
+        network = with_findings(apart(distro, nodes, **counts._asdict()), findings)
+    return with_findings(network, steps.findings)
+
+
+class _Counts(NamedTuple):
+    """How much was read."""
+
+    files: int
+    lines: int
+    processes: int

@@ -86,6 +86,13 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
     return Plan(tuple(_distinct(entries)), files, frozenset(related))
 
 
+def plain_plan(workspace: Workspace) -> Plan:
+    """What stands in for a plan that cannot be made: every file is run by itself, and counts where it makes a node."""
+    files = {f.relative: f for f in workspace.files}
+    entries = [_entry(source, file, probe=True) for file, source in sorted(files.items())]
+    return Plan(tuple(_distinct(entries)), files, frozenset(files))
+
+
 def _distinct(entries: list[Entry]) -> list[Entry]:
     """Entries with labels of their own: the second of one label gets #2, and so on."""
     seen: dict[str, int] = {}

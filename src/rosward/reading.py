@@ -15,8 +15,9 @@ from typing import Final, NamedTuple
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
+from rosward.guard import Steps
 from rosward.models.tables import natives
-from rosward.plan import Plan, make_plan
+from rosward.plan import Plan, make_plan, plain_plan
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.exclude import Exclusion, exclusions_of
@@ -84,7 +85,11 @@ def read_sources(
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
     folders = tuple(Path(m) for m in models)
     library = Library(sources, natives(), folders, surroundings(distro.value), net=bounds.net)
-    plan = make_plan(workspace, sources, library)
+    steps = Steps(net=bounds.net)
+    missing = "each file is run by itself, under its own name, and not as an executable"
+    made = steps(lambda: make_plan(workspace, sources, library), None, missing)
+    plan = made or plain_plan(workspace)
+    plan = plan._replace(findings=(*plan.findings, *steps.findings))
     return SourcesRead(workspace, sources, plan, library, folders, distro, bounds)
 
 

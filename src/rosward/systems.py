@@ -29,7 +29,7 @@ from rosward.domain.values import Const, Value
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.findings import Finding
-from rosward.guard import guarded
+from rosward.guard import Steps, guarded
 from rosward.models.configuration import Configuration
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
@@ -47,11 +47,14 @@ class System(NamedTuple):
     started: tuple[Started, ...]
     programs: tuple[Launched, ...]
 
-    def tree(self) -> LaunchSystem:
+    def tree(self, steps: Steps) -> LaunchSystem:
         """In plain words."""
         behind = {id(p.started): p for p in self.programs}
-        entries: list[LaunchEntry] = [entry(s, behind.get(id(s))) for s in self.started]
-        return LaunchSystem(self.name, self.file, tuple(entries))
+        entries: list[LaunchEntry | None] = [
+            steps(partial(entry, s, behind.get(id(s))), None, "the launch tree does not show this", s.place)
+            for s in self.started
+        ]
+        return LaunchSystem(self.name, self.file, tuple(e for e in entries if e is not None))
 
 
 class Outset(NamedTuple):

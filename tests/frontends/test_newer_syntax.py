@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import sys
 
 import pytest
 
@@ -55,6 +56,12 @@ def test_newer_forms_become_older_ones(text: str, part: str) -> None:
 def test_what_is_old_stays(text: str) -> None:
     """Nothing else is rewritten."""
     assert older(text) is None
+
+
+@pytest.mark.skipif(sys.version_info >= (3, 14), reason="this Python reads it")
+def test_what_cannot_be_read_says_what_it_needs() -> None:
+    with pytest.raises(FrontendError, match=r"template string needs Python 3\.14"):
+        lower_module("x = 1\ny = t'{x}'\n", "f.py")
 
 
 @pytest.mark.parametrize(

@@ -136,7 +136,7 @@ def check_batch(folder: Path, batch: list[Changed]) -> None:
         if not any(e.name == "/chatter" and e.kind is rosward.EntityKind.PUBLISHER for n in good for e in n.entities):
             raise Broken(f"{name}: the sound node is lost")
         out = folder / "out" / name
-        write_outputs(result.network, str(out), FORMATS, unknown="wildcard")
+        write_outputs(result.network, str(out), FORMATS, unknown="wildcard", net=False)
         _check_outputs(out)
         for node in result.network.nodes:
             nodl_document(node)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import io
 import json
@@ -35,6 +36,32 @@ node = Node("talker")
 node.create_publisher(String, "chatter", 10)
 rclpy.spin(node)
 """
+
+
+async def status_of(app: Any, access: Access, method: str, address: str, drop: bytes = b"") -> int:
+    """The status of a request of which `drop` comes again and again; of which no body comes where there is none."""
+    found: list[int] = []
+    headers = {
+        "host": f"127.0.0.1:{PORT}",
+        "cookie": f"{access.cookie}={access.token}",
+        "content-type": "multipart/form-data; boundary=x",
+        **{key.lower(): value for key, value in OWN_PAGE.items()},
+    }
+    scope = {
+        "type": "http", "method": method, "path": address, "raw_path": address.encode(), "query_string": b"", "http_version": "1.1",
+        "headers": [(key.encode(), value.encode()) for key, value in headers.items()],
+    }  # fmt: skip
+
+    async def receive() -> dict[str, object]:
+        await (asyncio.sleep(0.01) if drop else asyncio.Event().wait())
+        return {"type": "http.request", "body": drop, "more_body": True}
+
+    async def send(message: dict[str, Any]) -> None:
+        if message["type"] == "http.response.start":
+            found.append(message["status"])
+
+    await app(scope, receive, send)
+    return found[0]
 
 
 @final

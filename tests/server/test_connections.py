@@ -11,7 +11,6 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -20,7 +19,7 @@ from rosward.server.limits import Limits
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
 
-from .page import OWN_PAGE, PORT
+from .page import PORT, status_of
 from .test_run import start
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="signals")
@@ -62,7 +61,7 @@ def test_an_upload_too_many_is_told_at_once(tmp_path: Path) -> None:
     async def story() -> list[int]:
         access = Access(PORT)
         app = application(Server(tmp_path, Limits(uploads=2, silence=60)), access, Hosts({"127.0.0.1"}, PORT))
-        asking = [asyncio.create_task(_upload(app, access, b"")) for _ in range(5)]
+        asking = [asyncio.create_task(status_of(app, access, "POST", "/api/uploads")) for _ in range(5)]
         done, open_ = await asyncio.wait(asking, timeout=2)
         for task in open_:
             task.cancel()
@@ -77,7 +76,7 @@ def test_an_upload_that_never_ends_is_given_up(tmp_path: Path) -> None:
     async def story() -> int:
         access = Access(PORT)
         app = application(Server(tmp_path, Limits(sending=0.5, silence=60)), access, Hosts({"127.0.0.1"}, PORT))
-        return await asyncio.wait_for(_upload(app, access, b"x"), 60)
+        return await asyncio.wait_for(status_of(app, access, "POST", "/api/uploads", b"x"), 60)
 
     assert asyncio.run(story()) == 400
     assert list((tmp_path / "sources").iterdir()) == []
@@ -92,35 +91,11 @@ def test_a_full_disk_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
             raise OSError(28, "No space left on device")
 
         monkeypatch.setattr(server.results, "new_upload", full)
-        return await _upload(application(server, access, Hosts({"127.0.0.1"}, PORT)), access, b"x")
+        return await status_of(
+            application(server, access, Hosts({"127.0.0.1"}, PORT)), access, "POST", "/api/uploads", b"x"
+        )
 
     assert asyncio.run(story()) == 507
-
-
-async def _upload(app: Any, access: Access, drop: bytes) -> int:
-    """The status of an upload of which `drop` comes again and again."""
-    found: list[int] = []
-    headers = {
-        "host": f"127.0.0.1:{PORT}",
-        "cookie": f"{access.cookie}={access.token}",
-        "content-type": "multipart/form-data; boundary=x",
-        **({key.lower(): value for key, value in OWN_PAGE.items()}),
-    }
-    scope = {
-        "type": "http", "method": "POST", "path": "/api/uploads", "raw_path": b"/api/uploads", "query_string": b"", "http_version": "1.1",
-        "headers": [(key.encode(), value.encode()) for key, value in headers.items()],
-    }  # fmt: skip
-
-    async def receive() -> dict[str, object]:
-        await (asyncio.sleep(0.01) if drop else asyncio.Event().wait())
-        return {"type": "http.request", "body": drop, "more_body": True}
-
-    async def send(message: dict[str, Any]) -> None:
-        if message["type"] == "http.response.start":
-            found.append(message["status"])
-
-    await app(scope, receive, send)
-    return found[0]
 
 
 COMPUTING = """

@@ -9,7 +9,6 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -23,7 +22,7 @@ from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
 from rosward.server.settings import Settings
 
-from .page import OWN_PAGE, PORT, TALKER, Page, opened
+from .page import OWN_PAGE, PORT, TALKER, Page, opened, status_of
 
 posix = pytest.mark.skipif(sys.platform != "linux", reason="names without encoding, and FIFOs")
 
@@ -52,7 +51,9 @@ def test_an_upload_that_stops_gives_its_place_to_the_next(tmp_path: Path) -> Non
     async def story() -> list[int]:
         access = Access(PORT)
         app = application(Server(tmp_path, Limits(silence=0.2)), access, Hosts({"127.0.0.1"}, PORT))
-        return await asyncio.wait_for(asyncio.gather(*(_ask(app, access, "POST", "/api/uploads") for _ in range(4))), 5)
+        return await asyncio.wait_for(
+            asyncio.gather(*(status_of(app, access, "POST", "/api/uploads") for _ in range(4))), 5
+        )
 
     assert asyncio.run(story()) == [400] * 4
 
@@ -62,7 +63,7 @@ def test_streams_that_are_opened_at_once_are_counted(tmp_path: Path) -> None:
         access = Access(PORT)
         server = Server(tmp_path, Limits(streams=5))
         app = application(server, access, Hosts({"127.0.0.1"}, PORT))
-        asking = [asyncio.create_task(_ask(app, access, "GET", "/api/news")) for _ in range(50)]
+        asking = [asyncio.create_task(status_of(app, access, "GET", "/api/news")) for _ in range(50)]
         done, open_ = await asyncio.wait(asking, timeout=1)
         assert len(open_) == 5
         server.news.close()
@@ -71,32 +72,6 @@ def test_streams_that_are_opened_at_once_are_counted(tmp_path: Path) -> None:
         return [task.result() for task in done] + ended
 
     assert sorted(asyncio.run(story())) == [200] * 5 + [503] * 45
-
-
-async def _ask(app: Any, access: Access, method: str, path: str) -> int:
-    """The status of a request of which no body comes."""
-    found: list[int] = []
-    headers = {
-        "host": f"127.0.0.1:{PORT}",
-        "cookie": f"{access.cookie}={access.token}",
-        "content-type": "multipart/form-data; boundary=x",
-        **({key.lower(): value for key, value in OWN_PAGE.items()}),
-    }
-    scope = {
-        "type": "http", "method": method, "path": path, "raw_path": path.encode(), "query_string": b"", "http_version": "1.1",
-        "headers": [(key.encode(), value.encode()) for key, value in headers.items()],
-    }  # fmt: skip
-
-    async def receive() -> dict[str, object]:
-        await asyncio.Event().wait()
-        return {}
-
-    async def send(message: dict[str, Any]) -> None:
-        if message["type"] == "http.response.start":
-            found.append(message["status"])
-
-    await app(scope, receive, send)
-    return found[0]
 
 
 def test_an_analysis_that_cannot_be_started_has_failed(tmp_path: Path) -> None:

@@ -7,8 +7,18 @@ import argparse
 from typing import TYPE_CHECKING
 
 from rosward.cli.reviewing import add_output_file, deliver
-from rosward.cli.shared import COMPLETE, INCOMPLETE, add_deployment, add_enclaves, add_format, add_sources, told
+from rosward.cli.shared import (
+    COMPLETE,
+    INCOMPLETE,
+    add_deployment,
+    add_enclaves,
+    add_format,
+    add_sources,
+    note_failures,
+    told,
+)
 from rosward.cli.sides import differences
+from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -40,9 +50,13 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
+    from rosward.differences.compare import not_compared
     from rosward.outputs.diff_text import diff_json, diff_markdown, diff_text
 
     found = differences(options)
     write = {"text": diff_text, "markdown": diff_markdown, "json": diff_json}[options.format]
-    deliver(write(found), options.output)
+    steps = Steps()
+    text = steps(lambda: write(found), None, "the differences were not written")
+    note_failures(options, (*found.failures, *steps.findings))
+    deliver(write(not_compared(steps.findings)) if text is None else text, options.output)
     return INCOMPLETE if options.fail_on and found.rights.gained else COMPLETE

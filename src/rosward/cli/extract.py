@@ -18,9 +18,11 @@ from rosward.cli.shared import (
     add_sources,
     add_unknown,
     extracted,
+    note_failures,
     refusing,
     request_of,
 )
+from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -105,13 +107,15 @@ def _run(options: argparse.Namespace) -> int:
         result, widened = compacted(result, options)
     sources = Sources(result.root, result.files)
     found, loose = reviewed_result(result, sources, options, unused=not request.deploys)
-    written = _write(result, found, loose, options, widened)
+    written, found = _write(result, found, loose, options, widened)
+    steps = Steps()
     if not options.quiet:
-        summarise(result, found, written, options)
+        steps(lambda: summarise(result, found, written, options), None, "the summary ends here")
     if "github" in options.format:
         from rosward.outputs.github import github_commands
 
-        sys.stdout.write(github_commands(found.shown))
+        sys.stdout.write(steps(lambda: github_commands(found.shown), "", "the format github was not written"))
+    note_failures(options, steps.findings)
     heaviest = [severity.value for severity in Severity]
     failing = heaviest[: heaviest.index(options.fail_on) + 1]
     return INCOMPLETE if any(f.rule.severity.value in failing for f in found.new) else COMPLETE
@@ -123,7 +127,11 @@ def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Wide
     from rosward.reduction.compact import compact
 
     network = result.network
-    compaction = compact(network.nodes, options.unknown)
+    steps = Steps()
+    compaction = steps(lambda: compact(network.nodes, options.unknown), None, "the permissions are not made smaller")
+    if compaction is None:
+        note_failures(options, steps.findings)
+        return replace(result, network=with_findings(network, steps.findings)), {}
     kept = tuple(f for f in network.findings if f.code != "RW304")
     network = with_findings(replace(network, findings=kept), compaction.findings)
     return replace(result, network=network), compaction.widened
@@ -135,9 +143,11 @@ def _write(
     loose: tuple[Finding, ...],
     options: argparse.Namespace,
     widened: Widenings,
-) -> list[str]:
+) -> tuple[list[str], Reviewed]:
+    """What was written, and the findings with those of writing."""
     from rosward.outputs.files import Scan, write_outputs
     from rosward.outputs.report.document import Background
+    from rosward.review.judge import of_no_file
 
     try:
         written = write_outputs(
@@ -150,13 +160,14 @@ def _write(
             scan=Scan(found.shown, options.baseline is not None, documentation()),
             background=Background(result.root, result.systems, loose),
             widened=widened,
-            failures=options.failures,
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error
+    note_failures(options, written.findings)
+    paths = written.paths
     if options.write_baseline is not None:
-        written.append(write_baseline(found.shown, options.write_baseline))
-    return written
+        paths.append(write_baseline(found.shown, options.write_baseline))
+    return paths, found._replace(shown=(*found.shown, *of_no_file(written.findings)))
 
 
 def summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:

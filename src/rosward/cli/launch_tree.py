@@ -19,6 +19,7 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -50,8 +51,10 @@ def _run(options: argparse.Namespace) -> int:
         systems, findings = launched(*options.paths, **reading(options, request))
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
+    write = launch_tree_json if options.format == "json" else launch_tree_text
+    steps = Steps()
+    text = steps(lambda: write(systems, findings), None, "the launch tree was not written")
+    findings = (*findings, *steps.findings)
     note_failures(options, findings)
-    sys.stdout.write(
-        launch_tree_json(systems, findings) if options.format == "json" else launch_tree_text(systems, findings)
-    )
+    sys.stdout.write(write((), findings) if text is None else text)
     return INCOMPLETE if any(f.rule.severity.value == "error" for f in findings) else COMPLETE

@@ -15,7 +15,8 @@ import sys
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from rosward.cli.shared import WrongUseError
+from rosward.cli.shared import WrongUseError, note_failures
+from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.findings import Finding
@@ -69,8 +70,11 @@ def reviewed_result(
     """
     from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
 
-    ends = loose_ends(result.network)
-    found = reviewed((*result.findings, *ends), sources, options, unused=unused)
+    steps = Steps()
+    nothing: list[Finding] = []
+    ends = steps(lambda: loose_ends(result.network), nothing, "loose ends are not told")
+    note_failures(options, steps.findings)
+    found = reviewed((*result.findings, *steps.findings, *ends), sources, options, unused=unused)
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
     if getattr(options, "loose_ends", False):
         return found, loose

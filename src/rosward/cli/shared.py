@@ -204,7 +204,7 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
 def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> None:
     """Keep in mind which findings say that rosward itself failed: they decide the exit status, whatever is made of them."""
     failures: list[str] = getattr(options, "failures", [])
-    failures += (f"{f.place}: {f.message}" for f in findings if f.code == INTERNAL_ERROR)
+    failures += (f"{f.place}: {f.message}" if f.place.file else f.message for f in findings if f.code == INTERNAL_ERROR)
 
 
 def reading(options: argparse.Namespace, request: Request) -> _Reading:

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rosward.cli.shared import WrongUseError, extracted, request_of
+from rosward.guard import Steps
 from rosward.outputs.safe import printable
 from rosward.source.exclude import Exclusion
 
@@ -116,16 +117,16 @@ def _revisions(git: Git, text: str) -> list[tuple[str, str | None]]:
 
 
 def _of_sources(options: argparse.Namespace, sides: Sequence[_Side], paths: Sequence[list[str]]) -> Differences:
-    from rosward.differences.compare import compare
+    from rosward.differences.compare import compare, not_compared
 
     _check(options, sides)
-    snapshots, told = [], []
+    snapshots, told, steps = [], [], Steps()
     for side, wanted in zip(sides, paths, strict=True):
         there = [path for path in wanted if os.path.lexists(path)]
         try:
             if not there:
                 raise WrongUseError("nothing of what is compared is there")
-            snapshots.append(_snapshot(options, side, there))
+            snapshots.append(_snapshot(options, side, there, steps))
         except WrongUseError as error:
             told.append((side, error))
             snapshots.append(_nothing())
@@ -134,7 +135,9 @@ def _of_sources(options: argparse.Namespace, sides: Sequence[_Side], paths: Sequ
     notes = tuple(f"{side.name}: {_relative(str(error), side)}; so nothing is started there" for side, error in told)
     for note in notes:
         print(f"rosward: {printable(note)}", file=sys.stderr)  # noqa: T201
-    return compare(snapshots[0], snapshots[1])._replace(notes=notes)
+    old, new = snapshots
+    found = not_compared(steps.findings) if old is None or new is None else compare(old, new)
+    return found._replace(notes=(*notes, *found.notes))
 
 
 def _check(options: argparse.Namespace, sides: Sequence[_Side]) -> None:
@@ -156,12 +159,13 @@ def _nothing() -> Snapshot:
     return Snapshot("network", frozenset(), frozenset(), Policy(()))
 
 
-def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str]) -> Snapshot:
+def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str], steps: Steps) -> Snapshot | None:
     from rosward.differences.of_nodes import snapshot_of
 
     own = _moved(options, side)
     result = extracted(own, paths, request_of(own))
-    return snapshot_of(result.network.nodes, side.name)
+    missing = "nothing is compared"
+    return steps(lambda: snapshot_of(result.network.nodes, side.name), None, missing)
 
 
 def _moved(options: argparse.Namespace, side: _Side) -> argparse.Namespace:

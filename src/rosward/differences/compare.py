@@ -10,13 +10,14 @@ denial that was taken away gives the rule that it restricted.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Final, Generic, NamedTuple, TypeVar
+from typing import Any, Final, Generic, NamedTuple, TypeVar
 
 from rosward.differences.of_nodes import snapshot_of
 from rosward.differences.snapshot import EntityLine, Snapshot
 from rosward.findings import Finding
+from rosward.guard import Steps
 from rosward.network.network_file import read_network
 from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
@@ -26,9 +27,10 @@ from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
-__all__ = ["Change", "Differences", "RightLine", "compare", "read_snapshot"]
+__all__ = ["Change", "Differences", "RightLine", "compare", "not_compared", "read_snapshot"]
 
 _Line = TypeVar("_Line")
+_Sorted = TypeVar("_Sorted", str, EntityLine)
 _LARGEST: Final = 32_000_000
 
 
@@ -59,11 +61,22 @@ class Differences(NamedTuple):
     entities: Change[EntityLine]
     rights: Change[RightLine]
     notes: tuple[str, ...] = ()
+    failures: tuple[Finding, ...] = ()
+    """RW299: what was not compared because rosward itself failed. They are among the notes, too."""
+
+    def failing(self, failures: Iterable[Finding]) -> Differences:
+        """The same, with these failures too."""
+        told = tuple(failures)
+        notes = (*self.notes, *(f"{f.code}: {f.message}" for f in told))
+        return self._replace(notes=notes, failures=(*self.failures, *told))
 
     @property
     def empty(self) -> bool:
         """Whether nothing came and nothing went."""
         return not any(change.gained or change.lost for change in self[:3])
+
+
+_NO_CHANGE: Final[Change[Any]] = Change((), ())
 
 
 def read_snapshot(path: str) -> Snapshot:
@@ -80,13 +93,28 @@ def read_snapshot(path: str) -> Snapshot:
     return Snapshot("policy", profiles, frozenset(), policy)
 
 
-def compare(old: Snapshot, new: Snapshot) -> Differences:
-    """The changes from one state to another of the same kind."""
-    return Differences(
-        Change(tuple(sorted(new.nodes - old.nodes)), tuple(sorted(old.nodes - new.nodes))),
-        Change(tuple(sorted(new.entities - old.entities)), tuple(sorted(old.entities - new.entities))),
-        Change(_beyond(new.policy, old.policy), _beyond(old.policy, new.policy)),
+def compare(old: Snapshot, new: Snapshot, *, net: bool = True) -> Differences:
+    """The changes from one state to another of the same kind. What rosward fails on is not compared, and told; without `net` it is raised."""
+    steps = Steps(net=net)
+    found = Differences(
+        steps(lambda: _change(old.nodes, new.nodes), _NO_CHANGE, "the nodes are not compared"),
+        steps(lambda: _change(old.entities, new.entities), _NO_CHANGE, "the entities are not compared"),
+        steps(
+            lambda: Change(_beyond(new.policy, old.policy), _beyond(old.policy, new.policy)),
+            _NO_CHANGE,
+            "the rights are not compared",
+        ),
     )
+    return found.failing(steps.findings)
+
+
+def not_compared(failures: Iterable[Finding]) -> Differences:
+    """What is told where rosward failed on one of the sides."""
+    return Differences(_NO_CHANGE, _NO_CHANGE, _NO_CHANGE).failing(failures)
+
+
+def _change(old: frozenset[_Sorted], new: frozenset[_Sorted]) -> Change[_Sorted]:
+    return Change(tuple(sorted(new - old)), tuple(sorted(old - new)))
 
 
 def _beyond(policy: Policy, other: Policy) -> tuple[RightLine, ...]:

@@ -26,6 +26,7 @@ from rosward.frontends import (
 )
 from rosward.frontends.python_body import Body, FrontendError, Unit, misplaced
 from rosward.frontends.python_definitions import lower_code
+from rosward.frontends.python_fstrings import parse_with_fstrings
 from rosward.frontends.python_newer import older
 from rosward.frontends.python_scopes import link, unresolved_nonlocal
 from rosward.frontends.python_symbols import collect
@@ -127,6 +128,22 @@ def _parse(text: str) -> ast.Module:
 
 def _of_newer(text: str) -> ast.Module | None:
     """What a text says in the syntax of a Python that is newer than the running one; None where that is not it."""
+    return _rewritten(text) or parse_with_fstrings(text, _tree_of_newer)
+
+
+def _tree_of_newer(text: str) -> ast.Module:
+    """What a text without f-strings says. Raises SyntaxError."""
+    try:
+        return ast.parse(text)
+    except SyntaxError:
+        found = _rewritten(text)
+        if found is None:
+            raise
+        return found
+
+
+def _rewritten(text: str) -> ast.Module | None:
+    """What a text says once its newer forms are older ones."""
     rewritten = older(text)
     if rewritten is None:
         return None
@@ -134,6 +151,9 @@ def _of_newer(text: str) -> ast.Module | None:
         return ast.parse(rewritten)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
+
+
+_TEMPLATE: Final = re.compile(r"""(?<!\w)(?:[tT][rR]?|[rR][tT])["']""")
 
 
 def _unreadable(error: SyntaxError, text: str) -> FrontendError:
@@ -149,6 +169,6 @@ def _unreadable(error: SyntaxError, text: str) -> FrontendError:
         line = lines[number - 1] if 0 < number <= len(lines) else ""
         if _PYTHON_2_LINE.match(line):
             kind = "python2"
-    if kind == "syntax" and message.startswith("f-string") and sys.version_info < (3, 12):
-        message += " (this f-string may need Python 3.12: run rosward with it)"
+        if kind == "syntax" and _TEMPLATE.search(line) and sys.version_info < (3, 14):
+            message += " (a template string needs Python 3.14: run rosward with it)"
     return FrontendError(kind, message, number, max(column, 1))

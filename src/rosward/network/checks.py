@@ -8,10 +8,12 @@ One function a rule, each from the network to findings. `check` runs them all.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain
 from typing import Literal, TypeVar
 
 from rosward.findings import Finding
+from rosward.guard import Steps
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
 from rosward.network.graph import Network
 from rosward.network.qos import incompatible_qos
@@ -33,17 +35,25 @@ _MEETING = (
 )
 
 
-def check(network: Network, unknown: UnknownNames = "deny") -> list[Finding]:
+def check(network: Network, unknown: UnknownNames = "deny", *, net: bool = True) -> list[Finding]:
     """Every finding that comes from the network as a whole, in no particular order."""
-    return [
-        *_several_nodes_in_one_process(network.nodes),
-        *_wildcards(network.nodes, unknown),
-        *_long_enclaves(network.nodes),
-        *_outside_ros_names(network.nodes),
-        *_differing_types(network.nodes),
-        *incompatible_qos(network.nodes),
-        *_names_used_twice(network.nodes),
-    ]
+    rules: tuple[Callable[[], Iterable[Finding]], ...] = (
+        lambda: _several_nodes_in_one_process(network.nodes),
+        lambda: _wildcards(network.nodes, unknown),
+        lambda: _long_enclaves(network.nodes),
+        lambda: _outside_ros_names(network.nodes),
+        lambda: _differing_types(network.nodes),
+        lambda: incompatible_qos(network.nodes),
+        lambda: _names_used_twice(network.nodes),
+    )
+    steps = Steps(net=net)
+    nothing: list[Finding] = []
+    found = [steps(_all_of(rule), nothing, "one of the checks of the whole system was not made") for rule in rules]
+    return [*chain.from_iterable(found), *steps.findings]
+
+
+def _all_of(rule: Callable[[], Iterable[Finding]]) -> Callable[[], list[Finding]]:
+    return lambda: list(rule())
 
 
 def place_of(node: Node, entity: Entity) -> Place:

@@ -19,7 +19,7 @@ from rosward.network.graph import Action, Network, Service, Topic
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
 from rosward.source.location import Place
 
-__all__ = ["connect", "with_findings"]
+__all__ = ["apart", "connect", "with_findings"]
 
 _KIND_ORDER: Final = {kind: index for index, kind in enumerate(EntityKind)}
 _RESOLUTION_ORDER: Final = {resolution: index for index, resolution in enumerate(Resolution)}
@@ -35,10 +35,11 @@ def connect(
     lines: int = 0,
     processes: int = 0,
     unknown: UnknownNames = "deny",
+    net: bool = True,
 ) -> Network:
     """The graph of these nodes, with the findings given and those of the whole (`network/checks.py`).
 
-    `unknown` is what the policy will say for an unknown name: it decides which wildcards there are to warn of.
+    `unknown` is what the policy will say for an unknown name: it decides which wildcards there are to warn of. Without `net`, faults are raised.
     """
     sorted_nodes = tuple(sorted((_settled(node) for node in nodes), key=_node_order))
     kind = EntityKind
@@ -53,7 +54,12 @@ def connect(
         lines=lines,
         processes=processes,
     )
-    return with_findings(network, [*findings, *check(network, unknown)])
+    return with_findings(network, [*findings, *check(network, unknown, net=net)])
+
+
+def apart(distro: str, nodes: Iterable[Node], *, files: int = 0, lines: int = 0, processes: int = 0) -> Network:
+    """What stands in for a graph that cannot be made: the nodes as they are, without what they meet at."""
+    return Network(distro, tuple(sorted(nodes, key=_node_order)), (), (), (), (), files, lines, processes)
 
 
 def with_findings(network: Network, findings: Iterable[Finding]) -> Network:

@@ -65,6 +65,11 @@ def with_enclaves(
     return placed, findings
 
 
+def each_its_own(nodes: Iterable[Node]) -> list[Node]:
+    """What stands in for enclaves that cannot be chosen: each node in one of its own, which allows nothing to the others of its process."""
+    return [replace(n, enclave=n.given_enclave or n.fqn) for n in nodes]
+
+
 def _spoken_for(processes: Collection[list[Node]]) -> set[str]:
     """The enclaves that starts name, and those of nodes that run alone: one that is made up never meets them."""
     named = {n.given_enclave for members in processes for n in members if n.given_enclave is not None}

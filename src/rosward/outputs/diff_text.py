@@ -49,7 +49,7 @@ def diff_markdown(differences: Differences) -> str:
 
 
 def _in_short(differences: Differences) -> str:
-    nodes, entities, rights, _ = differences
+    nodes, entities, rights = differences[:3]
     changes = ((rights, "right"), (nodes, "node"), (entities, "entity"))
     counts = [
         f"{len(items)} {'new ' if new else ''}{_several(word, len(items))}{'' if new else ' gone'}"
@@ -78,7 +78,7 @@ def _new_rights(rights: Sequence[RightLine]) -> Iterator[str]:
 
 def diff_json(differences: Differences) -> str:
     """`{"nodes": {"gained": […], "lost": […]}, "entities": …, "rights": …}`."""
-    nodes, entities, rights, notes = differences
+    nodes, entities, rights, notes, _ = differences
     document = {
         "schema_version": _SCHEMA_VERSION,
         "generator": {"name": "rosward", "version": __version__},
@@ -99,7 +99,7 @@ def _right(line: RightLine) -> dict[str, object]:
 
 
 def _groups(differences: Differences) -> Iterator[tuple[str, str, Sequence[object]]]:
-    nodes, entities, rights, _ = differences
+    nodes, entities, rights = differences[:3]
     groups: tuple[tuple[str, str, Sequence[object]], ...] = (
         ("nodes gained", "+", nodes.gained),
         ("nodes lost", "-", nodes.lost),

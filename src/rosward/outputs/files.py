@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Final, NamedTuple
 
-from rosward.guard import where
+from rosward.findings import Finding
+from rosward.guard import internal_error
 from rosward.network.checks import UnknownNames
+from rosward.network.connect import with_findings
 from rosward.network.graph import Network
 from rosward.outputs.dot import graph_dot
 from rosward.outputs.grants import NOT_WIDENED
@@ -24,10 +26,13 @@ from rosward.outputs.starts import starts_text
 from rosward.outputs.svg import graph_svg
 from rosward.outputs.whole_files import write_text
 from rosward.reduction.widened import Widenings
-from rosward.review.judge import Judged
+from rosward.review.judge import Judged, of_no_file
+from rosward.source.location import Place
 
 _LONGEST_PATH: Final = 250
 _ORDER: Final = ("json", "policy", "permissions", "dot", "mermaid", "svg", "html", "sarif", "junit")
+_SHOWING: Final = ("json", "html", "sarif", "junit")
+"""The formats that show findings, and so tell of what went wrong with the others."""
 _NO_BACKGROUND: Final = Background()
 
 
@@ -37,6 +42,13 @@ class Scan(NamedTuple):
     findings: Sequence[Judged]
     baseline: bool = False
     documentation: str | None = None
+
+
+class Written(NamedTuple):
+    """The paths that were written, without those of single enclaves, and what is told of formats that were not."""
+
+    paths: list[str]
+    findings: tuple[Finding, ...] = ()
 
 
 def write_outputs(
@@ -50,30 +62,52 @@ def write_outputs(
     scan: Scan | None = None,
     widened: Widenings = NOT_WIDENED,
     background: Background = _NO_BACKGROUND,
-    failures: list[str] | None = None,
-) -> list[str]:
-    """Write the chosen formats below `folder`; returns the paths written, without those of single enclaves.
+    net: bool = True,
+) -> Written:
+    """Write the chosen formats below `folder`.
 
     The formats sarif and junit need a `scan`; the report shows sources and launch files where it has a `background`. Raises OSError where that is
-    not possible. A format that cannot be made for a fault of rosward is told in `failures`, and the others are written.
+    not possible. A format that cannot be made for a fault of rosward is a finding (RW299), which the others show; without `net` that is raised.
     """
-    written: list[str] = []
     chosen = tuple(formats)
-    for one in (name for name in _ORDER if name in chosen):
-        findings = _findings(scan, (one,)) if scan is not None else ()
-        report = _report(network, (one,), unknown, background._replace(widened=widened))
+    written: dict[str, dict[str, None]] = {}
+    failed: dict[str, Finding] = {}
+
+    def write(one: str) -> None:
+        told = with_findings(network, failed.values())
+        texts = chain(
+            _texts(told, (one,), unknown, system, types, widened),
+            _report(told, (one,), unknown, background._replace(widened=widened)),
+            _findings(_with_failures(scan, failed.values()), (one,)) if scan is not None else (),
+        )
+        paths = written.setdefault(one, {})
+        for name, text in texts:
+            path = write_text(folder, name, text)
+            if "/" not in name:
+                paths[path] = None
+
+    def attempt(one: str) -> None:
         try:
-            for name, text in chain(_texts(network, (one,), unknown, system, types, widened), report, findings):
-                path = write_text(folder, name, text)
-                if "/" not in name:
-                    written.append(path)
+            write(one)
         except OSError:
             raise
         except Exception as error:
-            if failures is None:
+            if not net:
                 raise
-            failures.append(f"the format {one} was not written ({type(error).__name__} in {where(error)})")
-    return written
+            failed[one] = internal_error(error, Place("", 0), f"the format {one} was not written")
+
+    for one in _ORDER:
+        if one in chosen:
+            attempt(one)
+    if failed:  # those before it do not tell of it yet
+        for one in _SHOWING:
+            if one in chosen and one not in failed:
+                attempt(one)
+    return Written([path for paths in written.values() for path in paths], tuple(failed.values()))
+
+
+def _with_failures(scan: Scan, failures: Collection[Finding]) -> Scan:
+    return scan._replace(findings=(*scan.findings, *of_no_file(failures)))
 
 
 def _texts(

@@ -7,11 +7,11 @@ import json
 from collections.abc import Callable
 from typing import Any
 
-from rosward.outputs.safe import encodable
+from rosward.outputs.safe import json_escaped
 
 __all__ = ["json_text"]
 
 
 def json_text(document: object, default: Callable[[Any], object] | None = None) -> str:
-    """The document, indented, with a line end. Lone surrogates, which UTF-8 cannot hold, become escapes."""
-    return encodable(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False, default=default)) + "\n"
+    """The document, indented, with a line end. Lone surrogates, which UTF-8 cannot hold, and what cannot be seen become escapes."""
+    return json_escaped(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False, default=default)) + "\n"

@@ -7,16 +7,17 @@ sequences of a terminal, characters that XML cannot hold. Each function here mak
 
 from __future__ import annotations
 
+import json
 import re
 from typing import Final
 
-__all__ = ["encodable", "printable", "xml_attribute", "xml_comment", "xml_text"]
+__all__ = ["encodable", "json_escaped", "printable", "xml_attribute", "xml_comment", "xml_text"]
 
 _NOT_XML: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _SURROGATE: Final = re.compile("[\ud800-\udfff]")
 _CONTROL: Final = re.compile(
     "[\x00-\x1f\x7f-\x9f\xad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ud800-\udfff"
-    "\ufe00-\ufe0f\ufeff\uffa0\ufff0-\ufffb\U000e0000-\U000e0fff]"
+    "\ufe00-\ufe0f\ufeff\uffa0\ufff0-\ufffb\U0001bca0-\U0001bca3\U0001d173-\U0001d17a\U000e0000-\U000e0fff]"
 )
 """What ends a line, turns a line round, or cannot be seen (Unicode's Default_Ignorable_Code_Point), so that two names look the same."""
 
@@ -32,9 +33,9 @@ def printable(text: str) -> str:
 
 
 def xml_text(text: str) -> str:
-    """The text as the content of an element."""
-    kept = _NOT_XML.sub("\ufffd", text)
-    return kept.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\r", "&#13;")
+    """The text as the content of an element. What cannot be seen is written as a reference: it stays what it is, and who looks sees it."""
+    kept = _NOT_XML.sub("\ufffd", text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return _CONTROL.sub(_reference, kept)
 
 
 def xml_attribute(text: str) -> str:
@@ -42,10 +43,24 @@ def xml_attribute(text: str) -> str:
     return xml_text(text).replace('"', "&quot;").replace("\n", "&#10;").replace("\t", "&#9;")
 
 
+def json_escaped(document: str) -> str:
+    """A JSON document in which what cannot be seen, or is no character, is an escape: a reader of JSON gets what was there before."""
+    return _CONTROL.sub(_json_escape, document)
+
+
 def xml_comment(text: str) -> str:
     """A whole comment with this text: in it no two hyphens may follow each other, nor may one stand at the end."""
     kept = re.sub("-(?=-)", "- ", _NOT_XML.sub("\ufffd", printable(text)))
     return f"<!-- {kept} -->"
+
+
+def _reference(match: re.Match[str]) -> str:
+    return match.group() if match.group() in "\n\t" else f"&#{ord(match.group())};"
+
+
+def _json_escape(match: re.Match[str]) -> str:
+    """Outside of its texts JSON has no such character but the end of a line, and in them none of those."""
+    return match.group() if match.group() == "\n" else json.dumps(match.group())[1:-1]
 
 
 def _escape(match: re.Match[str]) -> str:

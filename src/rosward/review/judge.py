@@ -21,7 +21,7 @@ from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
 
-__all__ = ["Judged", "RelatedPlace", "Reviewed", "Sources", "Wishes", "judged", "review"]
+__all__ = ["Judged", "RelatedPlace", "Reviewed", "Sources", "Wishes", "judged", "of_no_file", "review"]
 
 
 class RelatedPlace(NamedTuple):
@@ -149,6 +149,12 @@ def judged(findings: Sequence[Finding], sources: Sources, baseline: Collection[s
         Judged(f, mark, sources.prefix + f.place.file if f.place.file else "", mark in baseline)
         for f, mark in zip(findings, marks, strict=True)
     )
+
+
+def of_no_file(findings: Collection[Finding]) -> tuple[Judged, ...]:
+    """The same for findings that stand in no file: none of them is ignored, or known."""
+    marks = fingerprints(tuple(findings), lambda _file, _line: "")
+    return tuple(Judged(finding, mark, "") for finding, mark in zip(findings, marks, strict=True))
 
 
 class _Comments:
