@@ -12,7 +12,7 @@ from typing import Final
 
 from rosward.domain.choice import options
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, BoundMethod, Class, Const, Function, Native, Ref, Tuple, Unknown, Value
 from rosward.models.builtin_attributes import attribute_names
 from rosward.models.builtin_constructors import is_callable
 from rosward.models.host import host
@@ -78,6 +78,12 @@ def _callable(call: NativeCall) -> Value:
     return spread(one, call.args[0])
 
 
+def _does_something(method: Value) -> bool:
+    """Whether a method of a model has a body: what is written to an `io.StringIO` is read again, what goes to the screen is not."""
+    function = method.function if isinstance(method, BoundMethod) else method
+    return isinstance(function, Function) and not function.code.is_stub
+
+
 def _print(call: NativeCall) -> Value:
     """What is printed goes to `file`, or to what the program put in the place of sys.stdout: its `write` runs."""
     file = call.keywords.get("file")
@@ -86,9 +92,12 @@ def _print(call: NativeCall) -> Value:
         file = machine.load_attr(machine.load_module("sys"), "stdout")
     for option in options(file):
         cls = call.machine.obj(option).cls if isinstance(option, Ref) else None
-        if isinstance(cls, Class) and not cls.stub:
+        if not isinstance(cls, Class):
+            continue
+        write = call.machine.load_attr(option, "write")
+        if not cls.stub or _does_something(write):
             text = call.machine.unknown(Cause.CALL, "print", "str")
-            call.machine.call(call.machine.load_attr(option, "write"), (text,))
+            call.machine.call(write, (text,))
             if call.keywords.get("flush") is not None:
                 call.machine.call(call.machine.load_attr(option, "flush"), ())
     return NONE
