@@ -24,7 +24,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, contents, metaclasses
+from rosward.engine import abstract, attributes, contents, metaclasses
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
@@ -126,6 +126,7 @@ def complete(machine: Interpreter, cls: Class, keywords: dict[str, Value]) -> Cl
                 function = hook.getter if hook.__class__ is Descriptor else hook
                 machine.call(BoundMethod(cls, function), (), keywords)
                 break
+    abstract.mark(machine, cls)
     return cls
 
 
@@ -274,6 +275,9 @@ def make_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...], key
             if isinstance(option, Ref) and not cls.stub:
                 _framework(machine, cls, option)
         return join_all(initialised)
+    if abstract.refused(machine, cls):
+        machine.instantiated.add(cls.place)
+        return UNBOUND
     ref = new_instance(machine, cls, args, keywords)
     if builtin_base(cls) is not None and _hidden(attributes.lookup(machine, cls, "__init__")):
         said = machine.unknown(Cause.CALL, f"{cls.dotted}.args", "tuple")

@@ -57,12 +57,6 @@ def _same(call: NativeCall) -> Value:
     return call.args[0] if call.args else NONE
 
 
-def _cache(call: NativeCall) -> Value:
-    """lru_cache, with or without arguments: the function itself."""
-    function = call.args[0] if call.args else None
-    return Native("functools._same") if function is None or isinstance(function, Const) else function
-
-
 def _cached_property(call: NativeCall) -> Value:
     return Descriptor("cached_property", call.args[0], None, None) if call.args else NONE
 
@@ -195,9 +189,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "functools.update_wrapper": _wrapped,
     "functools._same": _same,
     "functools.total_ordering": _same,
-    "functools.lru_cache": _cache,
-    "functools.cache": _cache,
-    "functools.cmp_to_key": _same,
     "functools.cached_property": _cached_property,
     "functools.reduce": _reduce,
     "itertools.product": _combine,

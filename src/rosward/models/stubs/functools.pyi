@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`functools`: partial application; decorators that keep the function. The rest is models/std_functional.py."""
-from _rosward import either, native
+from _rosward import either, native, unknown
 import functools
 
 WRAPPER_ASSIGNMENTS = ('__module__', '__name__', '__qualname__', '__doc__', '__annotations__')
@@ -13,6 +13,59 @@ class partialmethod:
         self._keywords = keywords
     def __get__(self, obj, cls=None):
         return functools.partial(self._func, obj, *self._args, **self._keywords)
+
+class _Cached:
+    """A function whose results are kept, as long as there are no more than `most`."""
+    def __init__(self, func, most):
+        self.__wrapped__ = func
+        self.__name__ = func.__name__
+        self.__qualname__ = func.__qualname__
+        self.__module__ = func.__module__
+        self.__doc__ = func.__doc__
+        self._most = most
+        self._results = {}
+    def __call__(self, *args, **kwargs):
+        key = (args, tuple(kwargs.items()))
+        if key in self._results and (self._most is None or len(self._results) <= self._most or unknown('operation', 'functools.lru_cache', 'bool')):
+            return self._results[key]
+        result = self.__wrapped__(*args, **kwargs)
+        self._results[key] = result
+        return result
+    def __get__(self, obj, cls=None):
+        return self if obj is None else functools.partial(self, obj)
+    def cache_clear(self):
+        self._results.clear()
+    def cache_info(self):
+        return unknown('operation', 'functools.lru_cache')
+    def cache_parameters(self):
+        return {'maxsize': self._most, 'typed': unknown('operation', 'functools.lru_cache', 'bool')}
+
+def lru_cache(maxsize=128, typed=False):
+    if callable(maxsize):
+        return _Cached(maxsize, 128)
+    return functools.partial(_cached, maxsize)
+def _cached(maxsize, user_function):
+    return _Cached(user_function, maxsize)
+def cache(user_function, /):
+    return _Cached(user_function, None)
+
+class _Key:
+    """What objects are ordered by: a function of two of them."""
+    def __init__(self, mycmp, obj):
+        self._compare = mycmp
+        self.obj = obj
+    def __lt__(self, other):
+        return self._compare(self.obj, other.obj) < 0
+    def __gt__(self, other):
+        return self._compare(self.obj, other.obj) > 0
+    def __eq__(self, other):
+        return self._compare(self.obj, other.obj) == 0
+    def __le__(self, other):
+        return self._compare(self.obj, other.obj) <= 0
+    def __ge__(self, other):
+        return self._compare(self.obj, other.obj) >= 0
+def cmp_to_key(mycmp):
+    return functools.partial(_Key, mycmp)
 
 @native
 def _classes(cls, skip): ...
