@@ -288,7 +288,7 @@ def test_known_arguments_are_parsed(machine: FakeMachine) -> None:
 
     def parse(words: str, some: bool = False) -> object:
         given = machine.new_list([Const(w) for w in words.split()])
-        return machine.plain(machine.native("argparse._exact", actions, given, Const(some)))
+        return machine.plain(machine.native("argparse._exact", actions, given, Const(some), Const("-")))
 
     assert parse("--topic /a --rate=3 arm --fast --more x y") == (
         {"topic": "/a", "rate": 3, "fast": True, "more": ["x", "y"], "robot": "arm"},
@@ -299,7 +299,7 @@ def test_known_arguments_are_parsed(machine: FakeMachine) -> None:
     assert parse("--topic") is UNBOUND
     assert [error for error, _ in machine.deaths] == ["SystemExit", "SystemExit"]
     unknown = machine.new_list((), machine.unknown(Cause.ARGUMENT, "sys.argv", "str"))
-    assert machine.native("argparse._exact", actions, unknown, Const(False)) == NONE
+    assert machine.native("argparse._exact", actions, unknown, Const(False), Const("-")) == NONE
 
 
 def test_getopt_gives_any_option(machine: FakeMachine) -> None:

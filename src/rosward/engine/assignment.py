@@ -29,8 +29,10 @@ from rosward.domain.values import (
 from rosward.engine import attributes
 from rosward.engine.attributes import setter_of
 from rosward.engine.escape import name_of
+from rosward.engine.namespaces import slots_of
+from rosward.models.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.builtin_attributes import ANY_ATTRIBUTE
-from rosward.models.native import Items
+from rosward.models.std_records import FROZEN
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -83,7 +85,7 @@ def store_past_hook(machine: Interpreter, ref: Ref, name: str, value: Value, *, 
 def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
     hook = attributes.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
-    if hook is not None and hook.__class__ is Function:
+    if hook is not None and (hook.__class__ is Function or hook == FROZEN):
         return machine.call(hook, (ref, Const(name), value)) is not UNBOUND
     in_class = attributes.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":
@@ -102,6 +104,14 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
         said = Const(f"'{obj.cls.name}' object has no attribute '{name}'")  # type: ignore[attr-defined]
         if machine.die("AttributeError", f"no slot {name}", (said,), sure=True) is UNBOUND:
             return False
+    if name == "__class__" and obj.kind == "instance":
+        _change_class(machine, ref, value, weak=weak)
+        return True
+    if name == TABLE and obj.kind == "instance":
+        give_table(machine, ref, value if not weak else join(machine.load_attr(ref, name), value))
+        return True
+    if store_in_table(machine, obj, name, value, weak=weak):
+        return True
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)
@@ -115,6 +125,16 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     return True
 
 
+def _change_class(machine: Interpreter, ref: Ref, cls: Value, *, weak: bool) -> None:
+    """`object.__class__ = cls`: from now on it is an object of that class."""
+    obj = machine.obj(ref)
+    if cls.__class__ is not Class or weak or obj.many:
+        machine.report("RW203", "an object may be given another class")
+        return
+    machine.instantiated.add(cls.place)
+    machine.put(ref.address, obj.replace(cls=cls))
+
+
 def _has_no_place(machine: Interpreter, cls: Value, name: str) -> bool:
     """Whether all classes of an object say by `__slots__` which attributes it has, and this is none of them."""
     if cls.__class__ is not Class:
@@ -122,12 +142,7 @@ def _has_no_place(machine: Interpreter, cls: Value, name: str) -> bool:
     for base in cls.mro:
         if base == _OBJECT:
             continue
-        slots = machine.at(base.address).attrs.get("__slots__") if base.__class__ is Class and not base.stub else None
-        if slots is None:
-            return False
-        names = machine.iterate(slots) if not isinstance(slots, Const) else Items((slots,))
-        if names.rest is not None or not all(isinstance(n, Const) for n in names.known):
-            return False
-        if Const(name) in names.known or Const("__dict__") in names.known:
+        slots = slots_of(machine, base)
+        if slots is None or name in slots or "__dict__" in slots:
             return False
     return True

@@ -39,6 +39,7 @@ from rosward.engine import modules
 from rosward.engine.builtin_classes import of_class, of_exception_class
 from rosward.engine.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.namespaces import table_of
+from rosward.models.attribute_tables import TABLE, own_attribute
 from rosward.models.builtin_attributes import ANY_ATTRIBUTE, may_hide
 from rosward.models.contents import KINDS
 from rosward.models.exceptions import MEMBERS, is_exception, member_of
@@ -223,6 +224,8 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     if obj.kind != "instance":
         if name == "__class__":
             return obj.cls
+        if obj.kind == "generator" and name.partition("_")[0] in ("gi", "cr", "ag"):
+            return machine.unknown(Cause.LIVE, f"generator.{name}")
         return BoundMethod(ref, Native(f"{obj.kind}.{name}"))
     if machine.hooked:
         hook = lookup(machine, obj.cls, "__getattribute__")
@@ -235,18 +238,18 @@ def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
     """What `object.__getattribute__` gives."""
     obj = machine.obj(ref)
     cls = obj.cls
-    own = obj.attrs.get(name)
+    own, sure = own_attribute(machine, obj, name)
     in_class = lookup(machine, cls, name)
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         return _computed(machine, ref, name, lambda: bind(machine, in_class, ref, cls))
     if setter_of(machine, in_class) is not None:  # a data descriptor goes before what the object holds itself
         return _computed(machine, ref, name, lambda: bind(machine, in_class or NONE, ref, cls))
     if own is not None and own is not UNBOUND:
-        if not obj.many and name not in obj.partial:
+        if sure:
             return own
         if in_class is not None:
             return join(own, bind(machine, in_class, ref, cls))
-        fallback = lookup(machine, cls, "__getattr__") if name in obj.partial else None
+        fallback = lookup(machine, cls, "__getattr__") if name in obj.partial or TABLE in obj.attrs else None
         return own if fallback is None else join(own, machine.call(fallback, (ref, Const(name))))
     if in_class is not None:
         if in_class.__class__ is Function:

@@ -225,8 +225,10 @@ def _of_type(machine: Interpreter, name: str, args: Arguments, keywords: Keyword
 
 
 def _descriptor(args: Arguments, name: str) -> Value:
-    """`@x.setter` and its like."""
+    """`@x.getter`, `@x.setter`, `@x.deleter`."""
     found, function = args[0], args[1] if len(args) > 1 else NONE
+    if found.__class__ is Descriptor and name == "descriptor.getter":
+        return found._replace(getter=function)
     if found.__class__ is Descriptor and name == "descriptor.setter":
         return found._replace(setter=function)
     if found.__class__ is Descriptor and name == "descriptor.deleter":

@@ -24,7 +24,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import attributes, contents, metaclasses, subclass_hooks
+from rosward.engine import abstract, attributes, contents, metaclasses, subclass_hooks
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
@@ -123,6 +123,7 @@ def complete(machine: Interpreter, cls: Class, keywords: dict[str, Value]) -> Cl
     if hook is not None:
         function = hook.getter if hook.__class__ is Descriptor else hook
         machine.call(BoundMethod(cls, function), (), keywords)
+    abstract.mark(machine, cls)
     return cls
 
 
@@ -271,11 +272,13 @@ def make_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...], key
             if isinstance(option, Ref) and not cls.stub:
                 _framework(machine, cls, option)
         return join_all(initialised)
+    if abstract.refused(machine, cls):
+        machine.instantiated.add(cls.place)
+        return UNBOUND
     base, initialiser = builtin_base(cls), attributes.lookup(machine, cls, "__init__")
+    # OSError leaves it to an `__init__` to give it its arguments
     own = base is not None and issubclass(base, OSError) and initialiser.__class__ is Function
-    ref = new_instance(
-        machine, cls, () if own else args, keywords
-    )  # OSError leaves it to an `__init__` to give it its arguments
+    ref = new_instance(machine, cls, () if own else args, keywords)
     if base is not None and _hidden(initialiser):
         said = machine.unknown(Cause.CALL, f"{cls.dotted}.args", "tuple")
         machine.update(ref, machine.obj(ref).with_attr("args", said))

@@ -147,12 +147,14 @@ def _once(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
     suspension = record.payload
     assert isinstance(suspension, Suspension)
     over = suspension.at({}, ended=True)
-    before = machine.state
     if not suspension.points:  # it is at its end
         if action.kind != "throw":
-            return Stepped(UNBOUND, before)
+            return Stepped(UNBOUND, machine.state)
         thrown_in(machine, action.value)
         return Stepped(UNBOUND)
+    if not record.many:  # unless it comes to a `yield`: whatever it raises, it is at its end then
+        machine.update(ref, _with(machine, ref, over))
+    before = machine.state
     several = len(suspension.points) + suspension.ended > 1
     started = any(not p.path for p in suspension.points)
     at_random = several and (suspension.ended or started or len(suspension.points) > _FEW)

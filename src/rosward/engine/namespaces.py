@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.heap import Obj
-from rosward.domain.values import UNBOUND, Const, Native, Ref, Value
+from rosward.domain.values import UNBOUND, Class, Const, Native, Ref, Value
 from rosward.ir.program import CodeKind
+from rosward.models.native import Items
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
@@ -19,13 +20,28 @@ if TYPE_CHECKING:
 
 
 def table_of(machine: Interpreter, address: int) -> Value:
-    """A dict of the attributes kept at an address; what is stored in it becomes an attribute there."""
+    """A dict of the attributes kept at an address, without those in slots; what is stored in it becomes an attribute there."""
     attrs = machine.at(address).attrs
     partial = machine.at(address).partial
-    entries: dict[Value, Value] = {Const(k): v for k, v in attrs.items() if v is not UNBOUND and k.isidentifier()}
+    cls = machine.at(address).cls
+    slots = {n for base in (cls.mro if isinstance(cls, Class) else ()) for n in slots_of(machine, base) or ()}
+    entries: dict[Value, Value] = {
+        Const(k): v for k, v in attrs.items() if v is not UNBOUND and k.isidentifier() and k not in slots
+    }
     maybe = frozenset(k for k in map(Const, partial) if k in entries)
     record = Obj("dict", Native("builtins.dict"), entries=entries, maybe=maybe, payload=Ref(address))
     return machine.allocate(record, ("variables", address))
+
+
+def slots_of(machine: Interpreter, cls: Value) -> tuple[str, ...] | None:
+    """The names that `__slots__` of a class lists; None where it has none, or they are not known."""
+    written = machine.at(cls.address).attrs.get("__slots__") if isinstance(cls, Class) and not cls.stub else None
+    if written is None:
+        return None
+    names, rest = machine.iterate(written) if not isinstance(written, Const) else Items((written,))
+    if rest is not None or not all(isinstance(n, Const) for n in names):
+        return None
+    return tuple(str(n.value) for n in names if isinstance(n, Const))
 
 
 def variables(machine: Interpreter, *, local: bool) -> Value | None:

@@ -9,6 +9,7 @@ from rosward.domain.choice import options
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Descriptor, Function, ModuleValue, Ref, Value
 from rosward.engine import attributes
 from rosward.engine.alternatives import each_apart
+from rosward.models.attribute_tables import remove_from_table
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -44,5 +45,7 @@ def remove(machine: Interpreter, target: Value, name: str) -> None:
     """What an object, class or module holds under a name is gone."""
     if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
         record = machine.at(target.address)
+        if target.__class__ is Ref and remove_from_table(machine, record, name):
+            return
         if name in record.attrs and not record.many:
             machine.put(target.address, record.with_attr(name, UNBOUND))

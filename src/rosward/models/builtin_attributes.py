@@ -28,6 +28,7 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
+from rosward.models.attribute_tables import TABLE, own_attribute
 from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import kind_of
@@ -59,11 +60,11 @@ def has_attribute(machine: Machine, value: Value, name: str) -> bool | None:
     """Whether value.name exists; None where that is not known."""
     if isinstance(value, Ref) and machine.obj(value).kind == "instance":
         obj = machine.obj(value)
-        own = obj.attrs.get(name)
+        own, sure = own_attribute(machine, obj, name)
         in_class = _in_class(machine, obj.cls, name)
         if own is None or own is UNBOUND:
             return in_class
-        return True if in_class or name not in obj.partial else None
+        return True if in_class or sure or (TABLE not in obj.attrs and name not in obj.partial) else None
     if isinstance(value, Class):
         if hasattr(object, name) or name == "__module__":  # what `type` gives to each class, it gives to object
             return True

@@ -13,10 +13,10 @@ from typing import Final
 from rosward.domain.choice import options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, BoundMethod, Class, Const, Function, Native, Ref, Tuple, Unknown, Value
-from rosward.models.builtin_attributes import attribute_names
+from rosward.models.builtin_attributes import attribute_names, has_attribute
 from rosward.models.builtin_constructors import is_callable
 from rosward.models.host import host
-from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.plain import (
     evaluate,
     from_python,
@@ -38,6 +38,9 @@ _NEEDS: Final[dict[str, tuple[int, str]]] = {
     "pow": (2, "base exp mod"),
     "divmod": (2, ""),
 }
+_ASKED: Final = {"abs": "__abs__", "round": "__round__", "divmod": "__divmod__"}
+"""What Python calls in the place of a function, on an object that has it."""
+_AS_INDEX: Final = frozenset({"bin", "hex", "oct", "chr"})
 _ABSOLUTE: Final = {"int": "int", "bool": "int", "float": "float"}
 _OPAQUE: Final = {"memoryview": "", "help": ""}
 
@@ -48,6 +51,10 @@ def _pure(call: NativeCall) -> Value:
     function, hint = _PURE[name]
 
     def one(*values: Value) -> Value:
+        special = "__index__" if name in _AS_INDEX else _ASKED.get(name, "")
+        if _is_object(call.machine, values[0], special):
+            answer = call.machine.call(call.machine.load_attr(values[0], special), values[1:])
+            return one(answer) if name in _AS_INDEX and isinstance(answer, Const) else answer
         known = evaluate(call.machine, name, function, values, hint)
         if known is not None:
             return known
@@ -58,6 +65,13 @@ def _pure(call: NativeCall) -> Value:
     if call.keywords:
         return unknown_from(call.machine, name, hint, *call.args, *call.keywords.values())
     return spread(one, *call.args)
+
+
+def _is_object(machine: Machine, value: Value, special: str) -> bool:
+    """Whether a value is an object whose class has a special method."""
+    if not special or not isinstance(value, Ref) or machine.obj(value).kind != "instance":
+        return False
+    return has_attribute(machine, value, special) is True
 
 
 def _is_instance(call: NativeCall) -> Value:
@@ -84,6 +98,23 @@ def _does_something(method: Value) -> bool:
     return isinstance(function, Function) and not function.code.is_stub
 
 
+_MOST_PRINTED: Final = 50
+
+
+def _pieces(call: NativeCall) -> list[Value]:
+    """What `print` writes, one piece after another."""
+    if call.loose is not None or len(call.args) > _MOST_PRINTED or {"sep", "end"} & call.unsure:
+        return [call.machine.unknown(Cause.CALL, "print", "str")]
+    between, end = (
+        Const(usual) if given is None or given == NONE else given
+        for given, usual in ((call.keywords.get("sep"), " "), (call.keywords.get("end"), "\n"))
+    )
+    pieces: list[Value] = []
+    for number, value in enumerate(call.args):
+        pieces += [between] * (number > 0) + [to_str(call.machine, format_value(call.machine, value, "s"))]
+    return [*pieces, end]
+
+
 def _print(call: NativeCall) -> Value:
     """What is printed goes to `file`, or to what the program put in the place of sys.stdout: its `write` runs."""
     file = call.keywords.get("file")
@@ -96,8 +127,8 @@ def _print(call: NativeCall) -> Value:
             continue
         write = call.machine.load_attr(option, "write")
         if not cls.stub or _does_something(write):
-            text = call.machine.unknown(Cause.CALL, "print", "str")
-            call.machine.call(write, (text,))
+            for piece in _pieces(call):
+                call.machine.call(write, (piece,))
             if call.keywords.get("flush") is not None:
                 call.machine.call(call.machine.load_attr(option, "flush"), ())
     return NONE

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.values import NONE, Class, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Native, Ref, Tuple, Value
+from rosward.models.exceptions import builtin_base
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.plain import native, spread
 
@@ -29,10 +30,16 @@ def _send(call: NativeCall) -> Value:
 
 
 def _throw(call: NativeCall) -> Value:
-    exception = call.args[1] if len(call.args) < 3 or call.args[2] == NONE else call.args[2]
-    if isinstance(exception, Class):
-        exception = call.machine.call(exception, ())
-    return call.machine.next_of(call.args[0], "throw", exception)
+    """`throw(exception)`, or as older programs do: `throw(cls, value, traceback)`."""
+    machine, exception = call.machine, call.args[1]
+    value = call.args[2] if len(call.args) > 2 else NONE
+    if isinstance(exception, Class) or (isinstance(exception, Native) and builtin_base(exception) is not None):
+        if isinstance(value, Ref) and machine.is_instance(value, exception):
+            exception = value
+        else:
+            given = value.items if isinstance(value, Tuple) else () if value == NONE else (value,)
+            exception = machine.call(exception, given)
+    return UNBOUND if exception is UNBOUND else machine.next_of(call.args[0], "throw", exception)
 
 
 def _close(call: NativeCall) -> Value:

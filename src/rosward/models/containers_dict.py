@@ -161,11 +161,18 @@ def take(machine: Machine, ref: Ref, index: Value) -> Found:
     present = find(obj, key) if key is not None else None
     if present is not None:
         entries = {k: v for k, v in obj.entries.items() if k != present}
+        _gone(machine, obj, present)
         machine.update(ref, obj.replace(entries=entries, maybe=obj.maybe - {present}))
     elif key is None:
         doubtful = {k for k in obj.entries if equal(machine, k, index) is not False}
         machine.update(ref, obj.replace(maybe=obj.maybe | doubtful))
     return found
+
+
+def _gone(machine: Machine, obj: Obj, key: Value) -> None:
+    """What is taken out of the `__dict__` of an object is no attribute of it any more."""
+    if isinstance(obj.payload, Value) and isinstance(key, Const) and isinstance(key.value, str):
+        machine.delete_attr(obj.payload, key.value)
 
 
 def keys(machine: Machine, obj: Obj) -> Items:
@@ -362,13 +369,17 @@ def _clear(call: NativeCall) -> Value:
     ref = _receiver(call)
     if ref is not None:
         obj = call.machine.obj(ref)
+        for key in obj.entries:
+            _gone(call.machine, obj, key)
         call.machine.update(ref, obj.replace(entries={}, maybe=frozenset(), rest=None, rest_key=None))
     return NONE
 
 
 def copy(machine: Machine, ref: Ref) -> Ref:
     """A new dict with the same entries."""
-    return machine.allocate(machine.obj(ref).replace(cls=Native("builtins.dict"), attrs={}, many=False), "copy")
+    return machine.allocate(
+        machine.obj(ref).replace(cls=Native("builtins.dict"), attrs={}, many=False, payload=None), "copy"
+    )
 
 
 def _copy(call: NativeCall) -> Value:

@@ -183,12 +183,17 @@ def _clear(call: NativeCall) -> Value:
 
 def _index(call: NativeCall) -> Value:
     known, rest = call.machine.iterate(call.args[0])
-    found = _position(call.machine, known, call.args[1])
-    if found is None or rest is not None or len(call.args) > 2:
+    bounds = [int_of(bound) for bound in call.args[2:]]
+    if rest is not None or None in bounds:
+        return unknown_from(call.machine, call.name, "int", *call.args)
+    low, high = (*bounds, None, None)[:2]
+    within = range(len(known))[low:high]
+    found = _position(call.machine, known[within.start : within.stop], call.args[1])
+    if found is None:
         return unknown_from(call.machine, call.name, "int", *call.args)
     if found == -1:
         raise Raised("ValueError", "value is not in list")
-    return Const(found, origins(call.args[1]))
+    return Const(within.start + found, origins(*call.args[1:]))
 
 
 def _count(call: NativeCall) -> Value:
@@ -212,6 +217,9 @@ def order(machine: Machine, items: Items, key: Value | None, reverse: Value | No
     decided = False if reverse is None else machine.truth(reverse)
     ranks = [comparable(machine, k) for k in keys]
     if any(k is NOT_PLAIN for k in ranks) or decided is None:
+        placed = None if decided is None else _by_asking(machine, keys, reverse=decided)
+        if placed is not None:
+            return Items(tuple(known[n] for n in placed))
         return Items((join_all(known),) * len(known))
     try:
         ranked = sorted(range(len(known)), key=lambda n: ranks[n], reverse=decided)  # type: ignore[arg-type,return-value]
@@ -219,6 +227,27 @@ def order(machine: Machine, items: Items, key: Value | None, reverse: Value | No
         raise Raised("TypeError", str(error)) from error
     source = origins(*keys) if any(origins(k) for k in keys) else NO_ORIGINS
     return Items(tuple(with_origins(known[n], source) for n in ranked))
+
+
+_MOST_ASKED: Final = 20
+
+
+def _by_asking(machine: Machine, keys: list[Value], *, reverse: bool) -> list[int] | None:
+    """The order of keys that say themselves which of two goes first (`__lt__`); None where one does not know."""
+    if len(keys) > _MOST_ASKED:
+        return None
+    placed: list[int] = []
+    for number in range(len(keys))[:: -1 if reverse else 1]:
+        place = len(placed)
+        while place:
+            less = machine.truth(machine.compare("<", keys[number], keys[placed[place - 1]]))
+            if less is None:
+                return None
+            if not less:
+                break
+            place -= 1
+        placed.insert(place, number)
+    return placed[:: -1 if reverse else 1]
 
 
 def _sort(call: NativeCall) -> Value:

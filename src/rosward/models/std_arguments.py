@@ -46,12 +46,14 @@ def _long(flags: tuple[str, ...]) -> str:
 
 
 def _dest(call: NativeCall) -> Value:
-    """argparse._dest(flags): the attribute that an argument is stored in."""
-    flags = _flags(call, call.args[0])
-    if not flags:
+    """argparse._dest(flags, prefix): the attribute that an argument is stored in."""
+    flags, prefix = _flags(call, call.args[0]), text_of(call.args[1])
+    if not flags or not prefix:
         return call.machine.unknown(Cause.OPERATION, "name of an argument", "str")
-    long = _long(flags)
-    return Const(long.lstrip("-").replace("-", "_") if long.startswith("-") else long)
+    if flags[0][:1] not in prefix:
+        return Const(flags[0])
+    long = next((f for f in flags if len(f) > 1 and f[1] in prefix), flags[0])
+    return Const(long.lstrip(prefix).replace("-", "_"))
 
 
 def _shown(call: NativeCall) -> Value:
@@ -83,7 +85,7 @@ def _declared(machine: Machine, parser: _Parser, index: int, obj: Obj) -> None:
         options["nargs"] = nargs.value
     if action in {"store_const", "append_const"} or nargs.value == "?":
         options["const"] = None
-    if all(f.startswith("-") for f in flags):
+    if all(f[:1] in parser.prefix_chars for f in flags):
         options["dest"] = str(index)
         options["required"] = bool(attrs["required"].value)
         parser.add_argument(*flags, **options)
@@ -103,7 +105,7 @@ def _converted(machine: Machine, obj: Obj, found: object) -> Value:
 
 
 def _exact(call: NativeCall) -> Value:
-    """argparse._exact(actions, arguments, some): ({dest: value given}, extra arguments); None if not all is known."""
+    """argparse._exact(actions, arguments, some, prefix): ({dest: value given}, extra arguments); None if not all is known."""
     machine = call.machine
     actions, arguments = exact_list(machine, call.args[0]), exact_list(machine, call.args[1])
     if actions is None or arguments is None:
@@ -111,7 +113,10 @@ def _exact(call: NativeCall) -> Value:
     tokens = names_of(arguments)
     if len(tokens) != len(arguments) or len(tokens) > 200 or any(t.startswith("@") for t in tokens):
         return NONE
-    parser = _Parser(add_help=False)
+    prefix = text_of(call.args[3])
+    if not prefix:
+        return NONE
+    parser = _Parser(add_help=False, prefix_chars=prefix)
     objs = [machine.obj(a) for a in actions if isinstance(a, Ref)]
     try:
         for index, obj in enumerate(objs):

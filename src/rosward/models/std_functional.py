@@ -189,7 +189,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "functools._wrapped": _wrapped,
     "functools.update_wrapper": _wrapped,
     "functools.total_ordering": _same,
-    "functools.cmp_to_key": _same,
     "functools.cached_property": _cached_property,
     "functools.reduce": _reduce,
     "itertools.product": _combine,

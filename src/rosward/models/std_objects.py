@@ -7,6 +7,7 @@ with opened('x') as f: …           the generator function runs at the `with`; 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, lift, options
@@ -39,9 +40,55 @@ def _shallow(call: NativeCall) -> Value:
         if not isinstance(value, Ref) or call.machine.obj(value).kind not in _COPIED:
             return value
         hook = _hook(call, value, "__copy__")
-        return _again(call, value) if hook is None else call.machine.call(hook, (value,))
+        if hook is not None:
+            return call.machine.call(hook, (value,))
+        made = _reduced(call, value, lambda part: part)
+        return _again(call, value) if made is None else made
 
     return lift(one, call.args[0]) if call.args else NONE
+
+
+_REDUCE: Final = ("__reduce_ex__", "__reduce__")
+_KEPT: Final = 2
+"""How many parts of what `__reduce__` gives are followed: what is called, its arguments, and the state."""
+
+
+def _reduced(call: NativeCall, value: Ref, copied: Callable[[Value], Value]) -> Value | None:
+    """A copy as the program's `__reduce__`, `__getstate__`, `__setstate__` make it; None where it has none of them."""
+    machine = call.machine
+    reduce = next((h for h in (_own_hook(call, value, name) for name in _REDUCE) if h is not None), None)
+    getter, setter = _own_hook(call, value, "__getstate__"), _own_hook(call, value, "__setstate__")
+    if reduce is None and getter is None and setter is None:
+        return None
+    state: Value = NONE
+    if reduce is not None:
+        given = machine.call(reduce, (value, Const(4)) if _own_hook(call, value, "__reduce_ex__") else (value,))
+        if not isinstance(given, Tuple) or len(given.items) < _KEPT:
+            return machine.unknown(Cause.CALL, "copy")
+        arguments = machine.iterate(given.items[1])
+        made = machine.call(given.items[0], tuple(copied(a) for a in arguments.known))
+        state = given.items[_KEPT] if len(given.items) > _KEPT else NONE
+    else:
+        made = place(machine, machine.obj(value).replace(many=False, attrs={}), value.address)
+        state = machine.call(getter, (value,)) if getter is not None else machine.load_attr(value, "__dict__")
+    if state == NONE or made is UNBOUND or state is UNBOUND:
+        return made
+    state = copied(state)
+    restore = _own_hook(call, made, "__setstate__") if isinstance(made, Ref) else None
+    if restore is not None:
+        machine.call(restore, (made, state))
+    else:
+        machine.call(machine.load_attr(machine.load_attr(made, "__dict__"), "update"), (state,))
+    return made
+
+
+def _own_hook(call: NativeCall, value: Value, name: str) -> Value | None:
+    """A special method that the program defines for an object."""
+    cls = call.machine.obj(value).cls if isinstance(value, Ref) else None
+    for base in cls.mro if isinstance(cls, Class) else ():
+        if isinstance(base, Class) and not base.stub and name in (attrs := call.machine.obj(class_obj(base)).attrs):
+            return attrs[name]
+    return None
 
 
 def _again(call: NativeCall, ref: Ref) -> Ref:
@@ -82,6 +129,9 @@ def _deep(call: NativeCall) -> Value:
         hook = _hook(call, value, "__deepcopy__")
         if hook is not None:
             return machine.call(hook, (value, machine.new_dict({})))
+        reduced = _reduced(call, value, lambda part: copied(part, depth + 1)) if obj.kind == "instance" else None
+        if reduced is not None:
+            return reduced
         ref = made[value.address] = _again(call, value)
         machine.update(
             ref,

@@ -32,10 +32,13 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
+from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.std_support import class_obj, exact_dict, place, place_dict, place_list, text_of
 
 FIELDS: Final = "__dataclass_fields__"
+FROZEN: Final = Native("dataclasses.refuse")
+"""`__setattr__` of a frozen class."""
 FIELD: Final = External("dataclasses.Field")
 _ABSENT: Final = Tuple(())
 
@@ -115,6 +118,10 @@ def dataclass(call: NativeCall) -> Value:
     for name, option in (("init", "__init__"), ("eq", "__eq__")):
         if option not in attrs and machine.truth(call.keywords.get(name, TRUE)) is not False:
             machine.store_attr(cls, option, Native(f"dataclasses.{name}"))
+    if machine.truth(call.keywords.get("frozen", FALSE)) is True:
+        machine.store_attr(cls, "__setattr__", FROZEN)
+    if machine.truth(call.keywords.get("slots", FALSE)) is True:
+        machine.store_attr(cls, "__slots__", Tuple(tuple(map(Const, annotations_of(machine, cls)))))
     return cls
 
 
@@ -186,7 +193,7 @@ def _set(machine: Machine, instance: Value, name: str, value: Value) -> None:
     """Set past `__setattr__`, as a frozen class does; properties of the class are kept."""
     if isinstance(instance, Ref):
         cls = machine.obj(instance).cls
-        if _own_method(machine, cls, "__setattr__") is None and not isinstance(
+        if _own_method(machine, cls, "__setattr__") in (None, FROZEN) and not isinstance(
             _own_method(machine, cls, name), Descriptor
         ):
             obj = machine.obj(instance)
@@ -195,6 +202,14 @@ def _set(machine: Machine, instance: Value, name: str, value: Value) -> None:
             )
             return
     machine.store_attr(instance, name, value)
+
+
+def _refuse(call: NativeCall) -> Value:
+    """dataclasses.refuse(instance, name, value): an attribute of a frozen object is set."""
+    machine = host(call.machine)
+    cls = machine.load_attr(machine.load_module("dataclasses"), "FrozenInstanceError")
+    machine.throw(machine.call(cls, (machine.unknown(Cause.LIVE, "message of an exception", "str"),)))
+    return UNBOUND
 
 
 def _own_method(machine: Machine, cls: Value | None, name: str) -> Value | None:
@@ -290,6 +305,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "dataclasses.field": _make_field,
     "dataclasses.init": init,
     "dataclasses.eq": _eq,
+    "dataclasses.refuse": _refuse,
     "dataclasses.asdict": _as,
     "dataclasses.astuple": _as,
     "dataclasses.replace": _replace,

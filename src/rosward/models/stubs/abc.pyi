@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`abc`: abstract methods are methods."""
+"""`abc`: a class with a method that is marked as abstract has no objects."""
 
 from _rosward import register
 
@@ -10,12 +10,13 @@ class ABCMeta(type):
 class ABC(metaclass=ABCMeta): ...
 
 def abstractmethod(funcobj):
+    funcobj.__isabstractmethod__ = True
     return funcobj
 def abstractproperty(fget=None, fset=None, fdel=None, doc=None):
-    return property(fget)
+    return property(abstractmethod(fget))
 def abstractclassmethod(funcobj):
-    return classmethod(funcobj)
+    return classmethod(abstractmethod(funcobj))
 def abstractstaticmethod(funcobj):
-    return staticmethod(funcobj)
+    return staticmethod(abstractmethod(funcobj))
 def update_abstractmethods(cls):
     return cls

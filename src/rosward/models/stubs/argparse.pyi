@@ -5,13 +5,13 @@ from _rosward import either, escape, native, unknown
 import sys
 
 @native
-def _dest(flags): ...
+def _dest(flags, prefix): ...
 @native
 def _shown(flags, dest): ...
 @native
 def _kind(nargs): ...
 @native
-def _exact(actions, arguments, some): ...
+def _exact(actions, arguments, some, prefix): ...
 
 SUPPRESS = '==SUPPRESS=='
 OPTIONAL = '?'
@@ -64,12 +64,13 @@ class BooleanOptionalAction(Action): ...
 
 class _Declared(Action):
     """What add_argument makes."""
-    def _start(self, action, given):
+    def _start(self, action, given, prefix):
+        self._prefix = prefix
         self._action = action
         self._given = given
         self._shown = _shown(self.option_strings, self.dest)
     def _positional(self):
-        return not self.option_strings[0].startswith('-') if self.option_strings else True
+        return self.option_strings[0][0] not in self._prefix if self.option_strings else True
     def _convert(self, value):
         if self.type is None or value is None:
             return value
@@ -91,8 +92,11 @@ class _Declared(Action):
         if known is not None:
             if self.dest in known:
                 setattr(namespace, self.dest, known[self.dest])
-            else:
+            elif self.default != SUPPRESS:
                 setattr(namespace, self.dest, self._unset())
+        elif self.default == SUPPRESS:
+            if unknown('argument', self._shown, 'bool'):
+                setattr(namespace, self.dest, self._of_command_line())
         else:
             setattr(namespace, self.dest, self._open())
             if not isinstance(self._action, str):
@@ -128,16 +132,20 @@ class _Declared(Action):
 
 class _ActionsContainer:
     """What arguments are added to: a parser or a group of one."""
+    _prefix = '-'
+    _unset = None
     def add_argument(self, *name_or_flags, action='store', dest=None, nargs=None, const=None, default=None, type=None, choices=None,
                      required=False, help=None, metavar=None, version=None, **kwargs):
-        target = dest if dest is not None else _dest(name_or_flags)
+        target = dest if dest is not None else _dest(name_or_flags, self._prefix)
         given = {}
+        if default is None:
+            default = self._unset
         if default is not None:
             given['default'] = default
         if nargs is not None:
             given['nargs'] = nargs
         made = _Declared(name_or_flags, target, nargs, const, default, type, choices, required, help, metavar)
-        made._start(action, given)
+        made._start(action, given, self._prefix)
         if action != 'help' and action != 'version':
             self._actions.append(made)
         return made
@@ -159,6 +167,8 @@ class _ActionsContainer:
 
 class _Group(_ActionsContainer):
     def __init__(self, container):
+        self._prefix = container._prefix
+        self._unset = container._unset
         self._actions = container._actions
         self._defaults = container._defaults
 
@@ -190,6 +200,8 @@ class ArgumentParser(_ActionsContainer):
         self.usage = usage
         self.description = description
         self.epilog = epilog
+        self._prefix = prefix_chars
+        self._unset = argument_default
         self._actions = []
         self._defaults = {}
         self._sub = []
@@ -220,7 +232,7 @@ class ArgumentParser(_ActionsContainer):
     def _parse(self, args, namespace, some):
         arguments = sys.argv[1:] if args is None else args
         target = Namespace() if namespace is None else namespace
-        found = _exact(self._actions, arguments, some) if not self._sub else None
+        found = _exact(self._actions, arguments, some, self._prefix) if not self._sub else None
         if found is None:
             self._fill(target, None, False)
             return target, unknown('argument', 'sys.argv', 'list')

@@ -35,13 +35,18 @@ TimeoutError = TimeoutError
 class Future:
     def __init__(self, *, loop=None):
         self._result = None
+        self._exception = None
     def set_result(self, result, /):
         self._result = result
-    def set_exception(self, exception, /) -> None: ...
+    def set_exception(self, exception, /):
+        self._exception = exception
     def result(self):
         spin()
+        if self._exception is not None:
+            raise self._exception
         return self._result if self._result is not None else unknown('live', 'asyncio.Future.result')
-    def exception(self): ...
+    def exception(self):
+        return self._exception if self._exception is not None else unknown('live', 'asyncio.Future.exception')
     def add_done_callback(self, fn, /, *, context=None):
         schedule(fn, self, event='future')
     def remove_done_callback(self, fn, /) -> int: ...
@@ -53,7 +58,7 @@ class Future:
 
 class Task(Future):
     def __init__(self, coro, *, loop=None, name=None, context=None):
-        self._result = None
+        super().__init__()
         self._coro = coro
         schedule(self._run, event='task')
     def _run(self):

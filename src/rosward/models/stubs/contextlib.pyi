@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contextlib`: what is entered, what leaves, and what is swallowed on the way."""
 from _rosward import ask, native, reads_only, schedule, unknown
+import sys
 
 @native
 def _begin(generator): ...
@@ -111,10 +112,19 @@ class redirect_stdout(AbstractContextManager):
         self._new_target = new_target
     def __enter__(self):
         schedule(ask, self._new_target, 'write', unknown('call', 'text that a library writes', 'str'), event='print')
+        self._old = sys.stdout
+        sys.stdout = self._new_target
         return self._new_target
-    @reads_only
-    def __exit__(self, exctype, excinst, exctb) -> None: ...
-class redirect_stderr(redirect_stdout): ...
+    def __exit__(self, exctype, excinst, exctb):
+        sys.stdout = self._old
+class redirect_stderr(redirect_stdout):
+    def __enter__(self):
+        schedule(ask, self._new_target, 'write', unknown('call', 'text that a library writes', 'str'), event='print')
+        self._old = sys.stderr
+        sys.stderr = self._new_target
+        return self._new_target
+    def __exit__(self, exctype, excinst, exctb):
+        sys.stderr = self._old
 @reads_only
 class chdir(AbstractContextManager):
     def __init__(self, path):

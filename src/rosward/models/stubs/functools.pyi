@@ -21,6 +21,8 @@ class _Cached:
         self._most = maxsize
         self.__wrapped__ = func
         self.__name__ = func.__name__
+        self.__qualname__ = func.__qualname__
+        self.__module__ = func.__module__
         self.__doc__ = func.__doc__
     def __call__(self, *args, **kwargs):
         if self._most == 0:
@@ -51,6 +53,24 @@ def lru_cache(maxsize=128, typed=False):
     return functools.partial(_kept, maxsize)
 def _kept(maxsize, func):
     return _Cached(func, maxsize)
+
+class _Key:
+    """What objects are ordered by: a function of two of them."""
+    def __init__(self, mycmp, obj):
+        self._compare = mycmp
+        self.obj = obj
+    def __lt__(self, other):
+        return self._compare(self.obj, other.obj) < 0
+    def __gt__(self, other):
+        return self._compare(self.obj, other.obj) > 0
+    def __eq__(self, other):
+        return self._compare(self.obj, other.obj) == 0
+    def __le__(self, other):
+        return self._compare(self.obj, other.obj) <= 0
+    def __ge__(self, other):
+        return self._compare(self.obj, other.obj) >= 0
+def cmp_to_key(mycmp):
+    return functools.partial(_Key, mycmp)
 
 @native
 def _classes(cls, skip): ...

@@ -93,6 +93,25 @@ class LoggerAdapter(Logger):
     def __init__(self, logger, extra=None):
         self.logger = logger
         self.extra = extra
+    def process(self, msg, kwargs):
+        return msg, {**kwargs, 'extra': self.extra}
+    def log(self, level, msg, *args, **kwargs):
+        if self.isEnabledFor(level):
+            self.process(msg, kwargs)
+    def debug(self, msg, *args, **kwargs):
+        self.log(DEBUG, msg, *args, **kwargs)
+    def info(self, msg, *args, **kwargs):
+        self.log(INFO, msg, *args, **kwargs)
+    def warning(self, msg, *args, **kwargs):
+        self.log(WARNING, msg, *args, **kwargs)
+    def warn(self, msg, *args, **kwargs):
+        self.log(WARNING, msg, *args, **kwargs)
+    def error(self, msg, *args, **kwargs):
+        self.log(ERROR, msg, *args, **kwargs)
+    def exception(self, msg, *args, exc_info=True, **kwargs):
+        self.log(ERROR, msg, *args, **{**kwargs, 'exc_info': exc_info})
+    def critical(self, msg, *args, **kwargs):
+        self.log(CRITICAL, msg, *args, **kwargs)
 
 root = Logger('root')
 raiseExceptions = True

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`weakref`: a reference is the object that it refers to, while that lives."""
+"""`weakref`: a reference is the object that it refers to, or None: how long that lives is not known."""
 
-from _rosward import reads_only, schedule
+from _rosward import either, reads_only, schedule
 
 class ref:
     def __init__(self, o, callback=None, /):
@@ -11,7 +11,7 @@ class ref:
     def __class_getitem__(cls, item):
         return cls
     def __call__(self):
-        return self._object
+        return either(self._object, None)
 class WeakMethod(ref): ...
 ReferenceType = ref
 

@@ -260,6 +260,7 @@ class Node:
         dynamic = descriptor is not None and descriptor.dynamic_typing
         if descriptor is not None:
             may_refuse(self)
+        ask(self, "get_parameter_or", name)
         if isinstance(value, Parameter.Type):
             fail_unless(value != Parameter.Type.NOT_SET, ValueError, f"parameter {name!r} is declared of type NOT_SET: ValueError")
             return Parameter(name, None, declare_parameter(self, name, None, value, ignore_override, dynamic))
@@ -543,7 +544,7 @@ _ASKED = (
     "create_publisher", "create_subscription", "create_service", "destroy_subscription", "get_name", "get_logger",
     "declare_parameter", "declare_parameters", "has_parameter", "get_parameter", "get_parameters",
     "get_parameter_type", "get_parameter_types", "describe_parameter", "describe_parameters", "list_parameters",
-    "set_parameters_atomically", "add_on_set_parameters_callback",
+    "set_parameters_atomically", "get_parameter_or", "add_on_set_parameters_callback",
 )
 """What rclpy calls on a node that it makes, at once or when somebody asks one of its services."""
 

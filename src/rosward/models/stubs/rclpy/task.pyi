@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import awaited, reads_only, schedule
+from _rosward import awaited, reads_only, schedule, unknown
 
 reads_only(__name__)
 
@@ -12,24 +12,31 @@ reads_only(__name__)
 class Future:
     def __init__(self, *, executor=None):
         self._result = None
+        self._exception = None
 
     def __await__(self):
         yield None
-        return self._result
+        return self.result()
 
     def cancel(self) -> None: ...
     def cancelled(self) -> bool: ...
     def done(self) -> bool: ...
 
     def result(self):
+        if self._exception is not None:
+            raise self._exception
         return self._result
 
-    def exception(self) -> Exception | None: ...
+    def exception(self):
+        if self._exception is not None:
+            return self._exception
+        return unknown("live", "rclpy.task.Future.exception")
 
     def set_result(self, result):
         self._result = result
 
-    def set_exception(self, exception) -> None: ...
+    def set_exception(self, exception):
+        self._exception = exception
 
     def add_done_callback(self, callback):
         schedule(callback, self, event="future")

@@ -15,18 +15,23 @@ class Future:
     def __init__(self):
         self._call = None
         self._result = None
+        self._exception = None
     def _run(self):
         self._result = self._call()
     def result(self, timeout=None):
+        if self._exception is not None:
+            raise self._exception
         if self._call is None:
             return self._result if self._result is not None else unknown('live', 'concurrent.futures.Future.result')
         return self._call()
-    def exception(self, timeout=None): ...
+    def exception(self, timeout=None):
+        return self._exception if self._exception is not None else unknown('live', 'concurrent.futures.Future.exception')
     def add_done_callback(self, fn):
         schedule(fn, self, event='future')
     def set_result(self, result):
         self._result = result
-    def set_exception(self, exception) -> None: ...
+    def set_exception(self, exception):
+        self._exception = exception
     def set_running_or_notify_cancel(self) -> bool: ...
     def cancel(self) -> bool: ...
     def cancelled(self) -> bool: ...
