@@ -35,6 +35,7 @@ from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import element, join_states
 from rosward.ir import ops
 from rosward.models import operators
+from rosward.models.containers_list import ITERATOR, write_series
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -102,6 +103,7 @@ def _over_items(
     """Item by item; any number of turns where items are too many or of unknown number."""
     known, rest = found
     live = source if isinstance(source, Ref) and _is_list(machine, source) else None
+    drained = source if begun is None and isinstance(source, Ref) and _is_drained(machine, source) else None
     sizes = _sizes(machine, source)
     budget = machine.budget
     number, offset, alive = 0, 0, True
@@ -125,6 +127,13 @@ def _over_items(
                 rest = element(record)
                 break
             known, offset = record.items, 0
+        if drained is not None:  # what is left of it: a turn may have taken some
+            left_over = machine.obj(drained).series()
+            if not left_over.head:
+                rest = element(machine.obj(drained))
+                break
+            known, offset = left_over.head, number
+            write_series(machine, drained, left_over.without(1))
         if number - offset >= len(known):
             break
         machine.turns += 1
@@ -147,6 +156,8 @@ def _over_items(
         rest = _elements_now(machine, source)
     if rest is None:
         return True
+    if isinstance(source, Ref) and machine.obj(source).payload == ITERATOR:
+        write_series(machine, source, Series((), rest))  # how many are taken is not known
     _enter_turn(machine, op, frame, context, ANY_TURN, source, Items((), rest))
     anything = rest
 
@@ -166,6 +177,12 @@ def _is_list(machine: Interpreter, value: Ref) -> bool:
     """Whether a value is a list itself, not an iterator over one."""
     record = machine.obj(value)
     return record.kind == "list" and record.payload is None
+
+
+def _is_drained(machine: Interpreter, value: Ref) -> bool:
+    """Whether a value is an iterator over known items, from which a loop takes them one by one."""
+    record = machine.obj(value)
+    return record.kind == "list" and record.payload == ITERATOR and not record.many
 
 
 def _sizes(machine: Interpreter, source: Value) -> list[int | None]:

@@ -11,11 +11,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Choice, Value
+from rosward.domain.values import UNBOUND, Choice, Ref, Value
 from rosward.engine import contents
 from rosward.engine.alternatives import each_apart
 from rosward.engine.binding import ANY, LOOSE, MAYBE, ORDER
+from rosward.models.containers_list import ITERATOR, write_series
 from rosward.models.contents import KINDS
 from rosward.models.contents import contents as held_by
 from rosward.models.native import NativeCall, NativeFunction, perform
@@ -27,6 +29,14 @@ _NOTHING: Final[frozenset[str]] = frozenset()
 _HELD: Final = frozenset(KINDS.values())
 _TAKE_LOOSE: Final = frozenset({"builtins.dict", "builtins.print", "builtins.zip"})
 """Natives that look at `loose` themselves. Others see it as one more argument, and may give something else than what they give for that."""
+
+_RUN_THROUGH: Final = frozenset(
+    {
+        *(f"builtins.{name}" for name in ("list", "tuple", "set", "frozenset", "dict", "sorted", "sum", "min", "max")),
+        *("str.join", "list.extend", "set.update", "dict.update"),
+    }
+)
+"""What takes all that an iterator has: nothing is left of it."""
 
 
 def invoke(
@@ -44,6 +54,10 @@ def invoke(
     if anything and loose is None:
         loose = machine.unknown(Cause.CALLER, name)
     value = _on_contents(machine, native, NativeCall(machine, name, given, keywords, loose, unsure))
+    if name in _RUN_THROUGH:
+        for arg in args:
+            if isinstance(arg, Ref) and machine.obj(arg).payload == ITERATOR:
+                write_series(machine, arg, Series(()))
     if frame is not None and op is not None:
         frame.op = op
     if is_open and value is not UNBOUND and name not in _TAKE_LOOSE and not name.startswith("_rosward."):
