@@ -159,7 +159,7 @@ def _is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None
             return True
         abstract = _abstract(wanted)
         if abstract is not None:
-            return _of_abstract(machine, cls, abstract)
+            return _any([_of_abstract(machine, cls, abstract), _registered(machine, cls, wanted)])
         return _any([_nominal(cls, wanted), _registered(machine, cls, wanted)])
     return _nominal(cls, wanted)
 

@@ -95,7 +95,7 @@ def _register(call: NativeCall) -> Value:
     machine, given = call.machine, call.args[1]
     for option in options(call.args[0]):
         for base in option.mro if isinstance(option, Class) else ():
-            if isinstance(base, Class) and not base.stub:
+            if isinstance(base, Class):
                 place = Ref(base.address)
                 record = machine.obj(place)
                 old = record.attrs.get(REGISTERED)
