@@ -19,6 +19,7 @@ from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.state import State, join_objects, join_states
+from rosward.findings import Finding
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
@@ -232,8 +233,10 @@ class Schedule:
         most = budget.callback_steps + _STEPS_OF_EACH * len(self.entries)
         spent = self.spent + machine.steps - self._begun
         if spent > most:
+            if not any(other.exhausted for other in self.entries.values()):
+                said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
+                machine.log.findings[Finding("RW201", said, entry.place)] = None
             entry.exhausted = True
-            machine.report("RW201", f"more than {most} steps in all callbacks; what they do later is missing")
             return False
         entry.coarse = entry.coarse or spent > most * budget.coarse
         return True
