@@ -69,7 +69,9 @@ def shuffled(seed: int) -> Iterator[None]:
 
     def found(*arguments: Any, **options: Any) -> Workspace:
         workspace = discover(*arguments, **options)
-        changed = {name: mixed(getattr(workspace, name)) for name in ("files", "launch_files", "packages")}
+        changed: dict[str, Any] = {
+            name: mixed(getattr(workspace, name)) for name in ("files", "launch_files", "packages")
+        }
         return replace(workspace, **changed)
 
     def planned(*arguments: Any) -> Any:

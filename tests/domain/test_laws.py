@@ -391,8 +391,10 @@ def test_what_one_copy_writes_over_the_ground_is_joined_with_it(of_ground: Value
         right = left.copy()
         (left if one_way else right)[7] = Obj("cell", NONE, attrs={"value": written})
         left.cover(right, lambda ours, theirs: join_objects(ours, theirs, join))
-        assert covers(left.stands(7).attrs["value"], of_ground)
-        assert covers(left.stands(7).attrs["value"], written)
+        joined = left.stands(7)
+        assert joined is not None
+        assert covers(joined.attrs["value"], of_ground)
+        assert covers(joined.attrs["value"], written)
         assert left.stands(70) is ground[70]
 
 

@@ -209,8 +209,8 @@ class FakeMachine:
     def report(self, code: str, message: str) -> None:  # noqa: ARG002
         self.findings.append(code)
 
-    def guarded(self, action: Callable[[], Value], error: str) -> tuple[Value, bool]:
-        del error
+    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
+        del error, unseen
         return action(), False
 
     def die(self, error: str, message: str, args: object = None, *, sure: bool = False, plain: bool = False) -> Value:  # noqa: ARG002

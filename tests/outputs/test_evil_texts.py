@@ -13,7 +13,7 @@ import unicodedata
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 from xml.etree import ElementTree
 
 import pytest
@@ -74,7 +74,12 @@ HIDDEN: Final = re.compile("[\ud800-\udfff]|" + safe._CONTROL.pattern)
 def network_of(text: str) -> Network:
     """A system with the text in each place where one can stand."""
     kind, place = EntityKind, Place(text, 3, 2)
-    more = {"reasons": (text,), "depends_on": (text,), "created_at": (place,), "path": (place, Place(text, 4))}
+    more: dict[str, Any] = {
+        "reasons": (text,),
+        "depends_on": (text,),
+        "created_at": (place,),
+        "path": (place, Place(text, 4)),
+    }
     entities = [
         entity(each, f"/{text}", text, callback=text, via=text, resolution=resolution, **more)
         for each in kind

@@ -42,6 +42,7 @@ from rosward.engine.metaclass_of import metaclass_of
 from rosward.engine.specials import NOT_IMPLEMENTED
 from rosward.models.asked import REGISTERED
 from rosward.models.builtin_attributes import has_attribute
+from rosward.models.containers_list import ITERATOR, VIEW
 from rosward.models.plain import LOOSE_HINTS
 
 if TYPE_CHECKING:
@@ -78,7 +79,8 @@ def type_of(machine: Interpreter, value: Value) -> Value | None:
     kind = value.__class__
     if kind is Ref:
         obj = machine.obj(value)  # type: ignore[arg-type]
-        return obj.cls if obj.kind != "generator" else None  # a generator, a coroutine, what `iter` gives
+        # a generator, a coroutine, what `iter` gives, a view of a dict
+        return None if obj.kind == "generator" or obj.payload in (ITERATOR, VIEW) else obj.cls
     if kind in (Const, Text, Tuple):
         return Native(f"builtins.{attributes.type_name(value)}")
     if kind is Unknown and value.hint and value.hint not in LOOSE_HINTS:  # type: ignore[attr-defined]

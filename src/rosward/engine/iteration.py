@@ -35,7 +35,7 @@ from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.state import element, join_states
 from rosward.ir import ops
 from rosward.models import operators
-from rosward.models.containers_list import ITERATOR, write_series
+from rosward.models.containers_list import ITERATOR, VIEW, write_series
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -176,7 +176,7 @@ def _any_of(items: Items) -> Value | None:
 def _is_list(machine: Interpreter, value: Ref) -> bool:
     """Whether a value is a list itself, not an iterator over one."""
     record = machine.obj(value)
-    return record.kind == "list" and record.payload is None
+    return record.kind == "list" and record.payload in (None, VIEW)
 
 
 def _is_drained(machine: Interpreter, value: Ref) -> bool:

@@ -165,7 +165,7 @@ def _alternatives(left: Obj, right: Obj) -> Alternatives | None:
 
 def _told(obj: Obj) -> dict[Value, bool] | None:
     """The elements of a list that are told apart, and whether each is surely there."""
-    if obj.kind != "list" or not (obj.payload is None or obj.payload.__class__ is Alternatives):
+    if obj.kind != "list" or not (obj.payload is None or isinstance(obj.payload, (Alternatives, str))):
         return None
     if obj.items is not None:
         told = dict.fromkeys(obj.items, True)

@@ -29,6 +29,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.models.containers_list import VIEW
 from rosward.models.contents import bare, plain_data
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.operators_compare import compares, equal
@@ -236,7 +237,9 @@ def _listing(call: NativeCall) -> Value:
     items = keys(call.machine, obj) if name == "keys" else values(obj) if name == "values" else pairs(call.machine, obj)
     if obj.rest is not None:  # where the keys stand that are not known, nobody knows
         items = Items((), join_all(all_of(items)))
-    return listed(call.machine, call.name, *items)
+    made = listed(call.machine, call.name, *items)
+    call.machine.update(made, call.machine.obj(made).replace(payload=VIEW))
+    return made
 
 
 def _set_default(call: NativeCall) -> Value:

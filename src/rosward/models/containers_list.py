@@ -33,6 +33,8 @@ from rosward.models.plain import (
 
 ITERATOR: Final = "iterator"
 """The payload of a list that stands for an iterator: `next` takes its first element away."""
+VIEW: Final = "view"
+"""The payload of a list that stands for what `keys`, `values` and `items` of a dict show."""
 
 
 def element(obj: Obj) -> Value | None:
