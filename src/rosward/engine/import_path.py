@@ -20,6 +20,7 @@ from rosward.domain.values import UNBOUND, Const, Hole, ModuleValue, Ref, Text, 
 from rosward.engine.found import Found
 from rosward.models import containers_dict
 from rosward.models.file_paths import location_of
+from rosward.source.left_out import named_few
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
 _SYS: Final = Found("sys", "sys", "", True)
+
+_ALTERNATIVES: Final = 4
+"""How many files of one name are followed that may be meant: a library that is there for each platform is none of the program's own."""
 
 
 class _Reached(NamedTuple):
@@ -74,8 +78,10 @@ def imported(machine: Interpreter, name: str, found: Found, address: int) -> int
     return address if value is not None else machine.place_key(("module", found.key, "again"))
 
 
-def on_path(machine: Interpreter, name: str, otherwise: Found | None) -> tuple[Found | None, ...]:
-    """The modules that a name may mean, where the rules of the run find `otherwise`."""
+def on_path(
+    machine: Interpreter, name: str, importer: ModuleValue | None, otherwise: Found | None
+) -> tuple[Found | None, ...]:
+    """The modules that a name may mean that `importer` imports, where the rules of the run find `otherwise`."""
     path = _variable(machine, "path")
     if not _changed(machine) or not isinstance(path, Ref):
         return (otherwise,)
@@ -90,9 +96,17 @@ def on_path(machine: Interpreter, name: str, otherwise: Found | None) -> tuple[F
         unknown = reached.open or behind.open or any(each.open for each in added)
         reached = _Reached(behind.sure or otherwise, (*reached.possible, *among, *behind.possible), unknown)
     sure = reached.sure
-    others = {found.file: found for found in reached.possible if sure is None or found.file != sure.file}
+    itself = importer.file if importer is not None else ""  # a module that stands in for one of its own name
+    others = {f.file: f for f in reached.possible if f.file != itself and (sure is None or f.file != sure.file)}
     if sure is None and len(others) == 1:
         return tuple(others.values())
+    if len(others) > _ALTERNATIVES:
+        machine.report(
+            "RW203",
+            f"sys.path holds a folder that is not known: {name} may be any of {len(others)} files"
+            f" ({named_few(sorted(others))}); none of them is followed",
+        )
+        return (sure or otherwise,)
     if others and reached.open:
         files = sorted({*others, *([sure.file] if sure is not None and sure.file else ())})
         machine.report("RW203", f"sys.path holds a folder that is not known: {name} may be {' or '.join(files)}")

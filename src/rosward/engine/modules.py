@@ -129,7 +129,7 @@ def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, leve
     found = machine.library.find(name, level, importer)
     if not own:
         return _load_found(machine, meant, name, importer, level, found)
-    ways = import_path.on_path(machine, name, found)
+    ways = import_path.on_path(machine, name, importer, found)
     return each_apart(machine, ways, lambda way: _load_found(machine, meant, name, importer, level, way))
 
 
