@@ -91,7 +91,7 @@ class Interpreter:
         self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
         self.heavy: set[int] = set()  # id() of the outermost loops that took too many steps
         self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
-        self.deadline = time.process_time() + budget.seconds
+        self.deadline = time.thread_time() + budget.seconds
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
@@ -183,7 +183,7 @@ class Interpreter:
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
-        if time.process_time() > self.deadline:
+        if time.thread_time() > self.deadline:
             raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", self.place)
 
     def fresh_version(self, compared: int = 0) -> int:

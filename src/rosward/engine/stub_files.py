@@ -23,6 +23,9 @@ STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
 _LARGEST: Final = 1_000_000
 _CODES: Final = {"python2": "RW006", "depth": "RW005"}
 
+_OWN: Final[dict[str, Module]] = {}
+"""rosward's own stubs, lowered: they and their IR never change, so that one run has them from the run before."""
+
 
 @final
 class StubFiles:
@@ -53,8 +56,14 @@ class StubFiles:
                     there = (folder / candidate).is_file()
                 except OSError:  # a name too long for a file
                     return None
-                if there and self._is_read(folder / candidate, MODEL_PREFIX + candidate):
-                    return MODEL_PREFIX + candidate
+                file = MODEL_PREFIX + candidate
+                if there and (own := _OWN.get(file) if folder == STUBS else None) is not None:
+                    self._modules[file] = own
+                    return file
+                if there and self._is_read(folder / candidate, file):
+                    if folder == STUBS:
+                        _OWN[file] = self._modules[file]
+                    return file
         return None
 
     def _is_read(self, path: Path, file: str) -> bool:

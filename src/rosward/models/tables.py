@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import pkgutil
+from collections.abc import Mapping
+from types import MappingProxyType
 
 import rosward.models
 from rosward.models.native import NativeFunction
 
 
-def natives() -> dict[str, NativeFunction]:
+@functools.cache
+def natives() -> Mapping[str, NativeFunction]:
     """The union of the `NATIVES` tables of the modules of this package; a name in two of them is an error."""
     table: dict[str, NativeFunction] = {}
     for info in sorted(pkgutil.iter_modules(rosward.models.__path__), key=lambda i: i.name):
@@ -19,4 +23,4 @@ def natives() -> dict[str, NativeFunction]:
             if name in table:
                 raise ValueError(f"two models of {name}")
             table[name] = function
-    return table
+    return MappingProxyType(table)

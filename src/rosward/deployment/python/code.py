@@ -77,7 +77,7 @@ class LaunchPython:
         self._log.launch = self._context
         self._expressions = Expressions(self._machine)
         self._most = _CALLS * self._budget.steps
-        self._end = time.process_time() + self._budget.seconds
+        self._end = time.thread_time() + self._budget.seconds
         self._roots: dict[str, Code] = {}
         self._turns = 0
         self._started: Performer | None = None  # the execution whose command line sys.argv is
