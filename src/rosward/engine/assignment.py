@@ -110,8 +110,15 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     if name == TABLE and obj.kind == "instance":
         give_table(machine, ref, value if not weak else join(machine.load_attr(ref, name), value))
         return True
+    keep(machine, ref, name, value, weak=weak)
+    return True
+
+
+def keep(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
+    """`object.__dict__[name] = value`: no `__setattr__`, property or slot has a say in it."""
+    obj = machine.obj(ref)
     if store_in_table(machine, obj, name, value, weak=weak):
-        return True
+        return
     old = obj.attrs.get(name)
     if old is not None and (weak or obj.many):
         value = join(old, value)
@@ -122,7 +129,6 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
         if name in absent and (weak or old is None):
             changed.partial = absent
         machine.put(ref.address, changed)
-    return True
 
 
 def _change_class(machine: Interpreter, ref: Ref, cls: Value, *, weak: bool) -> None:

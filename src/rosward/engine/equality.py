@@ -32,6 +32,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.specials import special
 from rosward.models import operators
 from rosward.models.contents import bare, contents
+from rosward.models.operators_compare import compares
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -45,6 +46,11 @@ _BINARY: Final = {
 _COMPARE: Final = {"==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 _REFLECTED: Final = {"lt": "gt", "le": "ge", "gt": "lt", "ge": "le"}
 _UNARY: Final = {"-": "neg", "+": "pos", "~": "invert"}
+_COMPARED: Final = frozenset(
+    Native(f"builtins.{name}")
+    for name in ("int", "str", "float", "complex", "bytes", "bytearray", "list", "tuple", "dict", "set", "frozenset")
+)
+"""Builtins with a `!=` of their own."""
 _CALLABLE: Final = (Function, Class, Native, BoundMethod, Partial, ModuleValue)
 
 
@@ -111,7 +117,10 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
         if made is not None and not specials.refused(made):
             return made
         if operator == "!=" and made is None:  # without `__ne__`, the contrary of `__eq__`
-            made = specials.first_of(machine, [(left, "__eq__", right), (right, "__eq__", left)])
+            sides = [
+                (one, "__eq__", other) for one, other in ((left, right), (right, left)) if not _has_ne(machine, one)
+            ]
+            made = specials.first_of(machine, sides)
             if made is not None and not specials.refused(made):
                 return unary(machine, "not", made)
         left, right = bare(machine, left), bare(machine, right)
@@ -127,10 +136,30 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
             if answer is None:
                 return machine.unknown(Cause.OPERATION, operator, "bool")
             return TRUE if answer is (operator == "in") else FALSE
-        if right.__class__ is Ref and machine.obj(right).kind == "generator":
+        if _is_asked_for_each(machine, left, right):
             found = machine.call(machine.load_attr(machine.load_module("_lazy"), "contains"), (right, left))
             return found if operator == "in" else unary(machine, "not", found)
     return operators.compare(machine, operator, bare(machine, left), bare(machine, right))
+
+
+def _is_asked_for_each(machine: Interpreter, item: Value, container: Value) -> bool:
+    """Whether `in` runs code of the program for the elements: a generator, or `==` with an object that says what that means."""
+    if container.__class__ is Ref and machine.obj(container).kind == "generator":
+        return True
+    if container.__class__ is Tuple:
+        items = container.items
+    elif container.__class__ is Ref and machine.obj(container).kind == "list":
+        series = machine.obj(container).series()
+        items = (*series.head, *series.tail, *(() if series.middle is None else (series.middle,)))
+    else:
+        return False
+    return any(compares(machine, option) for value in (item, *items) for option in options(value))
+
+
+def _has_ne(machine: Interpreter, value: Value) -> bool:
+    """Whether an object inherits the `!=` of a builtin: then its `__eq__` has no say in that."""
+    cls = machine.obj(value).cls if value.__class__ is Ref else None
+    return cls.__class__ is Class and any(base in _COMPARED for base in cls.mro)
 
 
 def _by_identity(machine: Interpreter, value: Value) -> bool:

@@ -380,6 +380,14 @@ class Interpreter:
         """target.name = value."""
         assignment.store(self, target, name, value)
 
+    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
+        """owner.__dict__[name] = value."""
+        assignment.keep(self, owner, name, value, weak=weak)
+
+    def drop_attr(self, owner: Ref, name: str) -> None:
+        """del owner.__dict__[name]."""
+        removal.remove(self, owner, name)
+
     def delete_attr(self, target: Value, name: str) -> None:
         """del target.name."""
         removal.delete(self, target, name)

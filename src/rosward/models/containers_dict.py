@@ -123,8 +123,10 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
         else:
             is_many = isinstance(key, Ref) and machine.obj(key).many
             obj = _store_known(obj, find(obj, key) or key, value, several or is_many)
-            if isinstance(obj.payload, Value) and isinstance(key, Const) and isinstance(key.value, str):
-                machine.store_attr(obj.payload, key.value, value)  # the `__dict__` of an object, or of several
+            if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
+                machine.keep_attr(
+                    obj.payload, key.value, value, weak=several or is_many
+                )  # the `__dict__` of an object, or of several
     machine.update(ref, _bounded(obj))
 
 
@@ -172,8 +174,8 @@ def take(machine: Machine, ref: Ref, index: Value) -> Found:
 
 def _gone(machine: Machine, obj: Obj, key: Value) -> None:
     """What is taken out of the `__dict__` of an object is no attribute of it any more."""
-    if isinstance(obj.payload, Value) and isinstance(key, Const) and isinstance(key.value, str):
-        machine.delete_attr(obj.payload, key.value)
+    if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
+        machine.drop_attr(obj.payload, key.value)
 
 
 def keys(machine: Machine, obj: Obj) -> Items:

@@ -44,6 +44,12 @@ class Machine(Protocol):
     def store_attr(self, target: Value, name: str, value: Value) -> None:
         """target.name = value."""
 
+    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
+        """owner.__dict__[name] = value."""
+
+    def drop_attr(self, owner: Ref, name: str) -> None:
+        """del owner.__dict__[name]."""
+
     def delete_attr(self, target: Value, name: str) -> None:
         """del target.name."""
 

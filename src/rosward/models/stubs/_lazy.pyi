@@ -57,7 +57,7 @@ def all(iterable):
 
 def contains(iterable, wanted):
     for value in iterable:
-        if value == wanted:
+        if value is wanted or value == wanted:
             return True
     return False
 

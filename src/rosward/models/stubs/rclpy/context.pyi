@@ -42,7 +42,8 @@ class Context:
         self._cleanup()
 
     def try_shutdown(self):
-        self._cleanup()
+        if self.ok():  # a signal has shut it down before
+            self._cleanup()
 
     @calls("callback", event="shutdown", args=())
     def on_shutdown(self, callback) -> None: ...
