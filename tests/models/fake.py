@@ -124,6 +124,13 @@ class FakeMachine:
         if isinstance(target, Ref) and name in self.obj(target).attrs:
             self.update(target, self.obj(target).with_attr(name, UNBOUND))
 
+    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
+        del weak
+        self.store_attr(owner, name, value)
+
+    def drop_attr(self, owner: Ref, name: str) -> None:
+        self.delete_attr(owner, name)
+
     def load_item(self, value: Value, index: Value) -> Value:
         return operators.load_item(self, value, index)
 
