@@ -11,6 +11,7 @@ node, CPU seconds, MB. `--before` sets another run's figures beside them.
 from __future__ import annotations
 
 import argparse
+import importlib
 import json
 import subprocess
 import sys
@@ -21,7 +22,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Final
 
-import tomllib
 from facts import Finding, Graph, Node
 from measure import extract
 
@@ -52,7 +52,8 @@ def main() -> int:
     parser.add_argument("--before", type=Path, help="the figures of another run, set beside these")
     parser.add_argument("--markdown", action="store_true", help="print a table of Markdown")
     options = parser.parse_args()
-    systems = tomllib.loads(LIST.read_text(encoding="utf-8"))["system"]
+    toml: Any = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
+    systems = toml.loads(LIST.read_text(encoding="utf-8"))["system"]
     rows = {s["name"]: row(s, options.checkouts) for s in systems if options.only.lower() in s["name"].lower()}
     before = _read(options.before) if options.before else {}
     _print(rows, before, markdown=options.markdown)

@@ -19,7 +19,8 @@ _ADDRESS = 1
 
 def undeclared(launched: Launched) -> EffectLog:
     """The effects of such a program. Its name, where the launch file gives none, is not known either."""
-    log = EffectLog(launched.configuration)
+    given = launched.configuration
+    log = EffectLog(given)
     place = launched.started.place
     label = f"{launched.package}/{launched.executable}"
     unnamed = Unknown((Reason(Cause.MODULE, label, place),), "str")
@@ -32,8 +33,8 @@ def undeclared(launched: Launched) -> EffectLog:
         name=unnamed,
         namespace=NONE,
         options=options,
-        words=Series(),
-        global_words=Series(launched.configuration.words),
+        words=Series(given.component or ()),
+        global_words=Series(given.words if given.component is None else ()),
         cls=Unknown(()),
         place=place,
         late=False,
