@@ -15,7 +15,7 @@ from rosward.deployment.execution.yaml_values import as_rcl_reads, plain_text
 from rosward.domain.choice import join, lift, options
 from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Unknown, Value
+from rosward.domain.values import Const, Tuple, Unknown, Value
 from rosward.models.configuration import Given
 from rosward.source.location import Place
 
@@ -96,6 +96,18 @@ def with_keys(rows: Rows, rewrites: Pairs) -> Rows:
         )
         for row in rows
     )
+
+
+def with_new_values(rows: Rows, rewrites: Pairs, numbers: bool) -> Rows:
+    """value_rewrites: each value, or element of a list, whose str() is that text."""
+    table = {old: converted(new, numbers) for key, new in rewrites if (old := plain_text(key)) is not None}
+
+    def one(option: Value) -> Value:
+        if isinstance(option, Tuple):
+            return Tuple(tuple(lift(one, i) for i in option.items))
+        return table.get(str(option.value), option) if isinstance(option, Const) else option
+
+    return tuple(row._replace(value=lift(one, row.value)) for row in rows) if table else rows
 
 
 def below(rows: Rows, root: str) -> Rows:
