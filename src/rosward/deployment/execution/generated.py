@@ -21,13 +21,13 @@ from rosward.deployment.execution.rewrites import (
     with_values,
 )
 from rosward.deployment.execution.top_keys import has_key
-from rosward.deployment.execution.yaml_values import is_path, plain_text, replaced
+from rosward.deployment.execution.yaml_values import as_plain_scalar, is_path, plain_text, replaced
 from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
 from rosward.domain.text import origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Hole, Unknown, Value
+from rosward.domain.values import Const, Hole, Tuple, Unknown, Value
 from rosward.models.configuration import Given
 from rosward.source.location import Place
 
@@ -131,7 +131,10 @@ class Generated:
                     scene.fails(
                         f"the parameter file {shown}, whose substitutions are to be performed, is not there", place
                     )
-                return self.write(source)
+                if source.rows is None:
+                    return self.write(source)
+                rows = tuple(row._replace(value=_performed(row.value, scene)) for row in source.rows)
+                return self.write(Content(rows, None, source.file))
             inside = Place(source.file, 0)
             try:
                 template = parse_substitution(source.text, inside)
@@ -193,6 +196,19 @@ class Generated:
         if content.absent:
             shown = self._files.show(path)
             self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, is not there.", place)
+
+
+def _performed(value: Value, scene: Scene) -> Value:
+    """A value of a file that was rewritten, and so dumped: its substitutions are performed, and what they make is read as YAML."""
+    if isinstance(value, Tuple):
+        return Tuple(tuple(_performed(i, scene) for i in value.items))
+    text = plain_text(value)
+    if text is None or "$(" not in text:
+        return value
+    try:
+        return lift(as_plain_scalar, scene.text(parse_substitution(text, Place("", 0))))
+    except SubstitutionError:
+        return value
 
 
 def _ways(pieces: Sequence[Value]) -> list[tuple[str, list[Hole]]]:
