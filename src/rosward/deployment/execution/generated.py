@@ -15,6 +15,7 @@ from rosward.deployment.execution.rewrites import (
     Pairs,
     Rows,
     below,
+    is_refused_below,
     joined_rows,
     with_keys,
     with_new_values,
@@ -169,6 +170,9 @@ class Generated:
             rows = with_keys(with_values(before.rows, values, numbers, place), keys)
             rows = with_new_values(rows, contents, numbers)
             ways = [below(rows, readable(r)) for r in options(root)[:MAX_WAYS]]
+            if all(is_refused_below(rows, readable(r)) for r in options(root)):
+                message = "rcl refuses what is written here: a key that begins with a slash stands below root_key."
+                self._findings.tell("RW317", message, place)
             return self.write(Content(joined_rows(ways, place), None, before.file))
 
         return lift(one, source)

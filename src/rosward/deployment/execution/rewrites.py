@@ -67,7 +67,7 @@ def with_values(rows: Rows, rewrites: Pairs, numbers: bool, place: Place) -> Row
                     found[index] = row._replace(name=at, value=value if sure else join(row.value, value))
             if not hit and _KEY in path.split("."):
                 node, _, rest = path.partition(f"{_KEY}.")
-                found.append(Given("/" + node.strip(".").replace(".", "/"), rest, value, place))
+                found.append(Given(node.strip(".").replace(".", "/"), rest, value, place))
     return tuple({(r.node, r.name): r for r in found}.values())
 
 
@@ -91,7 +91,7 @@ def with_keys(rows: Rows, rewrites: Pairs) -> Rows:
         return rows
     return tuple(
         row._replace(
-            node="/".join(table.get(part, part) for part in row.node.split("/")),
+            node=table.get(row.node) or "/".join(table.get(part, part) for part in row.node.split("/")),
             name=".".join(table.get(part, part) for part in row.name.split(".")),
         )
         for row in rows
@@ -111,8 +111,13 @@ def with_new_values(rows: Rows, rewrites: Pairs, numbers: bool) -> Rows:
 
 
 def below(rows: Rows, root: str) -> Rows:
-    """root_key: everything stands under one more key."""
-    return tuple(row._replace(node=f"/{key_path(root)}/{key_path(row.node)}") for row in rows) if root else rows
+    """root_key: everything stands under one more key. rcl refuses what then has two slashes in a row (`is_refused_below`)."""
+    return tuple(row._replace(node=f"{root.rstrip('/')}/{key_path(row.node)}") for row in rows) if root else rows
+
+
+def is_refused_below(rows: Rows, root: str) -> bool:
+    """Whether rcl refuses the file with this root_key: the name of a node has an empty part."""
+    return bool(root) and any(row.node.startswith("/") for row in rows)
 
 
 def joined_rows(ways: Sequence[Rows], place: Place) -> Rows:
