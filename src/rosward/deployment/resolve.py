@@ -187,19 +187,16 @@ class Programs:
         program = self._declared.component(made.package or "", plugin)
         if program is not None:
             return made._replace(program=program)
-        inside = self._file_of.has_package(made.package or "")
-        why = (
-            "it is written in C++, which is not analysed"
-            if inside
-            else f"the package {made.package} is neither among the sources nor declared"
-        )
-        return made._replace(unknown=why)
+        if made.package is None:
+            return made._replace(unknown=f"its package is not known{_because(made.started.package)}")
+        if self._file_of.has_package(made.package):
+            return made._replace(unknown="it is written in C++, which is not analysed")
+        return made._replace(unknown=f"the package {made.package} is neither among the sources nor declared")
 
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable
-        reasons = "; ".join(map(str, reasons_of(value))) if value is not None else ""
         return made._replace(
-            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known: {reasons}"
+            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known{_because(value)}"
         )
 
     def _command(self, made: Launched) -> Launched | None:
@@ -213,6 +210,8 @@ class Programs:
                 return made._replace(process=file, executable=stem, entry=entry)
         if made.started.kind is not StartKind.PROCESS:
             shown = _shown(made.started.executable)
+            if made.started.package is not None:
+                return made._replace(process=shown, unknown=f"its package is not known{_because(made.started.package)}")
             return made._replace(
                 process=shown, unknown="no package is named for it, and no file of the sources is behind its path"
             )
@@ -249,6 +248,12 @@ def _texts(value: Value | None) -> list[str | None]:
         else [None]
     )
     return list(dict.fromkeys(found))
+
+
+def _because(value: Value | None) -> str:
+    """Why a value is not known, behind what says that it is not."""
+    reasons = "; ".join(map(str, reasons_of(value))) if value is not None else ""
+    return f": {reasons}" if reasons else ""
 
 
 def _shown(value: Value | None) -> str:

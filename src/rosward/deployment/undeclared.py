@@ -22,7 +22,7 @@ def undeclared(launched: Launched) -> EffectLog:
     given = launched.configuration
     log = EffectLog(given)
     place = launched.started.place
-    label = f"{launched.package}/{launched.executable}"
+    label = "/".join(filter(None, (launched.package, launched.executable))) or "of an unknown package"
     unnamed = Unknown((Reason(Cause.MODULE, label, place),), "str")
     component = launched.started.plugin is not None
     options: tuple[tuple[str, Value], ...] = (("client_library", Const("rclcpp")),)
