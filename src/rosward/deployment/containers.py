@@ -47,15 +47,18 @@ class Containers:
         self._found = [_Container(p, tuple(_names(p))) for p in started if _may_load(p)]
 
     def of(self, component: Started) -> list[tuple[Launched, bool]]:
-        """The processes that load a component, and whether each may do it only; none where nothing has the name of its target."""
+        """The processes that load a component, and whether each may do it only; none where nothing has the name of its target.
+
+        One process of which the executable is not known is one, and not as many as there are executables that it may run.
+        """
         wanted = [_absolute(o) for o in options(component.container)] if component.container is not None else []
         found: dict[int, tuple[Launched, bool]] = {}
         for target in wanted:
             exact = [c for c in self._found if any(readable(n) == readable(target) for n in c.names)]
             chosen = exact or [c for c in self._found if any(_may_be(n, target) for n in c.names)]
             for each in chosen:
-                open_ = not exact or len(wanted) > 1 or len(each.names) > 1 or each.start.conditional
-                found.setdefault(id(each.start), (each.start, open_))
+                open_ = not exact or len(wanted) > 1 or len(each.names) > 1 or each.start.started.conditional
+                found.setdefault(id(each.start.started), (each.start, open_))
         return list(found.values())
 
 
