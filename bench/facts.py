@@ -91,7 +91,7 @@ def _node(node: dict[str, Any]) -> Node:
         resolution=node["resolution"],
         process=node["process"],
         spot=_spot(node["defined_at"]),
-        program=f"{node['package']}/{node['executable']}",
+        program="/".join(filter(None, (node["package"], node["executable"]))),
         launched=_spot(node["launched_by"]) if node.get("launched_by") else None,
         interface=node.get("interface"),
     )
