@@ -39,12 +39,15 @@ class Entity:
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """One node; `name` is the fully qualified one."""
+    """One node; `name` is the fully qualified one, `launched` where a launch file starts it."""
 
     name: str
     resolution: str
     process: str
     spot: Spot
+    program: str = ""
+    launched: Spot | None = None
+    interface: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,12 +76,24 @@ def load(path: Path) -> Graph:
     """Read a network.json."""
     data = json.loads(path.read_text(encoding="utf-8"))
     return Graph(
-        nodes=tuple(Node(n["fqn"], n["resolution"], n["process"], _spot(n["defined_at"])) for n in data["nodes"]),
+        nodes=tuple(map(_node, data["nodes"])),
         entities=tuple(entity for node in data["nodes"] for entity in _entities(node)),
         findings=tuple(Finding(d["code"], d["severity"], d["message"], _spot(d)) for d in data["diagnostics"]),
         topics={t["name"]: t["system"] for t in data["topics"]},
         services={s["name"]: s["system"] for s in data["services"]},
         actions={a["name"]: a["system"] for a in data["actions"]},
+    )
+
+
+def _node(node: dict[str, Any]) -> Node:
+    return Node(
+        name=node["fqn"],
+        resolution=node["resolution"],
+        process=node["process"],
+        spot=_spot(node["defined_at"]),
+        program="/".join(filter(None, (node["package"], node["executable"]))),
+        launched=_spot(node["launched_by"]) if node.get("launched_by") else None,
+        interface=node.get("interface"),
     )
 
 

@@ -268,7 +268,7 @@ _TABLE: Final = (
         "RW321",
         "launch entity not understood",
         _E,
-        "What it would start is not in the result: start that by --node, or declare it. Please report it.",
+        "What it would start is missing: name the sources of the library that makes it as a PATH, or start that by --node. Else please report it.",
     ),
     Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),

@@ -169,7 +169,7 @@ class _Runs:
         place = started.place if started.place.file else None
         process = Process(program.package, program.executable, program.process, done, place, program.conditional)
         nodes, doubts = collect(log, process, self._outset.distro)
-        line = read_words(Series(program.configuration.words), program.configuration)
+        line = read_words(Series(program.configuration.own), program.configuration)
         told = [
             Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
             for error in line.errors

@@ -40,16 +40,20 @@ from rosward.source.workspace import SourceFile, Workspace
 
 
 class System(NamedTuple):
-    """What one launch file starts, or the nodes that the user named: records of launch, and the program behind each."""
+    """What one launch file starts, or the nodes that the user named: records of launch, and the program behind each.
+
+    `elsewhere`: those of its components that a container of another system loads, whose programs they are.
+    """
 
     name: str
     file: str
     started: tuple[Started, ...]
     programs: tuple[Launched, ...]
+    elsewhere: tuple[Launched, ...] = ()
 
     def tree(self, steps: Steps) -> LaunchSystem:
         """In plain words."""
-        behind = {id(p.started): p for p in self.programs}
+        behind = {id(p.started): p for p in (*self.programs, *self.elsewhere)}
         entries: list[LaunchEntry | None] = [
             steps(partial(entry, s, behind.get(id(s))), None, "the launch tree does not show this", s.place)
             for s in self.started
@@ -86,6 +90,7 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
     net = outset.budget.net
     extra = parameter_files(request.params, outset.workspace.root, findings, net=net)
     found: list[System] = []
+    made: list[Programs] = []
     unread: dict[str, list[str]] = {}
     for launch, file in _launch_files(request, outset):
         arguments = {**dict(request.arguments), **dict(launch.arguments)}
@@ -97,7 +102,8 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
         started = [_with_files(s, extra) for s in ran.started]
-        make = partial(_system, str(launch), file, started, outset, findings)
+        made.append(_programs(outset))
+        make = partial(_system, str(launch), file, started, made[-1])
         system = guarded(make, Place(file), "the programs that it starts are not known", net=net)
         if isinstance(system, Finding):
             findings[system] = None
@@ -111,8 +117,11 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
     if request.nodes:
         named = [_with_files(_node(n), extra) for n in request.nodes]
         title = ", ".join(f"{n.package}/{n.executable}" for n in request.nodes)
-        found.append(_system(title, "", named, outset, findings))
+        made.append(_programs(outset))
+        found.append(_system(title, "", named, made[-1]))
         _check_nodes(found[-1])
+    found = _with_components(found, made, together=not request.all_launch)
+    findings.update((f, None) for programs in made for f in programs.findings)
     findings.update(outset.declarations.findings)
     findings.update(outset.library.findings)
     return found, list(findings)
@@ -200,12 +209,29 @@ def _execute(file: str, arguments: dict[str, str], outset: Outset, findings: dic
     return _Ran(started, execution.unread)
 
 
-def _system(name: str, file: str, started: Sequence[Started], outset: Outset, findings: dict[Finding, None]) -> System:
+def _programs(outset: Outset) -> Programs:
     workspace = outset.workspace
-    programs = Programs(workspace.executables, workspace.targets, outset.declarations, outset.related, outset.files)
-    resolved = programs.resolve(started)
-    findings.update(programs.findings)
-    return System(name, file, tuple(started), tuple(resolved))
+    return Programs(workspace.executables, workspace.targets, outset.declarations, outset.related, outset.files)
+
+
+def _system(name: str, file: str, started: Sequence[Started], programs: Programs) -> System:
+    return System(name, file, tuple(started), tuple(programs.resolve(started)))
+
+
+def _with_components(systems: Sequence[System], made: Sequence[Programs], *, together: bool) -> list[System]:
+    """The systems with the components whose container none of their own starts: that of a system which runs beside loads them, or nobody."""
+    found = list(systems)
+    for index, programs in enumerate(made):
+        alone: list[Started] = []
+        for component in programs.orphans:
+            adopted = {n: p for n, other in enumerate(made) if together and (p := other.adopt(component))}
+            for n, loaded in adopted.items():
+                found[n] = found[n]._replace(programs=(*found[n].programs, *loaded))
+                found[index] = found[index]._replace(elsewhere=(*found[index].elsewhere, *loaded))
+            alone += [] if adopted else [component]
+        if alone:
+            found[index] = found[index]._replace(programs=(*found[index].programs, *programs.alone(alone)))
+    return found
 
 
 def _node(request: NodeRequest) -> Started:

@@ -75,7 +75,7 @@ PYTHON = {
         demo/talker --ros-args -r a:=first
         demo/handled --ros-args -r a:=first @process-start
         demo/timed --ros-args -r a:=first -r a:=second @timer
-        demo/last --ros-args -r a:=first -r a:=second @process-exit
+        demo/last --ros-args -r a:=first -r a:=second @process-exit [maybe]
         """,
         "",
     ),

@@ -102,6 +102,8 @@ Visualization Manager:
     - {Class: rviz_default_plugins/Marker, Enabled: true, Topic: {Value: /marks}}
     - {Class: rviz_default_plugins/InteractiveMarkers, Enabled: true, Interactive Markers Namespace: /tool}
     - {Class: rviz_default_plugins/Path, Enabled: true, Topic: {Value: ""}}
+    - {Class: nav2_rviz_plugins/ParticleCloud, Enabled: true, Topic: {Value: /particles}}
+    - {Class: nav2_rviz_plugins/ParticleCloud, Enabled: true, Topic: {Value: ""}}
     - Class: rviz_common/Group
       Enabled: false
       Displays:
@@ -130,6 +132,7 @@ def test_rviz_subscribes_to_what_its_displays_show() -> None:
         "sub /map_updates OccupancyGridUpdate",
         "sub /marks Marker",
         "sub /marks_array MarkerArray",
+        "sub /particles ParticleCloud",
         "sub /robot_description String",
         "sub /scan LaserScan",
         "sub /tool/update InteractiveMarkerUpdate",

@@ -54,8 +54,8 @@ def test_a_handler_waits_for_its_target() -> None:
     ]
     assert Run(actions).lines == [
         "p/three --ros-args",
-        "p/two --ros-args @process-exit",
-        "p/after-two --ros-args @process-exit",
+        "p/two --ros-args @process-exit [maybe]",
+        "p/after-two --ros-args @process-exit [maybe]",
     ]
 
 

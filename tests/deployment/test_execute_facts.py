@@ -99,11 +99,11 @@ def test_a_handler_runs_after_all_and_outside_of_its_group() -> None:
     handler = tree.OnEvent(place=HERE, event="process-exit", actions=(node("late"),))
     push = tree.PushNamespace(place=HERE, namespace=text("a"))
     run = Run([tree.Group(place=HERE, actions=(push, handler, node("in"))), node("out")])
-    assert run.lines == ["p/in --ros-args -r __ns:=/a", "p/out --ros-args", "p/late --ros-args @process-exit"]
+    assert run.lines == ["p/in --ros-args -r __ns:=/a", "p/out --ros-args", "p/late --ros-args @process-exit [maybe]"]
 
 
 def test_what_a_process_starts_when_it_ends() -> None:
-    assert Run([node("a", on_exit=(node("b"),))]).lines == ["p/a --ros-args", "p/b --ros-args @process-exit"]
+    assert Run([node("a", on_exit=(node("b"),))]).lines == ["p/a --ros-args", "p/b --ros-args @process-exit [maybe]"]
 
 
 def test_nodes_of_the_shutdown_never_start() -> None:

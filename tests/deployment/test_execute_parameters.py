@@ -186,11 +186,11 @@ def test_rewritten_paths_and_new_parameters() -> None:
         rewritten({"amcl.ros__parameters.use_sim_time": text("false"), "map.ros__parameters.new": text("x")})
     )
     assert found.startswith("amcl use_sim_time=False")
-    assert found.endswith("map use_sim_time=True, /map new='x'}")
+    assert found.endswith("map use_sim_time=True, map new='x'}")
 
 
 def test_a_root_key_is_a_namespace() -> None:
-    assert content(rewritten({}, var("ns"))).startswith("/left/amcl use_sim_time=True")
+    assert content(rewritten({}, var("ns"))).startswith("left/amcl use_sim_time=True")
 
 
 def test_an_unknown_value_in_a_rewrite() -> None:

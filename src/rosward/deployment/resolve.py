@@ -11,9 +11,10 @@ A component belongs to the process of its container.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, final
 
+from rosward.deployment.containers import Containers, label_of, loaded, target_of
 from rosward.deployment.started import Started, StartKind
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import readable
@@ -109,40 +110,50 @@ class Programs:
         self._related = related
         self._file_of = file_of
         self.findings: dict[Finding, None] = {}
+        self.orphans: tuple[Started, ...] = ()
+        self._labels: dict[str, int] = {}
+        self._containers = Containers(())
 
     def resolve(self, started: Sequence[Started]) -> list[Launched]:
-        """The programs of one system, in the order in which they are started, each process with a label of its own."""
-        labels: dict[str, int] = {}
-        containers: dict[str, str] = {}
-        found: list[Launched] = []
-        for each in sorted(started, key=lambda s: s.kind is StartKind.COMPONENT):  # containers first
-            for package, executable, conditional in _alternatives(each):
-                launched = self._one(each, package, executable, conditional)
-                if launched is None:
-                    continue
-                if each.kind is StartKind.COMPONENT:
-                    process = self._container(each, containers) or _numbered(launched.process, labels)
-                else:
-                    process = _numbered(launched.process, labels)
-                if each.kind is StartKind.CONTAINER:
-                    containers.setdefault(_full_name(each), process)
-                found.append(launched._replace(process=process))
-        return found
+        """The programs of one system, in the order in which they are started, each process with a label of its own.
 
-    def _container(self, component: Started, containers: Mapping[str, str]) -> str | None:
-        """The process of a component's container: a relative target is that of the end of a full name."""
-        target = readable(component.container) if component.container is not None else ""
-        for name, process in containers.items():
-            if name == target or name.rpartition("/")[2] == target.strip("/"):
-                return process
-        self.findings[
-            Finding(
-                "RW318",
-                f"component {_shown(component.plugin)} is loaded into {target or 'a container'}, which nothing starts",
-                component.place,
-            )
-        ] = None
-        return None
+        Components whose container is none of them are `orphans`: it may be in another system.
+        """
+        components = [s for s in started if s.kind is StartKind.COMPONENT]
+        found: list[Launched] = []
+        for each in started:
+            if each.kind is not StartKind.COMPONENT:
+                found += (p._replace(process=_numbered(p.process, self._labels)) for p in self._of(each))
+        self._containers = Containers(found)
+        self.orphans = tuple(c for c in components if not self._containers.of(c))
+        return [*found, *(p for c in components for p in self.adopt(c))]
+
+    def adopt(self, component: Started) -> list[Launched]:
+        """The component in each process of this system that loads it."""
+        return [
+            loaded(program, container, conditional=open_)
+            for program in self._of(component)
+            for container, open_ in self._containers.of(component)
+        ]
+
+    def alone(self, components: Iterable[Started]) -> list[Launched]:
+        """Components whose container nothing starts: one process for each container, as if somebody did."""
+        wanted: dict[str, list[Started]] = {}
+        for each in components:
+            wanted.setdefault(target_of(each), []).append(each)
+        for target, members in wanted.items():
+            first = f"component {_shown(members[0].plugin)}"
+            several = f"{first} and {len(members) - 1} more are loaded" if len(members) > 1 else f"{first} is loaded"
+            message = f"{several} into {target}, which nothing starts"
+            self.findings[Finding("RW318", message, members[0].place)] = None
+        return [p._replace(process=label_of(t)) for t, members in wanted.items() for c in members for p in self._of(c)]
+
+    def _of(self, each: Started) -> Iterator[Launched]:
+        """The programs that may be meant by what is started."""
+        for package, executable, conditional in _alternatives(each):
+            launched = self._one(each, package, executable, conditional)
+            if launched is not None:
+                yield launched
 
     def _one(self, each: Started, package: str | None, executable: str | None, conditional: bool) -> Launched | None:
         made = Launched("", package, executable, each, each.configuration, conditional or each.conditional)
@@ -176,19 +187,16 @@ class Programs:
         program = self._declared.component(made.package or "", plugin)
         if program is not None:
             return made._replace(program=program)
-        inside = self._file_of.has_package(made.package or "")
-        why = (
-            "it is written in C++, which is not analysed"
-            if inside
-            else f"the package {made.package} is neither among the sources nor declared"
-        )
-        return made._replace(unknown=why)
+        if made.package is None:
+            return made._replace(unknown=f"its package is not known{_because(made.started.package)}")
+        if self._file_of.has_package(made.package):
+            return made._replace(unknown="it is written in C++, which is not analysed")
+        return made._replace(unknown=f"the package {made.package} is neither among the sources nor declared")
 
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable
-        reasons = "; ".join(map(str, reasons_of(value))) if value is not None else ""
         return made._replace(
-            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known: {reasons}"
+            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known{_because(value)}"
         )
 
     def _command(self, made: Launched) -> Launched | None:
@@ -202,6 +210,8 @@ class Programs:
                 return made._replace(process=file, executable=stem, entry=entry)
         if made.started.kind is not StartKind.PROCESS:
             shown = _shown(made.started.executable)
+            if made.started.package is not None:
+                return made._replace(process=shown, unknown=f"its package is not known{_because(made.started.package)}")
             return made._replace(
                 process=shown, unknown="no package is named for it, and no file of the sources is behind its path"
             )
@@ -240,10 +250,10 @@ def _texts(value: Value | None) -> list[str | None]:
     return list(dict.fromkeys(found))
 
 
-def _full_name(container: Started) -> str:
-    name = _shown(container.name)
-    space = readable(container.namespace) if container.namespace is not None else ""
-    return f"{space.rstrip('/')}/{name}"
+def _because(value: Value | None) -> str:
+    """Why a value is not known, behind what says that it is not."""
+    reasons = "; ".join(map(str, reasons_of(value))) if value is not None else ""
+    return f": {reasons}" if reasons else ""
 
 
 def _shown(value: Value | None) -> str:

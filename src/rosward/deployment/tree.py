@@ -27,7 +27,8 @@ class Substitution(NamedTuple):
     param(name) · not(a) · and(a, b) · or(a, b) · any(a…) · all(a…) · equals(a, b) · not-equals(a, b) · if(condition, then, else) ·
     file-content(path) · path-join(part…) · string-join(delimiter, part…) · local(expression) · for-var(name[, default]) · index(name[, default]) ·
     parameter-file(path, allow_substs) · replace-string(source_file) with tables[0] the replacements ·
-    rewritten-yaml(source_file, root_key, convert_types) with tables[0] the param_rewrites and tables[1] the key_rewrites ·
+    rewritten-yaml(source_file, root_key, convert_types) with tables of param_rewrites, key_rewrites and value_rewrites ·
+    has-node-params(source_file, key) · as-bool(text): 'True' or 'False' · holds(): whether the condition `value` does ·
     python(): a substitution class of the analysed sources; `value` is the object, its `perform(context)` is called.
     """
 

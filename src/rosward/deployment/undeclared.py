@@ -19,9 +19,10 @@ _ADDRESS = 1
 
 def undeclared(launched: Launched) -> EffectLog:
     """The effects of such a program. Its name, where the launch file gives none, is not known either."""
-    log = EffectLog(launched.configuration)
+    given = launched.configuration
+    log = EffectLog(given)
     place = launched.started.place
-    label = f"{launched.package}/{launched.executable}"
+    label = "/".join(filter(None, (launched.package, launched.executable))) or "of an unknown package"
     unnamed = Unknown((Reason(Cause.MODULE, label, place),), "str")
     component = launched.started.plugin is not None
     options: tuple[tuple[str, Value], ...] = (("client_library", Const("rclcpp")),)
@@ -32,8 +33,8 @@ def undeclared(launched: Launched) -> EffectLog:
         name=unnamed,
         namespace=NONE,
         options=options,
-        words=Series(),
-        global_words=Series(launched.configuration.words),
+        words=Series(given.component or ()),
+        global_words=Series(given.words if given.component is None else ()),
         cls=Unknown(()),
         place=place,
         late=False,

@@ -2,6 +2,7 @@
 """In which enclave does each process run?
 
     process demo/pair with the nodes /a and /b        per node: /a, /b    per process: /pair    as launched: /
+    a container /box with the components /a and /b    per process: /box
     the same, and the user assigned /b to /joint      /joint for both
 
 A context, and so a process, has one enclave (rcl, init.c). What its start names counts, whatever is asked for: ROS_SECURITY_ENCLAVE_OVERRIDE,
@@ -17,6 +18,7 @@ from dataclasses import replace
 from rosward.findings import Finding
 from rosward.holes import Holed, literal, shown
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
+from rosward.network.launch_tree import CONTAINER
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
 
@@ -56,8 +58,10 @@ def with_enclaves(
             placed += [replace(n, enclave=given[-1]) for n in members]
         elif mode is EnclaveMode.LAUNCH:
             placed += [replace(n, enclave="/") for n in members]
-        elif mode is EnclaveMode.NODE or len({n.fqn for n in members}) == 1:
+        elif mode is EnclaveMode.NODE:
             placed += [replace(n, enclave=n.given_enclave or n.fqn) for n in members]
+        elif (own := _own_name(members)) is not None:
+            placed += [replace(n, enclave=own) for n in members]
         else:
             enclave = _shared(members, taken)
             taken.add(enclave)
@@ -71,10 +75,22 @@ def each_its_own(nodes: Iterable[Node]) -> list[Node]:
 
 
 def _spoken_for(processes: Collection[list[Node]]) -> set[str]:
-    """The enclaves that starts name, and those of nodes that run alone: one that is made up never meets them."""
+    """The enclaves that starts name, and those of processes that bear a node's name: one that is made up never meets them."""
     named = {n.given_enclave for members in processes for n in members if n.given_enclave is not None}
-    alone = [members[0].fqn for members in processes if len({n.fqn for n in members}) == 1]
-    return {*named, *alone}
+    return {*named, *(own for members in processes if (own := _own_name(members)) is not None)}
+
+
+def _own_name(members: list[Node]) -> str | None:
+    """The node by whose name everybody knows a process: its only one, or the container that loads the others."""
+    label = members[0].process.partition("#")[0]
+    if label.startswith(CONTAINER):
+        return label.removeprefix(CONTAINER)
+    own = {n.fqn for n in members if f"{n.package}/{n.executable}" == label}
+    several = len({(n.package, n.executable) for n in members}) > 1
+    for names in ({n.fqn for n in members}, own if several else set()):
+        if len(names) == 1:
+            return names.pop()
+    return None
 
 
 def _differ(members: list[Node], given: list[str], chosen: tuple[str, ...]) -> Iterator[Finding]:

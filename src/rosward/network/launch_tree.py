@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from rosward.source.location import Place
+
+CONTAINER: Final = "container:"
+"""How the label of a process begins that only components tell of: the name of their container follows."""
 
 
 class Shown(NamedTuple):

@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable
 
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
+from rosward.network.launch_tree import CONTAINER
 from rosward.outputs.safe import printable
 from rosward.ros.entities import Node
 from rosward.source.location import Place
@@ -55,6 +56,8 @@ def _how(node: Node, enclave: str, shared: Collection[Place]) -> str:
         return f", which nothing in the sources makes: start what makes it with --ros-args --enclave {enclave}"
     if node.given_enclave == enclave:
         return ": its start says so"
+    if node.process.startswith(CONTAINER):
+        return f", which nothing here starts: start it with --ros-args --enclave {enclave}"
     if place is not None and place in shared:
         return (
             f", started at {printable(str(place))} as others are: give it --enclave {enclave} among its ROS arguments"

@@ -152,8 +152,8 @@ class _Execution:
         self._log.configuration = configuration
         self._done: set[tuple[object, ...]] = set()
         self._steps = Steps(_MOST_STEPS)
-        parsed = parse_arguments([pattern(w) for w in configuration.words])
-        self._arguments = tuple(configuration.words[i] for i in parsed.positions.user)
+        parsed = parse_arguments([pattern(w) for w in configuration.own])
+        self._arguments = tuple(configuration.own[i] for i in parsed.positions.user)
 
     def run(self) -> EffectLog:
         """The effects of all nodes."""
@@ -178,6 +178,10 @@ class _Execution:
 
     def _node(self, shape: NodeShape, scope: Scope, *, first: bool, certain: bool) -> tuple[Scope, int]:
         address = len(self._log.nodes) + 1
+        given = self._configuration
+        loaded = (
+            first and given.component is not None
+        )  # a container makes it with options of its own, without global arguments
         options_: list[tuple[str, Value]] = [(k, Const(v)) for k, v in shape.options]
         options_.append(("client_library", Const(shape.client_library.value)))
         if shape.lifecycle:
@@ -187,8 +191,10 @@ class _Execution:
             expand(shape.name, scope),
             NONE if shape.namespace is None else expand(shape.namespace, scope),
             tuple(options_),
-            Series(tuple(expand(a, scope) for a in shape.arguments)),
-            Series(self._configuration.words if shape.global_arguments else ()),
+            Series(
+                (*(expand(a, scope) for a in shape.arguments), *(given.component if loaded and given.component else ()))
+            ),
+            Series(given.words if shape.global_arguments and not loaded else ()),
             External(f"{shape.client_library.value}.node.Node"),
             self._place,
             False,

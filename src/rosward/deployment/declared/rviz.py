@@ -49,6 +49,9 @@ _SUBSCRIBED: Final[Mapping[str, str]] = {
     "TwistStamped": "geometry_msgs/msg/TwistStamped",
     "Wrench": "geometry_msgs/msg/WrenchStamped",
 }
+_OF_OTHERS: Final[Mapping[str, str]] = {"nav2_rviz_plugins/ParticleCloud": "nav2_msgs/msg/ParticleCloud"}
+"""Displays of other packages that subscribe to their topic and do nothing else (nav2: src/particle_cloud_display)."""
+
 _TOOLS: Final[Mapping[str, tuple[str, str]]] = {
     "SetInitialPose": ("initialpose", "geometry_msgs/msg/PoseWithCovarianceStamped"),
     "SetGoal": ("goal_pose", "geometry_msgs/msg/PoseStamped"),
@@ -145,6 +148,10 @@ def _displays(displays: Item | None, depth: int, *, shown: bool) -> Found_:
         elif library in ("rviz_default_plugins", "rviz"):
             for found in _display(display, name):
                 yield found._replace(certain=certain) if isinstance(found, Found) else found
+        elif f"{library}/{name}" in _OF_OTHERS:
+            topic, type_ = _word(display, "Topic"), _OF_OTHERS[f"{library}/{name}"]
+            if topic:
+                yield _endpoint("subscription", topic, type_, _profile(display, "Topic"), certain=certain)
         else:
             yield Open(f"its display {library}/{name} is not known")
 

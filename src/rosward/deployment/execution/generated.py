@@ -11,14 +11,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
-from rosward.deployment.execution.rewrites import Pairs, Rows, below, joined_rows, with_keys, with_values
-from rosward.deployment.execution.yaml_values import is_path, plain_text, replaced
+from rosward.deployment.execution.rewrites import (
+    Pairs,
+    Rows,
+    below,
+    is_refused_below,
+    joined_rows,
+    with_keys,
+    with_new_values,
+    with_values,
+)
+from rosward.deployment.execution.top_keys import has_key
+from rosward.deployment.execution.yaml_values import as_plain_scalar, is_path, plain_text, replaced
 from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution
 from rosward.deployment.parameter_files import read_parameter_file
-from rosward.domain.choice import join_all, lift, options, reasons_of
-from rosward.domain.text import parts_of, readable
+from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
+from rosward.domain.text import origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Hole, Unknown, Value
+from rosward.domain.values import Const, Hole, Tuple, Unknown, Value
 from rosward.models.configuration import Given
 from rosward.source.location import Place
 
@@ -92,6 +102,23 @@ class Generated:
         self._findings.add(*findings)
         return Content(rows, text, file)
 
+    def has_key(self, path: Value, key: Value, place: Place) -> Value:
+        """HasNodeParams of nav2_common: 'True' where a key stands at the top of the file."""
+
+        def one(file: Value, name: Value) -> Value:
+            content = self.content(file, place)
+            if content.absent:
+                shown = self._files.show(file)
+                self._findings.tell("RW320", f"The file {shown}, whose keys are asked for, is not there.", place)
+            plain = plain_text(name)
+            found = has_key(content, plain) if plain is not None else None
+            if found is None:
+                reason = content.reason or Reason(Cause.FILE, readable(file), place)
+                return Unknown((*reasons_of(file), *reasons_of(name), reason), "str")
+            return Const(str(found), origins_of(file) | origins_of(name))
+
+        return lift2(one, path, key)
+
     # Files that are written from others
 
     def performed(self, scene: Scene, path: Value, place: Place) -> Value:
@@ -105,7 +132,10 @@ class Generated:
                     scene.fails(
                         f"the parameter file {shown}, whose substitutions are to be performed, is not there", place
                     )
-                return self.write(source)
+                if source.rows is None:
+                    return self.write(source)
+                rows = tuple(row._replace(value=_performed(row.value, scene)) for row in source.rows)
+                return self.write(Content(rows, None, source.file))
             inside = Place(source.file, 0)
             try:
                 template = parse_substitution(source.text, inside)
@@ -127,8 +157,9 @@ class Generated:
         known = len(texts) == 1 and not texts[0][1]
         return Content(joined_rows(ways, place), texts[0][0] if known else None, file)
 
-    def rewritten(self, source: Value, values: Pairs, keys: Pairs, root: Value, convert: Value, place: Place) -> Value:
-        """RewrittenYaml of nav2_common."""
+    def rewritten(self, source: Value, tables: Sequence[Pairs], root: Value, convert: Value, place: Place) -> Value:
+        """RewrittenYaml of nav2_common; `tables` are its param_rewrites, key_rewrites and value_rewrites."""
+        values, keys, contents = tables
         numbers = str(plain_text(convert) or "").lower() in ("true", "1")
 
         def one(option: Value) -> Value:
@@ -137,7 +168,11 @@ class Generated:
                 self._fails_without(before, option, place)
                 return self.write(before)
             rows = with_keys(with_values(before.rows, values, numbers, place), keys)
+            rows = with_new_values(rows, contents, numbers)
             ways = [below(rows, readable(r)) for r in options(root)[:MAX_WAYS]]
+            if all(is_refused_below(rows, readable(r)) for r in options(root)):
+                message = "rcl refuses what is written here: a key that begins with a slash stands below root_key."
+                self._findings.tell("RW317", message, place)
             return self.write(Content(joined_rows(ways, place), None, before.file))
 
         return lift(one, source)
@@ -165,6 +200,19 @@ class Generated:
         if content.absent:
             shown = self._files.show(path)
             self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, is not there.", place)
+
+
+def _performed(value: Value, scene: Scene) -> Value:
+    """A value of a file that was rewritten, and so dumped: its substitutions are performed, and what they make is read as YAML."""
+    if isinstance(value, Tuple):
+        return Tuple(tuple(_performed(i, scene) for i in value.items))
+    text = plain_text(value)
+    if text is None or "$(" not in text:
+        return value
+    try:
+        return lift(as_plain_scalar, scene.text(parse_substitution(text, Place("", 0))))
+    except SubstitutionError:
+        return value
 
 
 def _ways(pieces: Sequence[Value]) -> list[tuple[str, list[Hole]]]:

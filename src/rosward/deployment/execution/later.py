@@ -18,6 +18,8 @@ from rosward.domain.values import Value
 from rosward.source.location import Place
 
 _DOUBTFUL: Final = {
+    "process-exit": "the end of a process",
+    "execution-complete": "the end of an action",
     "process-io": "output of a process",
     "lifecycle": "a transition of a lifecycle node",
     "other": "an event",

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.perform_paths import Performing
 from rosward.deployment.execution.yaml_values import is_path, is_same_path, truth
-from rosward.domain.choice import join, join_all, lift2, options, reasons_of
+from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_of
 from rosward.domain.text import matches, origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Unknown, Value
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rosward.source.location import Place
 
 _WORDS: Final = ("true", "false", "1", "0")
+_YES: Final = ("true", "1", "yes", "on")
 _MOST: Final = 256
 """So many combinations of alternatives are computed one by one; more are unknown."""
 
@@ -143,6 +144,27 @@ def _if(scene: Scene, substitution: Substitution) -> Value:
     return result
 
 
+def _holds(scene: Scene, substitution: Substitution) -> Value:
+    """A condition of launch, or of a class of the sources, as text."""
+    assert substitution.value is not None
+    found = scene.python.test(substitution.value, scene)
+    return join_all(
+        Const("true" if o.value else "false", o.origins) if isinstance(o, Const) else Unknown(reasons_of(o), "str")
+        for o in options(found)
+    )
+
+
+def _as_bool(scene: Scene, substitution: Substitution) -> Value:
+    """LaunchConfigAsBool of nav2_common: more words than a condition of launch knows, and a name that Python expressions know."""
+
+    def one(option: Value) -> Value:
+        if not isinstance(option, Const):
+            return Unknown(reasons_of(option), "str")
+        return Const("True" if str(option.value).strip().lower() in _YES else "False", option.origins)
+
+    return lift(one, scene.text(substitution.arguments[0]))
+
+
 LOGIC: Final[dict[str, Performing]] = {
     "not": _not,
     "and": _all,
@@ -152,4 +174,6 @@ LOGIC: Final[dict[str, Performing]] = {
     "equals": _equals,
     "not-equals": _not_equals,
     "if": _if,
+    "holds": _holds,
+    "as-bool": _as_bool,
 }

@@ -15,7 +15,7 @@ from rosward.deployment.execution.yaml_values import as_rcl_reads, plain_text
 from rosward.domain.choice import join, lift, options
 from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Unknown, Value
+from rosward.domain.values import Const, Tuple, Unknown, Value
 from rosward.models.configuration import Given
 from rosward.source.location import Place
 
@@ -67,7 +67,7 @@ def with_values(rows: Rows, rewrites: Pairs, numbers: bool, place: Place) -> Row
                     found[index] = row._replace(name=at, value=value if sure else join(row.value, value))
             if not hit and _KEY in path.split("."):
                 node, _, rest = path.partition(f"{_KEY}.")
-                found.append(Given("/" + node.strip(".").replace(".", "/"), rest, value, place))
+                found.append(Given(node.strip(".").replace(".", "/"), rest, value, place))
     return tuple({(r.node, r.name): r for r in found}.values())
 
 
@@ -91,16 +91,33 @@ def with_keys(rows: Rows, rewrites: Pairs) -> Rows:
         return rows
     return tuple(
         row._replace(
-            node="/".join(table.get(part, part) for part in row.node.split("/")),
+            node=table.get(row.node) or "/".join(table.get(part, part) for part in row.node.split("/")),
             name=".".join(table.get(part, part) for part in row.name.split(".")),
         )
         for row in rows
     )
 
 
+def with_new_values(rows: Rows, rewrites: Pairs, numbers: bool) -> Rows:
+    """value_rewrites: each value, or element of a list, whose str() is that text."""
+    table = {old: converted(new, numbers) for key, new in rewrites if (old := plain_text(key)) is not None}
+
+    def one(option: Value) -> Value:
+        if isinstance(option, Tuple):
+            return Tuple(tuple(lift(one, i) for i in option.items))
+        return table.get(str(option.value), option) if isinstance(option, Const) else option
+
+    return tuple(row._replace(value=lift(one, row.value)) for row in rows) if table else rows
+
+
 def below(rows: Rows, root: str) -> Rows:
-    """root_key: everything stands under one more key."""
-    return tuple(row._replace(node=f"/{key_path(root)}/{key_path(row.node)}") for row in rows) if root else rows
+    """root_key: everything stands under one more key. rcl refuses what then has two slashes in a row (`is_refused_below`)."""
+    return tuple(row._replace(node=f"{root.rstrip('/')}/{key_path(row.node)}") for row in rows) if root else rows
+
+
+def is_refused_below(rows: Rows, root: str) -> bool:
+    """Whether rcl refuses the file with this root_key: the name of a node has an empty part."""
+    return bool(root) and any(row.node.startswith("/") for row in rows)
 
 
 def joined_rows(ways: Sequence[Rows], place: Place) -> Rows:

@@ -173,8 +173,16 @@ def _rewritten(scene: Scene, substitution: Substitution) -> Value:
     """RewrittenYaml of nav2_common: the path of a new file."""
     source, *rest = [scene.text(t) for t in substitution.arguments]
     root, convert = (*rest, EMPTY, EMPTY)[:2]
-    tables = [tuple((scene.text(k), scene.text(v)) for k, v in table) for table in (*substitution.tables, (), ())[:2]]
-    return scene.generated.rewritten(source, tables[0], tables[1], root, convert, substitution.place)
+    tables = [
+        tuple((scene.text(k), scene.text(v)) for k, v in table) for table in (*substitution.tables, (), (), ())[:3]
+    ]
+    return scene.generated.rewritten(source, tables, root, convert, substitution.place)
+
+
+def _has_node_params(scene: Scene, substitution: Substitution) -> Value:
+    """HasNodeParams of nav2_common: whether a parameter file has a key at its top."""
+    source, key = (scene.text(t) for t in substitution.arguments[:2])
+    return scene.generated.has_key(source, key, substitution.place)
 
 
 def _replaced(scene: Scene, substitution: Substitution) -> Value:
@@ -191,14 +199,28 @@ _SUBSTITUTIONS: Final[dict[str, Performing]] = {
     **NAMES,
     "rewritten-yaml": _rewritten,
     "replace-string": _replaced,
+    "has-node-params": _has_node_params,
 }
 
 _LEAST: Final[dict[str, int]] = {
     **dict.fromkeys(
-        ("dirname", "filename", "launch-log-dir", "any", "all", "and", "or", "path-join", "python", "command", "local"),
+        (
+            "holds",
+            "dirname",
+            "filename",
+            "launch-log-dir",
+            "any",
+            "all",
+            "and",
+            "or",
+            "path-join",
+            "python",
+            "command",
+            "local",
+        ),
         0,
     ),
-    **dict.fromkeys(("equals", "not-equals", "exec-in-pkg", "if"), 2),
+    **dict.fromkeys(("equals", "not-equals", "exec-in-pkg", "if", "has-node-params"), 2),
 }
 """How many arguments a substitution needs, where it is not one."""
 

@@ -279,6 +279,18 @@ def as_rcl_reads(value: Value) -> Value:
     return lift(one, value)
 
 
+def as_plain_scalar(value: Value) -> Value:
+    """A text as rcl reads it where it stands in a file without quotes."""
+    text = plain_text(value)
+    if text is None or not text or len(text) > 200 or "\n" in text:
+        return value
+    try:
+        read = parse_value(literal(text)).value
+    except InvalidArgument:
+        return value
+    return value if read is None or isinstance(read, tuple) else Const(read, origins_of(value))
+
+
 def without_holes(value: Value, token: str) -> str:
     """The text with `token` in place of each hole."""
     return "".join(p if isinstance(p, str) else token for p in parts_of(value))

@@ -64,12 +64,14 @@ _FORMS: Final = {
     "nav2_common.launch.RewrittenYaml": _Form("rewritten-yaml", ("path", "root_key", "convert_types")),
     "nav2_common.launch.ReplaceString": _Form("replace-string", ("path",)),
     "nav2_common.launch.HasNodeParams": _Form("has-node-params", ("path", "node")),
-    "nav2_common.launch.LaunchConfigAsBool": _Form("any", ("name@",)),
+    "nav2_common.launch.LaunchConfigAsBool": _Form("as-bool", ("name@",)),
 }
 _TABLES: Final = {
     "nav2_common.launch.RewrittenYaml": ("rewrites", "key_rewrites", "value_rewrites"),
     "nav2_common.launch.ReplaceString": ("replacements",),
 }
+_CONDITIONAL: Final = {"nav2_common.launch.ReplaceString": ("test", "path")}
+"""Substitutions with a condition of their own: its field, and what stands for them where it does not hold."""
 _TAKE_NUMBERS: Final = frozenset({"var", "equals", "not-equals", "parameter-file", "rewritten-yaml"})
 _CONDITIONS: Final = {
     "launch.conditions.IfCondition": _Form("if", ("predicate",)),
@@ -185,7 +187,13 @@ class Texts:
         if form is None:
             return (self.objects.unknown(kind, here),)
         tables = tuple(self.pairs(self.objects.field(value, name), here) for name in _TABLES.get(kind, ()))
-        return (Substitution(form.kind, self._arguments(value, form, here), here, None, tables),)
+        found: Template = (Substitution(form.kind, self._arguments(value, form, here), here, None, tables),)
+        field, otherwise = _CONDITIONAL.get(kind, ("", ""))
+        test = self.objects.field(value, field) if field else None
+        if test is None or test == NONE:
+            return found
+        holds: Template = (Substitution("holds", (), here, test),)
+        return (Substitution("if", (holds, found, self.template(self.objects.field(value, otherwise), here)), here),)
 
     def _arguments(self, ref: Ref, form: _Form, place: Place) -> tuple[Template, ...]:
         found: list[Template] = []

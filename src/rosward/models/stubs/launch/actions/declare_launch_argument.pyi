@@ -2,3 +2,7 @@
 """launch.actions.declare_launch_argument."""
 
 from launch.actions import DeclareLaunchArgument as DeclareLaunchArgument
+from launch.action import Action as Action
+from launch.launch_context import LaunchContext as LaunchContext
+from launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
+from launch.substitution import Substitution as Substitution

@@ -2,3 +2,5 @@
 """launch.actions.reset_environment."""
 
 from launch.actions import ResetEnvironment as ResetEnvironment
+from launch.action import Action as Action
+from launch.launch_context import LaunchContext as LaunchContext

@@ -2,3 +2,7 @@
 """launch.actions.unset_environment_variable."""
 
 from launch.actions import UnsetEnvironmentVariable as UnsetEnvironmentVariable
+from launch.action import Action as Action
+from launch.launch_context import LaunchContext as LaunchContext
+from launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
+from launch.substitution import Substitution as Substitution

@@ -2,3 +2,4 @@
 """launch.event_handlers.event_named."""
 
 from launch.event_handlers import event_named as event_named
+from launch.event import Event as Event

@@ -2,3 +2,8 @@
 """launch.event_handlers.on_process_exit."""
 
 from launch.event_handlers import OnProcessExit as OnProcessExit
+from launch.event import Event as Event
+from launch.event_handlers.on_action_event_base import OnActionEventBase as OnActionEventBase
+from launch.events.process import ProcessExited as ProcessExited
+from launch.launch_context import LaunchContext as LaunchContext
+from launch.some_entities_type import SomeEntitiesType as SomeEntitiesType

@@ -2,3 +2,8 @@
 """launch.event_handlers.on_process_start."""
 
 from launch.event_handlers import OnProcessStart as OnProcessStart
+from launch.event import Event as Event
+from launch.event_handlers.on_action_event_base import OnActionEventBase as OnActionEventBase
+from launch.events.process import ProcessStarted as ProcessStarted
+from launch.launch_context import LaunchContext as LaunchContext
+from launch.some_entities_type import SomeEntitiesType as SomeEntitiesType

@@ -2,3 +2,6 @@
 """launch_ros.actions.set_remap."""
 
 from launch_ros.actions import SetRemap as SetRemap
+from launch import Action as Action, Substitution as Substitution
+from launch.launch_context import LaunchContext as LaunchContext
+from launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""nav2_common.launch: substitutions that write parameter files.
+"""nav2_common.launch: substitutions that write parameter files, or ask for what is in them.
 
-Read from nav2_common 1.3.
+Read from nav2_common 1.3 and the main branch (a3a9704).
 """
 
 from _rosward import unknown
@@ -10,7 +10,7 @@ from launch.substitution import Substitution
 
 
 class RewrittenYaml(Substitution):
-    def __init__(self, source_file, param_rewrites={}, root_key=None, key_rewrites=None, value_rewrites=None, convert_types=False):
+    def __init__(self, source_file, param_rewrites={}, root_key=None, key_rewrites=None, value_rewrites=None, convert_types=False, out_dir=None):
         keep(self, None, path=source_file, rewrites=param_rewrites, root_key=root_key, key_rewrites=key_rewrites,
              value_rewrites=value_rewrites, convert_types=convert_types)
 
