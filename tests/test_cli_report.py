@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from rosward.cli import main
+from rosward.outputs.report.packed import unpacked
 
 PROGRAM = """\
 import rclpy
@@ -38,8 +39,8 @@ def extract(*arguments: str, comment: str = "", configuration: str = "") -> int:
 
 def report() -> dict[str, Any]:
     text = Path("rosward-out/report.html").read_text(encoding="utf-8")
-    (document,) = re.findall(r'<script type="application/json" id="report">(.*?)</script>', text, re.DOTALL)
-    parsed: dict[str, Any] = json.loads(document)
+    (document,) = re.findall(r'<script type="text/plain" id="report">(.*?)</script>', text)
+    parsed: dict[str, Any] = json.loads(unpacked(document))
     return parsed
 
 

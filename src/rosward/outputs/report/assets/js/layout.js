@@ -18,11 +18,14 @@ rosward.layout = (() => {
   const known = new Map();
   const waiting = new Map();
   let worker = null;
+  let code = null; // a promise of it, since it is unpacked when it is asked for first
   let asked = 0;
 
-  function start() {
-    const code = document.getElementById("layout-code").textContent;
-    worker = new Worker(URL.createObjectURL(new Blob([code], { type: "text/javascript" })));
+  async function start() {
+    code ||= unpacked.text("layout-code").then((text) => URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
+    const address = await code;
+    if (worker !== null) return;
+    worker = new Worker(address);
     worker.onmessage = ({ data }) => {
       waiting.get(data.id)?.(data.error ? null : data.data);
       waiting.delete(data.id);
@@ -52,7 +55,7 @@ rosward.layout = (() => {
     if (known.has(key)) return known.get(key);
     if (waiting.size > 0) stop(); // what was asked before is not wanted any more
     try {
-      if (worker === null) start();
+      if (worker === null) await start();
     } catch {
       return null;
     }
@@ -118,9 +121,7 @@ rosward.layout = (() => {
 
   /** Starts the worker, so that it is ready when the first question comes. */
   function warm() {
-    try {
-      start();
-    } catch { /* then the quick layout has to do */ }
+    start().catch(() => { /* then the quick layout has to do */ });
   }
 
   return { layout, warm };

@@ -2,7 +2,7 @@
 "use strict";
 // What is in the document, found by id, and who belongs to whom?
 rosward.model = (() => {
-  const report = JSON.parse(document.getElementById("report").textContent);
+  const { report } = unpacked;
   const natural = new Intl.Collator("en", { numeric: true }); // robot2 before robot10
   report.nodes.sort((a, b) => natural.compare(a.fqn, b.fqn));
   report.endpoints.sort((a, b) => natural.compare(a.name, b.name));
