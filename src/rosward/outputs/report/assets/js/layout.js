@@ -3,7 +3,8 @@
 // Where does each shape stand, and which way does each edge take? ELK's layered layout says it, in a worker of its own: the
 // page answers while it works. Its code is in the page as plain text, and costs nothing before the first question.
 rosward.layout = (() => {
-  const { packing } = rosward;
+  const { packing, tiles } = rosward;
+  const READABLE = 0.85; // shrunk further, a label of 12 pixels is no longer read
   const SPACING = {
     "elk.spacing.nodeNode": 13, "elk.spacing.edgeNode": 9, "elk.spacing.edgeEdge": 7, "elk.spacing.componentComponent": 30,
     "elk.layered.spacing.nodeNodeBetweenLayers": 32, "elk.layered.spacing.edgeNodeBetweenLayers": 10, "elk.layered.spacing.edgeEdgeBetweenLayers": 7,
@@ -13,7 +14,7 @@ rosward.layout = (() => {
   const FOLDED = { "elk.direction": "RIGHT", "elk.layered.wrapping.strategy": "MULTI_EDGE" };
   const ROOMY = 0.8; // a picture that is shrunk less than this is good as it is
   const SMALL = 250; // up to so many shapes are laid out in two ways, and the one that fits the page better is taken
-  const SECONDS = 30; // then the quick layout stays
+  const SECONDS = 30; // then the tiles stay
   const KEPT = 24;
   const known = new Map();
   const waiting = new Map();
@@ -49,8 +50,22 @@ rosward.layout = (() => {
     waiting.clear();
   }
 
-  /** {places: key to centre, ways: key to points}, or null where no layout could be made. */
-  async function layout(picture, { width, height }) {
+  /** How much a layout has to shrink to be seen as a whole. */
+  function scale(answer, room) {
+    return Math.min(room.width / Math.max(1, answer.width), room.height / Math.max(1, answer.height));
+  }
+
+  /** As `drawn` says; where that cannot be read as a whole and there are no endpoints that their edges explain, tiles. */
+  async function layout(picture, room, detail) {
+    const best = await drawn(picture, room);
+    if (detail === "all" || (best && scale(best, room) >= READABLE)) return best;
+    const packed = tiles.layout(picture, room.width / room.height);
+    return best === null || scale(packed, room) > scale(best, room) ? packed : best;
+  }
+
+  /** {places: key to centre, ways: key to points, width, height}, or null where no layout could be made. */
+  async function drawn(picture, room) {
+    const { width, height } = room;
     const key = JSON.stringify([Math.round(10 * width / height), question(picture, ACROSS)]);
     if (known.has(key)) return known.get(key);
     if (waiting.size > 0) stop(); // what was asked before is not wanted any more
@@ -61,11 +76,10 @@ rosward.layout = (() => {
     }
     const timer = setTimeout(stop, SECONDS * 1000);
     const pictures = packing.apart(picture);
-    const scale = (one) => Math.min(width / one.width, height / one.height);
     let best = await packed(pictures, width / height, ACROSS);
-    if (best && scale(best) < ROOMY && picture.shapes.length <= SMALL) {
+    if (best && scale(best, room) < ROOMY && picture.shapes.length <= SMALL) {
       const other = await packed(pictures, width / height, picture.frames.length ? DOWN : FOLDED);
-      if (other && scale(other) > scale(best)) best = other;
+      if (other && scale(other, room) > scale(best, room)) best = other;
     }
     clearTimeout(timer);
     if (best === null) return null;
@@ -121,8 +135,8 @@ rosward.layout = (() => {
 
   /** Starts the worker, so that it is ready when the first question comes. */
   function warm() {
-    start().catch(() => { /* then the quick layout has to do */ });
+    start().catch(() => { /* then the tiles have to do */ });
   }
 
-  return { layout, warm };
+  return { layout, scale, warm, READABLE };
 })();

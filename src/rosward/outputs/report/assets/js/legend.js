@@ -13,7 +13,7 @@ rosward.legend = (() => {
     const sample = (kind) => el("i", { class: `sample ${kind}` });
     const marks = [
       ...KINDS.map((kind) => [some(shapes, (one) => one.kind === kind), icon(kind), kind]),
-      [some(shapes, (one) => one.kind === "group"), icon("group"), "closed frame (double-click opens)"],
+      [some(shapes, (one) => one.kind === "group"), icon("group"), "closed frame (a click opens it)"],
       [some(shapes, (one) => one.assumed), sample("assumed"), "assumed: nothing starts it"],
       [some(shapes, (one) => one.doubtful), sample("doubtful"), "name not wholly known"],
       [some(edges, (one) => one.dashed && one.kind !== "maybe"), sample("dashed"), "conditional, or name not known"],

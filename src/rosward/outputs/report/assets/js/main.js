@@ -3,7 +3,6 @@
 // Everything begins here, in this order.
 rosward.layout.warm();
 rosward.summary.start();
-rosward.opening.start();
 rosward.graph.start();
 rosward.theme.start();
 rosward.controls.start();

@@ -38,29 +38,29 @@ rosward.packing = (() => {
   }
 
   /** {width, height, at: offsets in the order of the boxes}: rows of boxes, the high ones first, as wide as suits the page. */
-  function pack(boxes, ratio) {
+  function pack(boxes, ratio, gap = GAP) {
     const order = boxes.map((_, number) => number).sort((a, b) => boxes[b].height - boxes[a].height || a - b);
     const widest = Math.max(1, ...boxes.map((one) => one.width));
-    const area = boxes.reduce((sum, one) => sum + (one.width + GAP) * (one.height + GAP), 0);
+    const area = boxes.reduce((sum, one) => sum + (one.width + gap) * (one.height + gap), 0);
     let best = null;
-    for (const stretch of [0.8, 0.9, 1, 1.1, 1.2, 1.35, 1.5, 1.8]) {
-      const tried = rows(boxes, order, Math.max(widest, Math.sqrt(area * ratio) * stretch));
+    for (const stretch of [0.8, 0.85, 0.9, 0.95, 1, 1.05, 1.1, 1.2, 1.35, 1.5, 1.8]) {
+      const tried = rows(boxes, order, Math.max(widest, Math.sqrt(area * ratio) * stretch), gap);
       tried.cost = Math.max(tried.width / ratio, tried.height);
       if (best === null || tried.cost < best.cost) best = tried;
     }
     return best;
   }
 
-  function rows(boxes, order, most) {
+  function rows(boxes, order, most, gap) {
     const at = [];
     let [x, y, row, width] = [0, 0, 0, 0];
     for (const number of order) {
       const box = boxes[number];
-      if (x > 0 && x + box.width > most) [x, y, row] = [0, y + row + GAP, 0];
+      if (x > 0 && x + box.width > most) [x, y, row] = [0, y + row + gap, 0];
       at[number] = { x, y };
-      x += box.width + GAP;
+      x += box.width + gap;
       row = Math.max(row, box.height);
-      width = Math.max(width, x - GAP);
+      width = Math.max(width, x - gap);
     }
     return { at, width, height: y + row };
   }
