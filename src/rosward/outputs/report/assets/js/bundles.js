@@ -3,18 +3,21 @@
 // Who talks with whom, when endpoints are not drawn? One edge between two shapes, for all that goes between them.
 rosward.bundles = (() => {
   const { model } = rosward;
-  const CROWD = 12; // what so many on one side share with several on the other joins everyone with everyone: `/tf`
-  const SEVERAL = 3;
+  const MOST = 3; // edges for each shape that takes part: what needs more joins everyone with everyone, as `/tf` does
 
-  /** The edges between what stands for the nodes of these entities. */
+  /** {edges, crowds}: the edges between what stands for the nodes of these entities, and how many endpoints join too many for edges. */
   function between(entities, standsFor) {
     const bundles = new Map();
+    let crowds = 0;
     for (const [id, { from, to }] of sides(entities, standsFor)) {
-      if (Math.min(from.size, to.size) > SEVERAL && Math.max(from.size, to.size) > CROWD) continue;
+      if (from.size * to.size > MOST * (from.size + to.size)) {
+        crowds += 1;
+        continue;
+      }
       const { kind } = model.endpoints.get(id);
       for (const [source, some] of from) for (const [target, others] of to) if (source !== target) add(bundles, source, target, kind, some, others);
     }
-    return [...bundles.values()];
+    return { edges: [...bundles.values()], crowds };
   }
 
   /** For each endpoint the shapes on its two sides, each with its entities. */

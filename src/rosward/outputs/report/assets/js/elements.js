@@ -11,7 +11,7 @@ rosward.elements = (() => {
   const measure = document.createElement("canvas").getContext("2d");
   const ROOM = { node: 34, topic: 18, service: 34, action: 34, group: 30 };
 
-  /** {shapes, frames, edges} for the sets of `rosward.filter` and the record of `rosward.state`. */
+  /** {shapes, frames, edges, crowds} for the sets of `rosward.filter` and the record of `rosward.state`. */
   function picture(shown, view) {
     const around = frames.around(shown.nodes, view);
     const entities = model.report.entities.filter((one) => shown.entities.has(one.id));
@@ -20,9 +20,9 @@ rosward.elements = (() => {
     if (view.detail === "all") addEndpoints(drawing, entities, around);
     if (view.group === "namespace") frames.dissolve(around.all, [...drawing.shapes.values()]);
     const standsFor = close(drawing, around.all, view);
-    const edges = view.detail === "all" ? joined(drawing.edges.values(), standsFor) : bundles.between(entities, standsFor);
+    const { edges, crowds } = view.detail === "all" ? { edges: joined(drawing.edges.values(), standsFor), crowds: 0 } : bundles.between(entities, standsFor);
     label(drawing, around.all, view);
-    return { shapes: [...drawing.shapes.values()], frames: [...around.all.values()], edges };
+    return { shapes: [...drawing.shapes.values()], frames: [...around.all.values()], edges, crowds };
   }
 
   /** The keys of the frames that a thing is in, were they all open. */

@@ -83,7 +83,8 @@ rosward.frames = (() => {
   /** What its user calls a process: by the node that loads the others, or by its executable. */
   function container(process, members) {
     const loads = (node) => node.entities.some((id) => model.entities.get(id).name.endsWith("/_container/load_node"));
-    return members.find(loads)?.name || process.slice(process.lastIndexOf("/") + 1);
+    const executable = process.slice(process.lastIndexOf("/") + 1);
+    return members.find(loads)?.name || (executable.startsWith("*") ? "unknown process" : executable);
   }
 
   function families(made) {

@@ -68,19 +68,22 @@ rosward.graph = (() => {
     box.parentElement.removeAttribute("aria-busy");
     if (answer) place(wanted, answer);
     else sketch();
+    opened = null;
     return undefined;
   }
 
   function place(wanted, answer) {
     const classes = (...words) => words.filter(Boolean).join(" ");
-    const frames = wanted.frames.map((one) => ({ group: "nodes", data: { id: one.key, name: one.label, label: one.label, labelWidth: one.labelWidth, size: 12, parent: one.parent || undefined }, classes: "frame", grabbable: true }));
+    const frames = wanted.frames.map((one) => ({ group: "nodes", data: { id: one.key, name: one.label, label: one.label, labelWidth: one.labelWidth, wide: answer.ways.size === 0, size: 12, parent: one.parent || undefined }, classes: "frame", grabbable: true }));
     const shapes = wanted.shapes.map((one) => ({
       group: "nodes", position: { ...answer.places.get(one.key) }, data: { id: one.key, ref: one.ref, label: one.label, width: one.width, height: one.height, parent: one.parent || undefined },
       classes: classes("shape", one.kind, one.doubtful && "doubtful", one.hub && "hub", one.system && "system", one.assumed && "assumed", one.severity),
     }));
+    const behind = wanted.edges.length > wanted.shapes.length ? "behind" : ""; // so many that they would hide what they join
+    const opacity = Math.max(0.1, Math.min(0.35, 20 / wanted.edges.length));
     const edges = wanted.edges.map((one) => ({
-      group: "edges", data: { id: one.key, source: one.source, target: one.target, width: 1.4 + 0.5 * Math.log2(Math.max(1, one.entities.size / 2)) },
-      classes: classes(one.kind, one.both && "both", one.dashed && "dashed", answer.ways.has(one.key) ? "routed" : wanted.edges.length > wanted.shapes.length && answer.width && "behind"),
+      group: "edges", data: { id: one.key, source: one.source, target: one.target, opacity, width: 1.4 + 0.5 * Math.log2(Math.max(1, one.entities.size / 2)) },
+      classes: classes(one.kind, one.both && "both", one.dashed && "dashed", answer.ways.has(one.key) ? "routed" : behind),
     }));
     cy.batch(() => {
       cy.elements().remove();
@@ -93,7 +96,6 @@ rosward.graph = (() => {
     const heavy = wanted.shapes.length + wanted.edges.length > HEAVY;
     cy.renderer().hideEdgesOnViewport = heavy;
     const frame = opened && cy.getElementById(opened);
-    opened = null;
     if (frame?.nonempty()) show(frame);
     else fit();
     labels.update(cy);

@@ -5,6 +5,7 @@
 rosward.layout = (() => {
   const { packing, tiles } = rosward;
   const READABLE = 0.85; // shrunk further, a label of 12 pixels is no longer read
+  const AROUND = 24; // what badges and arrows need beyond the outermost shapes
   const SPACING = {
     "elk.spacing.nodeNode": 13, "elk.spacing.edgeNode": 9, "elk.spacing.edgeEdge": 7, "elk.spacing.componentComponent": 30,
     "elk.layered.spacing.nodeNodeBetweenLayers": 32, "elk.layered.spacing.edgeNodeBetweenLayers": 10, "elk.layered.spacing.edgeEdgeBetweenLayers": 7,
@@ -13,6 +14,7 @@ rosward.layout = (() => {
   const DOWN = { "elk.direction": "DOWN" };
   const FOLDED = { "elk.direction": "RIGHT", "elk.layered.wrapping.strategy": "MULTI_EDGE" };
   const ROOMY = 0.8; // a picture that is shrunk less than this is good as it is
+  const WORTH = 4; // so much smaller, a picture with edges that go around everything is still the better one
   const SMALL = 250; // up to so many shapes are laid out in two ways, and the one that fits the page better is taken
   const SECONDS = 30; // then the tiles stay
   const KEPT = 24;
@@ -52,15 +54,15 @@ rosward.layout = (() => {
 
   /** How much a layout has to shrink to be seen as a whole. */
   function scale(answer, room) {
-    return Math.min(room.width / Math.max(1, answer.width), room.height / Math.max(1, answer.height));
+    return Math.min(room.width / (answer.width + AROUND), room.height / (answer.height + AROUND));
   }
 
-  /** As `drawn` says; where that cannot be read as a whole and there are no endpoints that their edges explain, tiles. */
+  /** As `drawn` says; where that cannot be read as a whole, tiles. Endpoints are explained by their edges, so with them it may be smaller. */
   async function layout(picture, room, detail) {
     const best = await drawn(picture, room);
-    if (detail === "all" || (best && scale(best, room) >= READABLE)) return best;
+    if (best && scale(best, room) >= READABLE) return best;
     const packed = tiles.layout(picture, room.width / room.height);
-    return best === null || scale(packed, room) > scale(best, room) ? packed : best;
+    return best && scale(best, room) * (detail === "all" ? WORTH : 1) >= scale(packed, room) ? best : packed;
   }
 
   /** {places: key to centre, ways: key to points, width, height}, or null where no layout could be made. */

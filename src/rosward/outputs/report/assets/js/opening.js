@@ -7,18 +7,19 @@ rosward.opening = (() => {
   const WORTH = 0.6; // of what edges and topics take room besides
   const MOST = 150; // shapes: more are no first view in any room
   const SHAPE = 6000; // square pixels that a shape takes, about
+  const HINT = 64; // pixels of height for what is told under the picture
   const hint = document.getElementById("hint");
   let left = []; // the views to try where this one cannot be read; none once the user has chosen
   let trying = false;
 
   function start(room) {
-    left = [{}, { detail: "nodes" }, ...cuts(room)].slice(model.nodes.size > MOST ? 2 : 0);
+    left = [{}, { detail: "nodes" }, ...cuts({ ...room, height: room.height - HINT })].slice(model.nodes.size > MOST ? 2 : 0);
     state.listen(() => {
       if (trying) return;
       left = [];
       hint.hidden = true;
     });
-    next(room);
+    next({ ...room, height: room.height - HINT });
   }
 
   /** Goes to the next view that may be read, in the end to the last. */
@@ -58,26 +59,33 @@ rosward.opening = (() => {
     const sizes = new Map([...around.all.keys()].map((key) => [key, size(key)]));
     let before = Infinity;
     const capacity = Math.min(MOST, room.width * room.height / (layout.READABLE ** 2 * SHAPE));
-    for (let most = capacity; before > 0; most *= 0.8) {
+    for (let most = capacity; before > 0; most *= 0.85) {
       const opened = openedUpTo(most, within, sizes);
       if (opened.size < before) yield { detail: "nodes", collapsed: [...around.all.keys()].filter((key) => !opened.has(key)) };
       before = opened.size;
     }
   }
 
-  /** The frames to open, the largest first, so that there are at most so many shapes. */
+  /** The frames to open, the largest first, so that there are at most so many shapes; of those that are about equal all or none. */
   function openedUpTo(most, within, sizes) {
     const opened = new Set();
     let shapes = within.get(null).shapes + within.get(null).frames.length;
-    const border = [...within.get(null).frames];
+    const border = [within.get(null).frames];
     while (border.length) {
-      border.sort((a, b) => sizes.get(b) - sizes.get(a));
-      const key = border.shift();
-      const more = within.get(key).shapes + within.get(key).frames.length - 1;
-      if (shapes + more > most) continue;
-      shapes += more;
-      opened.add(key);
-      border.push(...within.get(key).frames);
+      const alike = new Map();
+      for (const key of border.shift()) {
+        const about = Math.round(2 * Math.log2(sizes.get(key)));
+        alike.set(about, [...(alike.get(about) || []), key]);
+      }
+      for (const [, keys] of [...alike].sort(([a], [b]) => b - a)) {
+        const more = keys.reduce((sum, key) => sum + within.get(key).shapes + within.get(key).frames.length - 1, 0);
+        if (shapes + more > most) continue;
+        shapes += more;
+        for (const key of keys) {
+          opened.add(key);
+          border.push(within.get(key).frames);
+        }
+      }
     }
     return opened;
   }

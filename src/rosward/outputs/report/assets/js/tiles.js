@@ -3,9 +3,10 @@
 // Where does each shape stand when it is to be seen with as many others as there is room for? Side by side in rows, frame by frame,
 // along the data flow; edges go where they go. It takes no time, so it is also what is seen until the real layout is ready.
 rosward.tiles = (() => {
-  const { packing } = rosward;
+  const { packing, look } = rosward;
   const GAP = 16;
-  const FRAME = { top: 30, side: 12 };
+  const TITLE = 20;
+  const SHAPES = [1, 0.6, 1.6, 2.5]; // of inner frames, as shares of that of the whole; the best is taken
 
   /** {places: key to centre, ways: none, width, height}. */
   function layout(picture, ratio) {
@@ -13,7 +14,9 @@ rosward.tiles = (() => {
     const order = alongTheFlow(picture);
     for (const one of [...picture.shapes].sort((a, b) => order.get(a.key) - order.get(b.key))) inside.get(one.parent || null).push(one);
     for (const one of picture.frames) inside.get(one.parent || null).push({ key: one.key, frame: true });
-    const whole = filled(inside, null, ratio);
+    const sizes = new Map(picture.frames.map((one) => [one.key, one.labelWidth]));
+    const cost = (one) => Math.max(one.width / ratio, one.height);
+    const whole = SHAPES.map((share) => filled(inside, sizes, null, ratio, ratio * share)).reduce((best, one) => (cost(one) < cost(best) ? one : best));
     const places = new Map();
     const place = (box, x, y) => {
       if (!box.content) places.set(box.key, { x: x + box.width / 2, y: y + box.height / 2 });
@@ -23,11 +26,13 @@ rosward.tiles = (() => {
     return { places, ways: new Map(), width: whole.width, height: whole.height };
   }
 
-  function filled(inside, key, ratio) {
-    const content = inside.get(key).map((one) => (one.frame ? filled(inside, one.key, ratio) : { key: one.key, width: one.width, height: one.height }));
+  /** What is in a frame, packed; as wide as its name at least. */
+  function filled(inside, labels, key, ratio, inner) {
+    const content = inside.get(key).map((one) => (one.frame ? filled(inside, labels, one.key, inner, inner) : { key: one.key, width: one.width, height: one.height }));
     const packed = packing.pack(content, ratio, GAP);
-    const [left, top] = key === null ? [0, 0] : [FRAME.side, FRAME.top];
-    return { key, content, at: packed.at, left, top, width: packed.width + 2 * left, height: packed.height + top + left };
+    if (key === null) return { key, content, at: packed.at, left: 0, top: 0, width: packed.width, height: packed.height };
+    const width = Math.max(packed.width + 2 * look.PADDING, labels.get(key));
+    return { key, content, at: packed.at, left: (width - packed.width) / 2, top: look.PADDING + TITLE, width, height: packed.height + TITLE + 2 * look.PADDING };
   }
 
   /** For each shape how many steps it is from where data begins; a circle is cut where it is met again. */
