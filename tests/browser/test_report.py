@@ -293,6 +293,13 @@ def test_every_control_has_a_name(page: Page) -> None:
         assert name, control.evaluate("one => one.outerHTML")
 
 
+def test_about_tells_the_licences(page: Page) -> None:
+    page.get_by_role("button", name="About").click()
+    assert "Eclipse Public License 2.0" in page.locator("#about").inner_text()
+    page.locator("#about").get_by_role("button", name="Close").click()
+    assert page.locator("#about").is_hidden()
+
+
 def test_light_and_dark_follow_the_system_until_the_user_says(browser: Browser, fleet: str) -> None:
     colour = "getComputedStyle(document.body).backgroundColor"
     ink = "rosward.graph.library().nodes('.node')[0].style('color')"

@@ -5,6 +5,7 @@ rosward.graph = (() => {
   const { model, state, route, elements, layout, tiles, look, filter, opening, labels } = rosward;
   const PATIENCE = 300; // milliseconds that the first look may wait for the real layout
   const FEW = 24; // nodes
+  const LARGE = 150; // nodes: their first picture waits for nothing
   const HEAVY = 1200; // shapes and edges: from here on moving comes before detail
   const MARGIN = 24; // around the drawing, which is fitted into the rest
   const box = document.getElementById("canvas");
@@ -60,6 +61,7 @@ rosward.graph = (() => {
     const space = room();
     box.parentElement.setAttribute("aria-busy", "true");
     const sketch = () => place(wanted, tiles.layout(wanted, space.width / space.height));
+    if (model.nodes.size > LARGE && cy.elements().empty()) sketch();
     const patience = setTimeout(() => { if (number === job) sketch(); }, PATIENCE);
     const nothing = { places: new Map(), ways: new Map(), width: 0, height: 0 };
     const answer = wanted.shapes.length ? await layout.layout(wanted, space, state.get().detail) : nothing;
