@@ -93,7 +93,7 @@ rosward.opening = (() => {
   /** Says what is not drawn, and how to get it. */
   function tell({ detail, collapsed = [] }) {
     hint.hidden = detail === undefined;
-    const closed = collapsed.length ? "some frames are closed: click one to open it" : "without their topics: double-click one to see what it talks to";
+    const closed = collapsed.length ? "some frames are closed: a click opens one" : "without their topics: click one to see what it talks to";
     const all = dom.el("button", { type: "button", class: "act", onclick: () => state.set({ collapsed: [], detail: "all" }) }, "Draw all of it");
     dom.fill(hint, `${names.plural(model.nodes.size, "node")}, ${closed}.`, all, dom.button("Close", "close", () => { hint.hidden = true; }));
   }
