@@ -5,7 +5,8 @@
 
 Milliseconds from the start of the page, the median of five: until it answers (`page`), until a graph is drawn (`picture`), and until the graph stands
 where it stays (`settled`). `blank` is a page with the same libraries and no node, in the same run: the part that is the browser's and theirs. Without
-a REPORT they are those of made-up systems of 50 and 500 nodes (the fleet of the tests). CHROMIUM names another browser.
+a REPORT they are those of made-up systems of 50, 500 and 3,000 nodes (the fleet of the tests).
+CHROMIUM names another browser.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ def main() -> int:
 
 def _made(folder: Path) -> Iterator[tuple[str, Path]]:
     systems: list[tuple[str, Network]] = [("blank", connect("jazzy", ()))]
-    systems += [(f"fleet of {robots} robots", fleet(robots)) for robots in (8, 83)]
+    systems += [(f"fleet of {robots} robots", fleet(robots)) for robots in (8, 83, 500)]
     for name, network in systems:
         file = folder / f"{name}.html"
         file.write_text(report_html(network, Background()), encoding="utf-8")

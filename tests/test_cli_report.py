@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rosward.cli import main
+from rosward.outputs.report.packed import document_in
 
 PROGRAM = """\
 import rclpy
@@ -38,8 +38,7 @@ def extract(*arguments: str, comment: str = "", configuration: str = "") -> int:
 
 def report() -> dict[str, Any]:
     text = Path("rosward-out/report.html").read_text(encoding="utf-8")
-    (document,) = re.findall(r'<script type="application/json" id="report">(.*?)</script>', text, re.DOTALL)
-    parsed: dict[str, Any] = json.loads(document)
+    parsed: dict[str, Any] = json.loads(document_in(text))
     return parsed
 
 

@@ -85,7 +85,8 @@ def shapes(page: Page, selector: str = "node.shape") -> list[str]:
     """The labels of what is drawn."""
     drawn(page)
     found: list[str] = page.evaluate(
-        "selector => rosward.graph.library().elements(selector).map(one => one.data('label'))", selector
+        "selector => rosward.graph.library().elements(selector).map(one => one.data('name') ?? one.data('label'))",
+        selector,
     )
     return sorted(found)
 

@@ -53,9 +53,9 @@ def test_no_two_shapes_lie_on_each_other(page: Page) -> None:
     overlaps = page.evaluate(
         """() => {
             const all = rosward.graph.library().nodes('.shape').toArray();
-            const box = one => one.boundingBox({ includeLabels: false, includeOverlays: false });
-            const meet = (a, b) => a.x1 + 12 < b.x2 && b.x1 + 12 < a.x2 && a.y1 + 12 < b.y2 && b.y1 + 12 < a.y2;
-            return all.flatMap((a, at) => all.slice(at + 1).filter(b => meet(box(a), box(b))).map(b => a.id() + ' ' + b.id()));
+            const apart = (a, b, way, size) => Math.abs(a.position(way) - b.position(way)) >= (a[size]() + b[size]()) / 2;
+            const meet = (a, b) => !apart(a, b, 'x', 'outerWidth') && !apart(a, b, 'y', 'outerHeight');
+            return all.flatMap((a, at) => all.slice(at + 1).filter(b => meet(a, b)).map(b => a.id() + ' ' + b.id()));
         }"""
     )
     assert overlaps == []
@@ -291,6 +291,13 @@ def test_every_control_has_a_name(page: Page) -> None:
             "one => one.getAttribute('aria-label') || one.textContent.trim() || [...(one.labels || [])].map(l => l.textContent).join('')"
         )
         assert name, control.evaluate("one => one.outerHTML")
+
+
+def test_about_tells_the_licences(page: Page) -> None:
+    page.get_by_role("button", name="About").click()
+    assert "Eclipse Public License 2.0" in page.locator("#about").inner_text()
+    page.locator("#about").get_by_role("button", name="Close").click()
+    assert page.locator("#about").is_hidden()
 
 
 def test_light_and_dark_follow_the_system_until_the_user_says(browser: Browser, fleet: str) -> None:

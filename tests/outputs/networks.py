@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
 
 from rosward.findings import Finding
 from rosward.network.connect import connect
@@ -164,6 +164,36 @@ def fleet(robots: int = 8, each: int = 6) -> Network:
         ),
     ]
     return connect("jazzy", nodes, [], files=len(nodes), lines=4000, processes=len(nodes))
+
+
+_AREAS: Final = (
+    "/sensing/lidar/top", "/sensing/lidar/left", "/sensing/camera0", "/localization", "/localization/util",
+    "/perception/object_recognition/detection", "/perception/object_recognition/tracking", "/perception/traffic_light_recognition/camera0",
+    "/planning/mission_planning", "/planning/scenario_planning/lane_driving/behavior_planning", "/planning/scenario_planning/parking",
+    "/control", "/control/trajectory_follower", "/system", "/vehicle", "/map", "/",
+)  # fmt: skip
+
+
+def stack(count: int) -> Network:
+    """So many nodes in the namespaces of a self-driving car: chains within, containers, and what goes across."""
+    nodes = []
+    for index in range(count):
+        area = index % len(_AREAS)
+        space, number = _AREAS[area].rstrip("/"), index // len(_AREAS)
+        process = f"rclcpp_components/component_container_mt#{area}" if area % 3 == 0 else f"stack/node_{index}"
+        before = f"{space}/{'points' if number else 'raw'}_{number}"
+        entities = [
+            sub(before, "demo/msg/Points"),
+            pub(f"{space}/points_{number + 1}", "demo/msg/Points"),
+            pub("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"),
+            sub("/clock", "rosgraph_msgs/msg/Clock"),
+        ]
+        if number == 0:
+            entities += [sub(f"{_AREAS[area - 1].rstrip('/')}/points_1"), sub("/map/points_1"), pub("/tf"), sub("/tf")]
+        if number % 4 == 1:
+            entities.append(entity(EntityKind.SERVICE_SERVER, f"{space}/stage_{number}/reset", "std_srvs/srv/Trigger"))
+        nodes.append(node(f"{space}/stage_{number}_of_filter", *entities, process=process, package=f"stack_{area}"))
+    return connect("jazzy", nodes, [], files=count, lines=100 * count, processes=count)
 
 
 def hostile(text: str) -> Network:

@@ -34,6 +34,7 @@ from rosward.outputs.network_json import network_json
 from rosward.outputs.permissions import permissions
 from rosward.outputs.policy import policies, policy_xml
 from rosward.outputs.report.document import Background
+from rosward.outputs.report.packed import document_in
 from rosward.outputs.report.page import report_html
 from rosward.outputs.sarif import sarif_json
 from rosward.outputs.starts import starts_text
@@ -225,11 +226,9 @@ def test_html(evil: str) -> None:
     assert set(page.tags) <= set(plain.tags)
     assert page.tags.count("script") == plain.tags.count("script")
     assert not [text for text in page.texts if hidden(text, but="\n\t")]
-    data = [script for script in page.scripts if script.lstrip().startswith("{")]
-    assert data
-    for script in data:
-        assert not hidden(script)
-        assert json.loads(script)
+    data = document_in(document)
+    assert not hidden(data)
+    assert json.loads(data)
 
 
 def test_junit(evil: str) -> None:

@@ -8,12 +8,15 @@ import hashlib
 import json
 import re
 from html.parser import HTMLParser
+from pathlib import Path
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosward.network.connect import connect
+from rosward.outputs.report import page
 from rosward.outputs.report.document import report_document
+from rosward.outputs.report.packed import packed, unpacked
 from rosward.outputs.report.page import report_html
 
 from .networks import fleet, hostile, talker_and_listener
@@ -29,7 +32,7 @@ class Page(HTMLParser):
         self.handlers: list[str] = []
         self.scripts: list[str] = []
         self.styles: list[str] = []
-        self.document = ""
+        self.held: dict[str, str] = {}
         self.policy = ""
         self._data: dict[str, str | None] = {}
         self.feed(text)
@@ -47,12 +50,22 @@ class Page(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         if self.lasttag == "script" and self.cdata_elem == "script":
-            if self._data.get("id") == "report":
-                self.document += data
-            elif "type" not in self._data:
+            if "type" not in self._data:
                 self.scripts.append(data)
+            elif key := self._data.get("id"):
+                self.held[key] = self.held.get(key, "") + data
         elif self.lasttag == "style" and self.cdata_elem == "style":
             self.styles.append(data)
+
+    @property
+    def document(self) -> str:
+        """The document of the report."""
+        return unpacked(self.held["report"])
+
+    @property
+    def started(self) -> list[str]:
+        """The scripts that run, in their order: the one that takes out the others, and these."""
+        return [*self.scripts, *json.loads(unpacked(self.held["scripts"]))]
 
 
 def digest(text: str) -> str:
@@ -60,25 +73,26 @@ def digest(text: str) -> str:
 
 
 def test_the_document_is_in_it() -> None:
-    page = Page(report_html(talker_and_listener()))
-    assert json.loads(page.document) == report_document(talker_and_listener())
+    shown = Page(report_html(talker_and_listener()))
+    assert json.loads(shown.document) == report_document(talker_and_listener())
 
 
 def test_it_asks_for_nothing_from_outside() -> None:
-    page = Page(report_html(fleet(2)))
-    assert not {"link", "img", "iframe", "object", "embed", "base", "form"} & set(page.tags)
-    assert all(address.startswith("#") for address in page.addresses)
-    assert page.policy.startswith("default-src 'none'; ")
-    assert not re.search(r"https?:|\*|unsafe-eval|unsafe-inline", page.policy.replace("'wasm-unsafe-eval'", ""))
+    shown = Page(report_html(fleet(2)))
+    assert not {"link", "img", "iframe", "object", "embed", "base", "form"} & set(shown.tags)
+    assert all(address.startswith("#") for address in shown.addresses)
+    assert shown.policy.startswith("default-src 'none'; ")
+    assert not re.search(r"https?:|\*|unsafe-eval|unsafe-inline", shown.policy.replace("'wasm-unsafe-eval'", ""))
 
 
 def test_its_scripts_and_styles_are_those_that_it_allows() -> None:
-    page = Page(report_html(talker_and_listener()))
-    rules = {rule.split()[0]: rule.split()[1:] for rule in page.policy.split("; ")}
-    assert page.scripts
-    assert [digest(script) for script in page.scripts] == rules["script-src"]
-    assert {digest(style) for style in page.styles} == set(rules["style-src"])
-    assert not page.handlers
+    shown = Page(report_html(talker_and_listener()))
+    rules = {rule.split()[0]: rule.split()[1:] for rule in shown.policy.split("; ")}
+    assert len(shown.scripts) == 1
+    assert len(shown.started) > 20
+    assert [digest(script) for script in shown.started] == rules["script-src"]
+    assert {digest(style) for style in shown.styles} == set(rules["style-src"])
+    assert not shown.handlers
 
 
 def test_a_network_without_nodes() -> None:
@@ -95,11 +109,12 @@ def test_text_from_the_sources_stays_text() -> None:
         '"><b onclick="x">',
         "{{ 7 * 7 }}",
     ):
-        page = Page(report_html(hostile(text)))
-        assert not page.handlers
-        assert page.scripts == plain.scripts
-        assert set(page.tags) <= set(plain.tags)
-        assert text in [f["message"] for f in json.loads(page.document)["findings"]]
+        shown = Page(report_html(hostile(text)))
+        assert not shown.handlers
+        assert shown.started == plain.started
+        assert all(re.fullmatch("[A-Za-z0-9+/=]+", text) for text in shown.held.values())
+        assert set(shown.tags) <= set(plain.tags)
+        assert text in [f["message"] for f in json.loads(shown.document)["findings"]]
 
 
 @settings(max_examples=15)
@@ -112,3 +127,26 @@ def test_any_text_gives_the_same_page_around_it(text: str) -> None:
 
 def test_the_same_network_gives_the_same_page() -> None:
     assert report_html(fleet(2)) == report_html(fleet(2))
+
+
+@given(st.text(alphabet=st.characters(exclude_categories=["Cs"])))
+def test_what_is_packed_comes_out_again(text: str) -> None:
+    assert unpacked(packed(text)) == text
+
+
+def test_it_is_small() -> None:
+    """Two nodes: what the libraries take. Three thousand: what can be sent to somebody."""
+    assert len(report_html(talker_and_listener())) < 1_000_000
+    assert len(report_html(fleet(500))) < 4_000_000
+
+
+def test_it_tells_the_licences_of_what_it_holds() -> None:
+    """And the versions are those of the libraries in it."""
+    text = report_html(talker_and_listener())
+    vendor = Path(page.__file__).parent / "assets" / "vendor"
+    table = (vendor / "README.md").read_text(encoding="utf-8")
+    for library in re.findall(r"\[((?:elkjs|cytoscape) [\d.]+)\]", table):
+        assert library in text
+    assert "Eclipse Public License 2.0" in text
+    assert "https://github.com/kieler/elkjs/tree/" in text
+    assert (vendor / "cytoscape" / "LICENSE").read_text(encoding="utf-8").splitlines()[0] in text

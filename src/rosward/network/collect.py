@@ -280,6 +280,7 @@ def _entity(
         via=effect.via,
         ros_prefix=effect.ros_prefix,
         path=path,
+        system=implicit.is_of_container(kind, text, type_),
     )
 
 

@@ -24,6 +24,12 @@ from rosward.ros.distro import ClientLibrary, Distro, implicit_entities
 from rosward.ros.entities import Entity, EntityKind, Resolution
 
 _SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
+_OF_CONTAINERS: Final = {
+    "load_node": "composition_interfaces/srv/LoadNode",
+    "unload_node": "composition_interfaces/srv/UnloadNode",
+    "list_nodes": "composition_interfaces/srv/ListNodes",
+}
+"""What a component manager serves below `~/_container`."""
 
 
 class Identity(NamedTuple):
@@ -85,6 +91,13 @@ def of_client_library(
         return every, frozenset()
     asked = frozenset((e.kind, e.name, e.type) for e in _named(wanted(asked=True), effect, identity, fqn))
     return [e for e in every if (e.kind, e.name, e.type) not in asked], asked
+
+
+def is_of_container(kind: EntityKind, name: str, type_: str | None) -> bool:
+    """Whether this is a service by which components are loaded: every container has them, so none of them is the user's own."""
+    above, _, last = name.rpartition("/")
+    served = kind is EntityKind.SERVICE_SERVER and above.endswith("/_container")
+    return served and last in _OF_CONTAINERS and type_ == _OF_CONTAINERS[last]
 
 
 def _named(found: Iterable[Entity], effect: NodeEffect, identity: Identity, fqn: str) -> list[Entity]:

@@ -17,35 +17,17 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
+from rosward.outputs.dot_language import HEADER, LOOKS, TOWARDS_NODE, Drawing, label_of, quoted
 from rosward.outputs.layers import steps_between_layers
-from rosward.outputs.safe import encodable, printable
-from rosward.ros.entities import Entity, EntityKind, Node, Resolution
+from rosward.ros.entities import Entity, Node, Resolution
 
-__all__ = ["Drawing", "drawing", "graph_dot"]
-
-
-class _Look(NamedTuple):
-    shape: str
-    fill: str
-    line: str
+__all__ = ["drawing", "graph_dot"]
 
 
-_LOOKS: Final = {
-    "node": _Look("ellipse", "#d9ecf8", "#0072b2"),
-    "topic": _Look("box", "#fcefd2", "#b07800"),
-    "service": _Look("hexagon", "#d5f0e6", "#00805c"),
-    "action": _Look("folder", "#f6e2ee", "#a8457e"),
-}
 _DOUBT: Final = "#c44200"
 _HUB: Final = 12
 """Used by more nodes than this, a topic, service or action is drawn once for each of them."""
 
-_TOWARDS_NODE: Final = (EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER, EntityKind.ACTION_SERVER)
-_HEADER: Final = (
-    "graph [rankdir=LR, ranksep=0.7, nodesep=0.16, fontname=Arial, fontsize=12, compound=true, bgcolor=white, pad=0.2]",
-    'node [fontname=Arial, fontsize=11, style=filled, penwidth=1.2, margin="0.1,0.04", height=0.3]',
-    "edge [fontname=Arial, fontsize=9, arrowsize=0.6, penwidth=1.1]",
-)
 _IN_SHORT: Final = "graph [splines=line, nslimit=1, nslimit1=1, mclimit=0.1]"
 _MOST_STEPS: Final = 4000
 """Beyond them (about half a second of drawing) lines are straight, and Graphviz looks less long for a better order."""
@@ -66,15 +48,6 @@ class _Vertex(NamedTuple):
     assumed: bool = False
 
 
-class Drawing(NamedTuple):
-    """The text of a graph, and how large it is; `steps` are the layers that its edges cross (`layers.py`)."""
-
-    text: str
-    vertices: int
-    edges: int
-    steps: int
-
-
 def graph_dot(network: Network, system: bool = False, types: bool = False) -> str:
     """The graph as DOT. `system` shows what the client library makes as well, `types` the interface types."""
     return drawing(network, system, types).text
@@ -90,7 +63,7 @@ def drawing(network: Network, system: bool = False, types: bool = False, links: 
         *(_edge(*ends, look, conditional) for (ends, (look, conditional)) in sorted(edges.items())),
     ]
     steps = steps_between_layers(edges)
-    header = (*_HEADER, _IN_SHORT) if steps > _MOST_STEPS else _HEADER
+    header = (*HEADER, _IN_SHORT) if steps > _MOST_STEPS else HEADER
     lines = ["digraph rosward {", *(f"  {line};" for line in header), *(f"  {line}" for line in body), "}"]
     return Drawing("\n".join(lines) + "\n", len(vertices), len(edges), steps)
 
@@ -144,7 +117,7 @@ def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
     """From tail and head to the look and whether the edge is there in some executions only."""
     edges: dict[tuple[str, str], tuple[str, bool]] = {}
     for node, entity, key, _ in ends:
-        pair = (key, _node_key(node)) if entity.kind in _TOWARDS_NODE else (_node_key(node), key)
+        pair = (key, _node_key(node)) if entity.kind in TOWARDS_NODE else (_node_key(node), key)
         _, sometimes = edges.get(pair, ("", True))
         edges[pair] = (entity.kind.meeting, entity.conditional and sometimes)
     return edges
@@ -169,8 +142,8 @@ def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]
         yield from inside
         return
     style = 'style="rounded,filled", fillcolor="#f6f6f4", color="#b9b9b2", fontcolor="#55554f", class="namespace"'
-    yield f"subgraph {_quoted('cluster ' + space)} {{"
-    yield f"  graph [label={_quoted(_relative(space, parent))}, labeljust=l, {style}];"
+    yield f"subgraph {quoted('cluster ' + space)} {{"
+    yield f"  graph [label={quoted(_relative(space, parent))}, labeljust=l, {style}];"
     yield from (f"  {line}" for line in inside)
     yield "}"
 
@@ -206,18 +179,18 @@ def _relative(name: str, space: str) -> str:
 
 
 def _vertex(vertex: _Vertex, space: str, types: bool) -> str:
-    look = _LOOKS[vertex.look]
+    look = LOOKS[vertex.look]
     label = [_relative(vertex.name, space)]
     if vertex.doubtful:
         label[0] += " ?"
     if types:
         label += vertex.types
     attributes = [
-        f"label={_label(label)}",
+        f"label={label_of(label)}",
         f"shape={look.shape}",
         f'fillcolor="{look.fill}"',
         f'color="{_DOUBT if vertex.doubtful else look.line}"',
-        f"tooltip={_quoted(vertex.tooltip)}",
+        f"tooltip={quoted(vertex.tooltip)}",
         f'class="ros-{vertex.look}{" doubtful" if vertex.doubtful else ""}{" assumed" if vertex.assumed else ""}"',
     ]
     if vertex.hub:
@@ -228,26 +201,13 @@ def _vertex(vertex: _Vertex, space: str, types: bool) -> str:
         attributes.append('style="filled,dashed"')
     if vertex.link:
         attributes.append(f'href="{vertex.link}"')
-    return f"{_quoted(vertex.key)} [{', '.join(attributes)}];"
+    return f"{quoted(vertex.key)} [{', '.join(attributes)}];"
 
 
 def _edge(tail: str, head: str, look: str, conditional: bool) -> str:
     style = ", style=dashed" if conditional else ""
-    return f'{_quoted(tail)} -> {_quoted(head)} [color="{_LOOKS[look].line}", class="of-{look}"{style}];'
+    return f'{quoted(tail)} -> {quoted(head)} [color="{LOOKS[look].line}", class="of-{look}"{style}];'
 
 
 def _tooltip(name: str, reasons: tuple[str, ...]) -> str:
     return ": ".join([name, "; ".join(reasons)]) if reasons else name
-
-
-def _label(lines: Iterable[str]) -> str:
-    return '"' + r"\n".join(_escaped(line) for line in lines) + '"'
-
-
-def _quoted(text: str) -> str:
-    return f'"{_escaped(text)}"'
-
-
-def _escaped(text: str) -> str:
-    """As the inside of a quoted string: Graphviz reads backslashes, and entities of HTML, in all that it shows."""
-    return encodable(printable(text)).replace("\\", "\\\\").replace("&", "&amp;").replace('"', '\\"')

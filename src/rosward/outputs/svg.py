@@ -2,10 +2,10 @@
 """The graph as a picture, drawn by `graphviz-pure`: a Graphviz in one program, with its own fonts, the same on every
 machine. Where it is not installed (rosdep has no key for it) the `dot` of the system draws, with the fonts that are there.
 
-A graph beyond any eye (see `_MOST_EDGES`), or a renderer that is missing or fails, gives a picture that says so in
-words, with the numbers and where to look instead. The limit is a size and not a time, so that the same sources give the
-same bytes everywhere; the time limit is only there for a machine in trouble: what takes longest below the limits, 3,000
-edges from anywhere to anywhere, takes 10 s. 50 nodes take about 0.03 s, 600 nodes with 1,900 edges 0.35 s.
+A graph that would be larger than a large screen shows (see `_WIDEST`) is drawn from further away: nodes without topics,
+then namespaces (`dot_summary.py`). Where that is too large as well, or a renderer is missing or fails, the picture says so in
+words, with the numbers and where to look instead. The limits are sizes and not times, so that the same sources give the
+same bytes everywhere; the time limit is only there for a machine in trouble: 300 shapes take less than a second.
 """
 
 from __future__ import annotations
@@ -16,11 +16,14 @@ import subprocess
 import sys
 import sysconfig
 from collections.abc import Iterable
+from itertools import chain
 from pathlib import Path
 from typing import Final
 
 from rosward.network.graph import Network
-from rosward.outputs.dot import Drawing, drawing
+from rosward.outputs.dot import drawing
+from rosward.outputs.dot_language import Drawing
+from rosward.outputs.dot_summary import summaries
 from rosward.outputs.safe import xml_text
 
 __all__ = ["graph_svg"]
@@ -28,20 +31,36 @@ __all__ = ["graph_svg"]
 _PROGRAM: Final = "graphviz-pure"
 _INSTEAD: Final = "dot"
 _ENDINGS: Final = (".exe", "") if os.name == "nt" else ("",)
-_MOST_EDGES: Final = 3000
-_MOST_VERTICES: Final = 3000
-_MOST_STEPS: Final = 60_000
+_MOST_VERTICES: Final = 300
+_MOST_STEPS: Final = 4000
 """Layers that edges cross: above them drawing takes long, and shows a black spot."""
 
+_WIDEST: Final = 2600
+_HIGHEST: Final = 1700
+"""Points: at these a letter is still read when the picture is as wide as a screen."""
+
 _SECONDS: Final = 600
+_SIZE: Final = re.compile(r'<svg width="(?P<width>[\d.]+)pt" height="(?P<height>[\d.]+)pt"')
 _PROLOGUE: Final = re.compile(r"\A.*?(?=<svg\b)", re.DOTALL)
 
 
 def graph_svg(network: Network, system: bool = False, types: bool = False, *, links: bool = False) -> str:
     """The graph as SVG. `links` makes each node a link to `#node-N`, its number in the network."""
-    drawn = drawing(network, system, types, links)
-    if drawn.edges > _MOST_EDGES or drawn.vertices > _MOST_VERTICES or drawn.steps > _MOST_STEPS:
-        return _message("This graph is too large to draw", drawn)
+    whole = drawing(network, system, types, links)
+    for drawn in chain((whole,), summaries(network, system)):
+        if drawn.vertices <= _MOST_VERTICES and drawn.steps <= _MOST_STEPS:
+            picture = _picture(drawn)
+            if _fits(picture):
+                return picture
+    return _message("This graph is too large to draw", whole)
+
+
+def _fits(picture: str) -> bool:
+    size = _SIZE.search(picture)
+    return size is None or (float(size["width"]) <= _WIDEST and float(size["height"]) <= _HIGHEST)
+
+
+def _picture(drawn: Drawing) -> str:
     program = _program()
     if program is None:
         return _message(f"{_PROGRAM} is not installed, so there is no drawing", drawn)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How do the document and the assets become one file that needs nothing else?
 
-    report_html(network, Background(root, systems))  ->  "<!DOCTYPE html>…<script type="application/json" id="report">{…}</script>…"
+    report_html(network, Background(root, systems))  ->  "<!DOCTYPE html>…<script type="text/plain" id="report">eNq9…</script>…"
 
 The file works offline and loads nothing: its Content-Security-Policy forbids all but its own style and scripts, which it names by their
-hashes. The template (`assets/report.html.j2`) says which scripts and styles there are. A name out of the sources, however it is made, is a
-string in the document and stays text.
+hashes. The template (`assets/report.html.j2`) says which scripts and styles there are. Document and scripts are compressed (`packed`); one small
+script that is not, `assets/js/unpack.js`, takes them out and starts them. A name out of the sources, however it is made, is a string in the
+document and stays text.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import re
 from importlib import resources
 from typing import Final
 
@@ -23,6 +23,7 @@ from markupsafe import Markup
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.report.document import Background, report_document
+from rosward.outputs.report.packed import packed
 from rosward.outputs.safe import encodable, printable
 from rosward.outputs.svg import graph_svg
 
@@ -30,7 +31,6 @@ __all__ = ["document_text", "report_html"]
 
 _TEMPLATE: Final = "report.html.j2"
 _LARGEST_FALLBACK: Final = 300_000
-_SPECIAL: Final = re.compile("[<>&\u2028\u2029]")
 _NOTHING: Final = Background()
 
 
@@ -50,15 +50,16 @@ def report_html(network: Network, background: Background = _NOTHING, unknown: Un
         asset=lambda name: Markup(_asset(name)),
         sha256=_sha256,
         report=document,
-        document=Markup(document_text(document)),
+        packed=lambda text: Markup(packed(text)),
+        texts=lambda names: json.dumps([_asset(name) for name in names]),
+        document=document_text(document),
         fallback=Markup(_fallback(network)),
     )
 
 
 def document_text(document: dict[str, object]) -> str:
-    """The document as JSON that a `<script>` can hold: no tag and no comment can begin or end in it."""
-    text = encodable(json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
-    return _SPECIAL.sub(lambda match: f"\\u{ord(match.group()):04x}", text)
+    """The document as JSON."""
+    return encodable(json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
 
 
 def _asset(name: str) -> str:

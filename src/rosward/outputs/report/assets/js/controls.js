@@ -91,7 +91,7 @@ rosward.controls = (() => {
       select("group", "Group by", "group", [["namespace", "namespace"], ["process", "process"], ["enclave", "enclave"], ["none", "nothing"]]),
       select("detail", "Show", "detail", [["all", "nodes and topics"], ["nodes", "nodes only"]]),
       el("span", { class: "buttons" }, fold,
-        dom.button("Zoom out (-)", "minus", () => graph.zoom(1 / 1.35)), dom.button("Zoom in (+)", "plus", () => graph.zoom(1.35)), dom.button("Fit (0)", "fit", () => graph.fit()),
+        dom.button("Zoom out (-)", "minus", () => graph.zoom(1 / 1.35), { class: "tool only-wide" }), dom.button("Zoom in (+)", "plus", () => graph.zoom(1.35), { class: "tool only-wide" }), dom.button("Fit (0)", "fit", () => graph.fit()),
         dom.button("Save as picture", "picture", () => graph.painted(rosward.look.colour("page")).toBlob((blob) => dom.save(blob, "graph.png")))),
     ];
   }

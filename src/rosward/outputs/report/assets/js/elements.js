@@ -2,73 +2,59 @@
 "use strict";
 // Which shapes, frames and edges make the picture of what is shown? No positions yet, and nothing of the drawing library.
 rosward.elements = (() => {
-  const { model, names } = rosward;
+  const { model, names, frames, bundles } = rosward;
   // used by more nodes than this, an endpoint is drawn beside each of them: one knot would hide the rest; of different frames, by fewer
   const HUB = 12;
   const HUB_ACROSS = 4;
   const MOST_MATCHES = 4; // a pattern that may be more endpoints than this says nothing by its edges
+  const RANK = { error: 3, warning: 2, note: 1, null: 0 };
   const measure = document.createElement("canvas").getContext("2d");
   const ROOM = { node: 34, topic: 18, service: 34, action: 34, group: 30 };
 
-  /** {shapes, frames, edges} for the sets of `rosward.filter` and the record of `rosward.state`. */
+  /** {shapes, frames, edges, crowds} for the sets of `rosward.filter` and the record of `rosward.state`. */
   function picture(shown, view) {
-    const drawing = { shapes: new Map(), frames: new Map(), edges: new Map() };
-    const homes = homesOf(shown, view);
+    const around = frames.around(shown.nodes, view);
     const entities = model.report.entities.filter((one) => shown.entities.has(one.id));
-    for (const id of shown.nodes) addShape(drawing, id, model.nodes.get(id), homes);
-    if (view.detail === "nodes") addShortcuts(drawing, entities);
-    else addEndpoints(drawing, entities, homes);
-    addFrames(drawing, homes, view);
-    for (const id of view.collapsed) if (drawing.frames.has(id)) collapse(drawing, id);
-    dissolveSmall(drawing, view);
-    label(drawing, view);
-    return { shapes: [...drawing.shapes.values()], frames: [...drawing.frames.values()], edges: [...drawing.edges.values()] };
+    const drawing = { shapes: new Map(), edges: new Map() };
+    for (const id of shown.nodes) addShape(drawing, id, model.nodes.get(id), around.homes.get(id));
+    if (view.detail === "all") addEndpoints(drawing, entities, around);
+    if (view.group === "namespace") frames.dissolve(around.all, [...drawing.shapes.values()]);
+    const standsFor = close(drawing, around.all, view);
+    const { edges, crowds } = view.detail === "all" ? { edges: joined(drawing.edges.values(), standsFor), crowds: 0 } : bundles.between(entities, standsFor);
+    label(drawing, around.all, view);
+    return { shapes: [...drawing.shapes.values()], frames: [...around.all.values()], edges, crowds };
   }
 
-  /** The ids of the frames that a thing is in, were they all open. */
+  /** The keys of the frames that a thing is in, were they all open. */
   function framesAround(id, shown, view) {
-    const { shapes, frames } = picture(shown, { ...view, collapsed: [] });
-    const parents = new Map(frames.map((one) => [one.key, one.parent]));
+    const { shapes, frames: all } = picture(shown, { ...view, collapsed: [] });
+    const parents = new Map(all.map((one) => [one.key, one.parent]));
     const around = [];
     for (let at = shapes.find((one) => one.ref === id)?.parent; at; at = parents.get(at)) around.push(at);
     return around;
   }
 
-  /** In which frame does a node belong, and in which an endpoint with these users? */
-  function homesOf(shown, view) {
-    if (view.group === "none") return { of: () => null, endpoint: () => null };
-    if (view.group === "namespace") {
-      const spaces = new Set([...shown.nodes].map((id) => model.nodes.get(id).namespace));
-      const innermost = (name) => names.above(name).find((space) => space !== name && spaces.has(space) && space !== "/") || null;
-      return { of: (node) => innermost(node.fqn), endpoint: (endpoint) => innermost(endpoint.name), spaces };
-    }
-    const of = view.group === "process" ? (node) => node.process || "unknown process" : (node) => model.enclaves.get(node.enclave)?.path || null;
-    const endpoint = (_, users) => {
-      const [first, ...more] = new Set(users.map((one) => of(model.nodes.get(one.node))));
-      return more.length ? null : first;
-    };
-    return { of, endpoint };
+  /** The keys of the frames in a frame. */
+  function framesIn(key, shown, view) {
+    const { all } = frames.around(shown.nodes, view);
+    const within = (one) => one !== null && (one === key || within(all.get(one).parent));
+    return [...all.keys()].filter((one) => one !== key && within(one));
   }
 
-  function frameId(view, name) {
-    return name === null ? null : `frame ${name}`;
-  }
-
-  function addShape(drawing, key, thing, homes, home) {
+  function addShape(drawing, key, thing, parent) {
     drawing.shapes.set(key, {
-      key, ref: thing.id, kind: model.kindOf(thing), name: model.nameOf(thing), hub: false,
-      home: home === undefined ? homes.of(thing) : home,
+      key, ref: thing.id, kind: model.kindOf(thing), name: model.nameOf(thing), hub: false, parent: parent || null,
       doubtful: model.doubtful(thing) || model.nameOf(thing).includes("*"), severity: model.severityOf(thing.id), system: thing.system === true, assumed: thing.assumed === true,
     });
   }
 
-  function isHub(entities, homes) {
-    const nodes = [...new Set(entities.map((one) => one.node))].map((id) => model.nodes.get(id));
+  function isHub(entities, around) {
+    const nodes = [...new Set(entities.map((one) => one.node))];
     if (nodes.length > HUB) return true;
-    return nodes.length > HUB_ACROSS && new Set(nodes.map((node) => homes.of(node))).size > 1;
+    return nodes.length > HUB_ACROSS && new Set(nodes.map((id) => around.homes.get(id))).size > 1;
   }
 
-  function addEndpoints(drawing, entities, homes) {
+  function addEndpoints(drawing, entities, around) {
     const users = new Map();
     for (const entity of entities) {
       if (!users.has(entity.endpoint)) users.set(entity.endpoint, []);
@@ -76,16 +62,16 @@ rosward.elements = (() => {
     }
     for (const [id, list] of users) {
       const endpoint = model.endpoints.get(id);
-      const hub = isHub(list, homes);
+      const hub = isHub(list, around);
       for (const entity of list) {
         // of two names of which nothing is known nobody can say that they are one name: each node has its own
         const own = hub || endpoint.resolution === "unknown";
         const key = own ? `${id} at ${entity.node}` : id;
         if (!drawing.shapes.has(key)) {
-          addShape(drawing, key, endpoint, homes, own ? homes.of(model.nodes.get(entity.node)) : homes.endpoint(endpoint, list));
+          addShape(drawing, key, endpoint, own ? around.homes.get(entity.node) : around.endpoint(endpoint, list));
           drawing.shapes.get(key).hub = hub;
         }
-        addEdge(drawing, model.towardsNode(entity) ? [key, entity.node] : [entity.node, key], endpoint.kind, entity);
+        addEdge(drawing.edges, model.towardsNode(entity) ? [key, entity.node] : [entity.node, key], endpoint.kind, entity);
       }
     }
     for (const id of users.keys()) {
@@ -93,118 +79,85 @@ rosward.elements = (() => {
       if (matches.length > MOST_MATCHES) continue;
       for (const other of matches) {
         const key = `${id} may be ${other}`;
-        if (!drawing.edges.has(`${other} may be ${id}`)) drawing.edges.set(key, { key, source: id, target: other, kind: "maybe", entities: [], dashed: true });
+        if (!drawing.edges.has(`${other} may be ${id}`)) drawing.edges.set(key, { key, source: id, target: other, kind: "maybe", entities: new Set(), dashed: true });
       }
     }
   }
 
-  /** Edges straight from node to node, through every endpoint that they share. */
-  function addShortcuts(drawing, entities) {
-    const sides = new Map();
-    for (const entity of entities) {
-      for (const id of [entity.endpoint, ...(model.endpoints.get(entity.endpoint).matches || [])]) {
-        if (model.endpoints.get(entity.endpoint).resolution === "unknown") continue;
-        if (!sides.has(id)) sides.set(id, { from: [], to: [] });
-        sides.get(id)[model.towardsNode(entity) ? "to" : "from"].push(entity);
-      }
-    }
-    for (const [id, { from, to }] of sides) {
-      const kind = model.endpoints.get(id).kind;
-      if (from.length * to.length > 2000) continue; // everyone with everyone: `/parameter_events`
-      for (const one of from) for (const other of to) {
-        if (one.node !== other.node) addEdge(drawing, [one.node, other.node], kind, one, other);
-      }
-    }
-  }
-
-  function addEdge(drawing, [source, target], kind, ...entities) {
+  function addEdge(edges, [source, target], kind, entity) {
     const key = `${source} > ${target} ${kind}`;
-    const dashed = entities.some((one) => one.conditional || model.doubtful(one));
-    const edge = drawing.edges.get(key) || { key, source, target, kind, entities: new Set(), dashed: true };
-    entities.forEach((one) => edge.entities.add(one.id));
-    edge.dashed = edge.dashed && dashed;
-    drawing.edges.set(key, edge);
+    const edge = edges.get(key) || { key, source, target, kind, entities: new Set(), dashed: true };
+    edge.entities.add(entity.id);
+    edge.dashed = edge.dashed && (entity.conditional || model.doubtful(entity));
+    edges.set(key, edge);
   }
 
-  function addFrames(drawing, homes, view) {
-    for (const shape of drawing.shapes.values()) {
-      shape.parent = frameId(view, shape.home);
-      addFrame(drawing, shape.home, homes, view);
+  /** Closed frames become one shape each; gives for each shape that there was what stands for it now. */
+  function close(drawing, all, view) {
+    const closed = new Set(view.collapsed.filter((key) => all.has(key)));
+    const outermost = new Map();
+    const closedAround = (key) => {
+      if (!key) return null;
+      if (!outermost.has(key)) outermost.set(key, closedAround(all.get(key).parent) || (closed.has(key) ? key : null));
+      return outermost.get(key);
+    };
+    const standsFor = new Map();
+    const inside = new Map();
+    for (const shape of [...drawing.shapes.values()]) {
+      const frame = closedAround(shape.parent);
+      standsFor.set(shape.key, frame || shape.key);
+      if (!frame) continue;
+      drawing.shapes.delete(shape.key);
+      if (!inside.has(frame)) inside.set(frame, { nodes: 0, severity: null });
+      const one = inside.get(frame);
+      if (shape.kind === "node") one.nodes += 1;
+      if (RANK[shape.severity] > RANK[one.severity]) one.severity = shape.severity;
     }
-  }
-
-  function addFrame(drawing, name, homes, view) {
-    const id = frameId(view, name);
-    if (id === null || drawing.frames.has(id)) return;
-    const outer = homes.spaces ? names.above(name).find((space) => space !== name && space !== "/" && homes.spaces.has(space)) || null : null;
-    drawing.frames.set(id, { key: id, name, outer, parent: frameId(view, outer) });
-    addFrame(drawing, outer, homes, view);
-  }
-
-  /** A frame of a namespace around a single shape says nothing that its name does not say. */
-  function dissolveSmall(drawing, view) {
-    if (view.group !== "namespace") return;
-    const inner = new Map([...drawing.frames.keys()].map((id) => [id, 0]));
-    for (const { parent } of drawing.shapes.values()) if (parent) inner.set(parent, inner.get(parent) + 1);
-    for (const { parent } of drawing.frames.values()) if (parent) inner.set(parent, inner.get(parent) + 1);
-    for (const [id, number] of inner) {
-      if (number > 1) continue;
-      const { parent, outer } = drawing.frames.get(id);
-      for (const one of [...drawing.shapes.values(), ...drawing.frames.values()]) {
-        if (one.parent !== id) continue;
-        one.parent = parent;
-        one[one.outer === undefined ? "home" : "outer"] = outer;
-      }
-      drawing.frames.delete(id);
+    for (const [key, { nodes, severity }] of inside) {
+      const { name, parent } = all.get(key);
+      drawing.shapes.set(key, { key, ref: key, kind: "group", name, parent, hub: false, doubtful: false, severity, count: nodes, inside: names.plural(nodes, "node") });
     }
+    for (const key of [...all.keys()]) if (closedAround(key)) all.delete(key);
+    return standsFor;
   }
 
-  /** A closed frame is one shape; what its inner shapes are joined to, it is joined to. */
-  function collapse(drawing, id) {
-    const frame = drawing.frames.get(id);
-    const within = (one) => one !== null && one !== undefined && (one === id || within(drawing.frames.get(one)?.parent));
-    if (!frame || within(frame.parent)) return;
-    const gone = [...drawing.shapes.values()].filter((shape) => within(shape.parent));
-    const standsFor = new Map(gone.map((shape) => [shape.key, id]));
-    const rank = { error: 3, warning: 2, note: 1, null: 0 };
-    const severity = gone.reduce((most, shape) => (rank[shape.severity] > rank[most] ? shape.severity : most), null);
-    gone.forEach((shape) => drawing.shapes.delete(shape.key));
-    for (const [key, one] of drawing.frames) if (within(one.parent) || key === id) drawing.frames.delete(key);
-    const nodes = new Set(gone.filter((shape) => shape.kind === "node").map((shape) => shape.key)).size;
-    drawing.shapes.set(id, { key: id, ref: id, kind: "group", name: frame.name, home: frame.outer, parent: frame.parent, hub: false, doubtful: false, severity, inside: names.plural(nodes, "node") });
-    const edges = [...drawing.edges.values()];
-    drawing.edges.clear();
+  /** The edges between what stands for their ends. */
+  function joined(edges, standsFor) {
+    const between = new Map();
     for (const edge of edges) {
-      const source = standsFor.get(edge.source) || edge.source;
-      const target = standsFor.get(edge.target) || edge.target;
+      const source = standsFor.get(edge.source);
+      const target = standsFor.get(edge.target);
       if (source === target) continue;
       const key = `${source} > ${target} ${edge.kind}`;
-      const one = drawing.edges.get(key) || { ...edge, key, source, target, entities: new Set(), dashed: true };
-      for (const entity of edge.entities) one.entities.add(entity);
+      const one = between.get(key) || { ...edge, key, source, target, entities: new Set(), dashed: true };
+      edge.entities.forEach((id) => one.entities.add(id));
       one.dashed = one.dashed && edge.dashed;
-      drawing.edges.set(key, one);
+      between.set(key, one);
     }
+    return [...between.values()];
   }
 
-  function label(drawing, view) {
+  function label(drawing, all, view) {
     measure.font = rosward.look.FONT;
+    const within = (parent) => (view.group === "namespace" && parent ? all.get(parent).space : null);
     for (const shape of drawing.shapes.values()) {
-      const seen = view.group === "namespace" ? names.relative(shape.name, shape.home) : shape.name;
+      const seen = names.relative(shape.name, within(shape.parent));
       const lines = [names.shortened(names.visible(seen), 38) + (shape.doubtful ? " ?" : "")];
       if (shape.inside) lines.push(shape.inside);
       shape.label = plain(lines.join("\n"));
       shape.width = Math.ceil(Math.max(...lines.map((line) => measure.measureText(line).width)) + ROOM[shape.kind]);
       shape.height = shape.kind === "node" ? 34 : shape.kind === "group" ? 46 : 28;
     }
-    for (const frame of drawing.frames.values()) {
-      frame.label = plain(names.shortened(names.visible(view.group === "namespace" ? names.relative(frame.name, frame.outer) : frame.name), 60));
+    for (const frame of all.values()) {
+      frame.label = plain(names.shortened(names.visible(names.relative(frame.name, within(frame.parent))), 60));
+      frame.labelWidth = measure.measureText(frame.label).width;
     }
   }
 
   /** cytoscape takes a label such as `data(x)` for a reference to data; behind a sign without width it is text. */
-  function plain(label) {
-    return /^\s*\w+\s*\(/.test(label) ? "\u2060" + label : label;
+  function plain(text) {
+    return /^\s*\w+\s*\(/.test(text) ? "\u2060" + text : text;
   }
 
-  return { picture, framesAround };
+  return { picture, framesAround, framesIn };
 })();

@@ -2,9 +2,12 @@
 "use strict";
 // The drawing: shapes and edges on a canvas, with zoom, pan, hover and choice.
 rosward.graph = (() => {
-  const { model, state, route, elements, layout, quick, look, filter } = rosward;
+  const { model, state, route, elements, layout, tiles, look, filter, opening, labels } = rosward;
   const PATIENCE = 300; // milliseconds that the first look may wait for the real layout
+  const FEW = 24; // nodes
+  const LARGE = 150; // nodes: their first picture waits for nothing
   const HEAVY = 1200; // shapes and edges: from here on moving comes before detail
+  const MARGIN = 24; // around the drawing, which is fitted into the rest
   const box = document.getElementById("canvas");
   const listeners = [];
   let cy = null;
@@ -12,6 +15,7 @@ rosward.graph = (() => {
   let shown = null;
   let job = 0;
   let settled = Promise.resolve();
+  let opened = null; // the frame that the user has just opened
   let unseen = false; // laid out while another view was open, so for no known room
 
   function start() {
@@ -23,12 +27,14 @@ rosward.graph = (() => {
     cy.on("tap", "edge", ({ target }) => chooseEdge(target));
     cy.on("tap", ({ target }) => { if (target === cy) route.go("#graph"); });
     cy.on("dbltap", "node.frame, node.group", ({ target }) => toggle(target.id()));
-    cy.on("dbltap", "node.shape", ({ target }) => { if (!target.hasClass("group")) state.set({ focus: target.data("ref") }); });
+    cy.on("dbltap", "node.shape", ({ target }) => { if (!target.hasClass("group")) state.focus(target.data("ref")); });
     cy.on("mouseover", "node.shape, edge", ({ target }) => { light(target); tip(target); box.classList.add("over"); });
     cy.on("mouseout", "node.shape, edge", () => { unlight(); tip(null); box.classList.remove("over"); });
     cy.on("drag", "node", ({ target }) => target.union(target.descendants()).connectedEdges(".routed").forEach(unrouted));
     cy.on("viewport", () => tip(null));
+    labels.follow(cy);
     new ResizeObserver(() => cy.resize()).observe(box);
+    opening.start(room());
     update(state.get());
     state.listen(update);
     route.listen((place) => {
@@ -45,31 +51,41 @@ rosward.graph = (() => {
     settled = draw(picture, ++job);
   }
 
+  /** The room for the drawing, in pixels; where another view is open, about that. */
+  function room() {
+    return { width: Math.max(200, (box.clientWidth || innerWidth) - 2 * MARGIN), height: Math.max(200, (box.clientHeight || 0.8 * innerHeight) - 2 * MARGIN) };
+  }
+
   async function draw(wanted, number) {
     unseen = box.clientWidth === 0;
-    const room = { width: Math.max(200, box.clientWidth), height: Math.max(200, box.clientHeight - 60) };
-    const ratio = room.width / room.height;
+    const space = room();
     box.parentElement.setAttribute("aria-busy", "true");
-    const nothing = { places: new Map(), ways: new Map() };
-    const sketch = () => place(wanted, { places: quick.layout(wanted, ratio), ways: new Map() });
+    const sketch = () => place(wanted, tiles.layout(wanted, space.width / space.height));
+    if (model.nodes.size > LARGE && cy.elements().empty()) sketch();
     const patience = setTimeout(() => { if (number === job) sketch(); }, PATIENCE);
-    const answer = wanted.shapes.length ? await layout.layout(wanted, room) : nothing;
+    const nothing = { places: new Map(), ways: new Map(), width: 0, height: 0 };
+    const answer = wanted.shapes.length ? await layout.layout(wanted, space, state.get().detail) : nothing;
     clearTimeout(patience);
-    if (number !== job) return;
+    if (number !== job || (answer && opening.refuses(answer, room()))) return settled;
     box.parentElement.removeAttribute("aria-busy");
     if (answer) place(wanted, answer);
     else sketch();
+    opened = null;
+    return undefined;
   }
 
   function place(wanted, answer) {
     const classes = (...words) => words.filter(Boolean).join(" ");
-    const frames = wanted.frames.map((one) => ({ group: "nodes", data: { id: one.key, label: one.label, parent: one.parent || undefined }, classes: "frame", grabbable: true }));
+    const frames = wanted.frames.map((one) => ({ group: "nodes", data: { id: one.key, name: one.label, label: one.label, labelWidth: one.labelWidth, wide: answer.ways.size === 0, size: 12, parent: one.parent || undefined }, classes: "frame", grabbable: true }));
     const shapes = wanted.shapes.map((one) => ({
       group: "nodes", position: { ...answer.places.get(one.key) }, data: { id: one.key, ref: one.ref, label: one.label, width: one.width, height: one.height, parent: one.parent || undefined },
       classes: classes("shape", one.kind, one.doubtful && "doubtful", one.hub && "hub", one.system && "system", one.assumed && "assumed", one.severity),
     }));
+    const behind = wanted.edges.length > wanted.shapes.length ? "behind" : ""; // so many that they would hide what they join
+    const opacity = Math.max(0.1, Math.min(0.35, 20 / wanted.edges.length));
     const edges = wanted.edges.map((one) => ({
-      group: "edges", data: { id: one.key, source: one.source, target: one.target }, classes: classes(one.kind, one.dashed && "dashed", answer.ways.has(one.key) && "routed"),
+      group: "edges", data: { id: one.key, source: one.source, target: one.target, opacity, width: 1.4 + 0.5 * Math.log2(Math.max(1, one.entities.size / 2)) },
+      classes: classes(one.kind, one.both && "both", one.dashed && "dashed", answer.ways.has(one.key) ? "routed" : behind),
     }));
     cy.batch(() => {
       cy.elements().remove();
@@ -81,7 +97,10 @@ rosward.graph = (() => {
     blank.textContent = model.nodes.size ? "The filters leave nothing to draw." : "There is no ROS node in these sources.";
     const heavy = wanted.shapes.length + wanted.edges.length > HEAVY;
     cy.renderer().hideEdgesOnViewport = heavy;
-    fit();
+    const frame = opened && cy.getElementById(opened);
+    if (frame?.nonempty()) show(frame);
+    else fit();
+    labels.update(cy);
     mark(route.get());
   }
 
@@ -131,10 +150,18 @@ rosward.graph = (() => {
 
   function fit() {
     cy.resize();
-    cy.fit(undefined, 30);
+    cy.fit(undefined, MARGIN);
     if (cy.zoom() > 1.25) cy.zoom(1.25);
     cy.center();
-    cy.panBy({ x: 0, y: 16 }); // the tools lie over the upper edge
+  }
+
+  /** Shows a frame so that what is in it can be read: as a whole, or from its upper left corner on. */
+  function show(frame) {
+    const at = frame.boundingBox();
+    const whole = Math.min(room().width / at.w, room().height / at.h);
+    cy.zoom(Math.max(layout.READABLE, Math.min(1.25, whole)));
+    if (whole >= layout.READABLE) cy.center(frame);
+    else cy.pan({ x: MARGIN - at.x1 * cy.zoom(), y: MARGIN - at.y1 * cy.zoom() });
   }
 
   const moving = () => !matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -155,10 +182,17 @@ rosward.graph = (() => {
     if (ids.length) route.go(route.toEntities(ids));
   }
 
-  /** Closes or opens a frame. */
+  /** Closes or opens a frame; the frames in a small one are opened with it. */
   function toggle(id) {
     const { collapsed } = state.get();
-    state.set({ collapsed: collapsed.includes(id) ? collapsed.filter((one) => one !== id) : [...collapsed, id] });
+    const shape = picture.shapes.find((one) => one.key === id);
+    if (!shape) {
+      state.set({ collapsed: [...collapsed, id] });
+      return;
+    }
+    opened = id;
+    const inner = shape.count > FEW ? [] : elements.framesIn(id, shown, state.get());
+    state.set({ collapsed: collapsed.filter((one) => one !== id && !inner.includes(one)) });
   }
 
   /** Shows in the drawing what the address names. */
@@ -255,7 +289,7 @@ rosward.graph = (() => {
   }
 
   return {
-    start, fit, zoom, hits, step, painted, toggle,
+    start, fit, room, zoom, hits, step, painted, toggle,
     restyle: () => cy.style(look.style()),
     settled: () => settled,
     picture: () => picture,

@@ -21,7 +21,7 @@ rosward.keyboard = (() => {
 
   function focus() {
     const { one } = route.get();
-    state.set({ focus: state.get().focus === null && one ? one.id : null });
+    state.focus(state.get().focus === null && one ? one.id : null);
   }
 
   function escape() {

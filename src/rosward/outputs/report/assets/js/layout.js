@@ -3,7 +3,9 @@
 // Where does each shape stand, and which way does each edge take? ELK's layered layout says it, in a worker of its own: the
 // page answers while it works. Its code is in the page as plain text, and costs nothing before the first question.
 rosward.layout = (() => {
-  const { packing } = rosward;
+  const { packing, tiles } = rosward;
+  const READABLE = 0.85; // shrunk further, a label of 12 pixels is no longer read
+  const AROUND = 24; // what badges and arrows need beyond the outermost shapes
   const SPACING = {
     "elk.spacing.nodeNode": 13, "elk.spacing.edgeNode": 9, "elk.spacing.edgeEdge": 7, "elk.spacing.componentComponent": 30,
     "elk.layered.spacing.nodeNodeBetweenLayers": 32, "elk.layered.spacing.edgeNodeBetweenLayers": 10, "elk.layered.spacing.edgeEdgeBetweenLayers": 7,
@@ -12,17 +14,21 @@ rosward.layout = (() => {
   const DOWN = { "elk.direction": "DOWN" };
   const FOLDED = { "elk.direction": "RIGHT", "elk.layered.wrapping.strategy": "MULTI_EDGE" };
   const ROOMY = 0.8; // a picture that is shrunk less than this is good as it is
+  const WORTH = 4; // so much smaller, a picture with edges that go around everything is still the better one
   const SMALL = 250; // up to so many shapes are laid out in two ways, and the one that fits the page better is taken
-  const SECONDS = 30; // then the quick layout stays
+  const SECONDS = 30; // then the tiles stay
   const KEPT = 24;
   const known = new Map();
   const waiting = new Map();
   let worker = null;
+  let code = null; // a promise of it, since it is unpacked when it is asked for first
   let asked = 0;
 
-  function start() {
-    const code = document.getElementById("layout-code").textContent;
-    worker = new Worker(URL.createObjectURL(new Blob([code], { type: "text/javascript" })));
+  async function start() {
+    code ||= unpacked.text("layout-code").then((text) => URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
+    const address = await code;
+    if (worker !== null) return;
+    worker = new Worker(address);
     worker.onmessage = ({ data }) => {
       waiting.get(data.id)?.(data.error ? null : data.data);
       waiting.delete(data.id);
@@ -46,23 +52,36 @@ rosward.layout = (() => {
     waiting.clear();
   }
 
-  /** {places: key to centre, ways: key to points}, or null where no layout could be made. */
-  async function layout(picture, { width, height }) {
+  /** How much a layout has to shrink to be seen as a whole. */
+  function scale(answer, room) {
+    return Math.min(room.width / (answer.width + AROUND), room.height / (answer.height + AROUND));
+  }
+
+  /** As `drawn` says; where that cannot be read as a whole, tiles. Endpoints are explained by their edges, so with them it may be smaller. */
+  async function layout(picture, room, detail) {
+    const best = await drawn(picture, room);
+    if (best && scale(best, room) >= READABLE) return best;
+    const packed = tiles.layout(picture, room.width / room.height);
+    return best && scale(best, room) * (detail === "all" ? WORTH : 1) >= scale(packed, room) ? best : packed;
+  }
+
+  /** {places: key to centre, ways: key to points, width, height}, or null where no layout could be made. */
+  async function drawn(picture, room) {
+    const { width, height } = room;
     const key = JSON.stringify([Math.round(10 * width / height), question(picture, ACROSS)]);
     if (known.has(key)) return known.get(key);
     if (waiting.size > 0) stop(); // what was asked before is not wanted any more
     try {
-      if (worker === null) start();
+      if (worker === null) await start();
     } catch {
       return null;
     }
     const timer = setTimeout(stop, SECONDS * 1000);
     const pictures = packing.apart(picture);
-    const scale = (one) => Math.min(width / one.width, height / one.height);
     let best = await packed(pictures, width / height, ACROSS);
-    if (best && scale(best) < ROOMY && picture.shapes.length <= SMALL) {
+    if (best && scale(best, room) < ROOMY && picture.shapes.length <= SMALL) {
       const other = await packed(pictures, width / height, picture.frames.length ? DOWN : FOLDED);
-      if (other && scale(other) > scale(best)) best = other;
+      if (other && scale(other, room) > scale(best, room)) best = other;
     }
     clearTimeout(timer);
     if (best === null) return null;
@@ -118,10 +137,8 @@ rosward.layout = (() => {
 
   /** Starts the worker, so that it is ready when the first question comes. */
   function warm() {
-    try {
-      start();
-    } catch { /* then the quick layout has to do */ }
+    start().catch(() => { /* then the tiles have to do */ });
   }
 
-  return { layout, warm };
+  return { layout, scale, warm, READABLE };
 })();

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 "use strict";
-// Everything begins here, in this order.
-rosward.layout.warm();
-rosward.summary.start();
-rosward.opening.start();
-rosward.graph.start();
-rosward.theme.start();
-rosward.controls.start();
-rosward.list.start();
-rosward.legend.start();
-rosward.panel.start();
-rosward.policies.start();
-rosward.problems.start();
-rosward.keyboard.start();
-rosward.print.start();
+// Everything begins here, in this order; of a large system the picture is seen before the lists are made.
+(() => {
+  const LARGE = 150; // nodes
+  const first = [rosward.summary, rosward.graph, rosward.theme, rosward.controls, rosward.legend];
+  const rest = [rosward.list, rosward.panel, rosward.policies, rosward.problems, rosward.keyboard, rosward.about, rosward.print];
+  const start = (parts) => parts.forEach((part) => part.start());
+  rosward.layout.warm();
+  start(first);
+  if (rosward.model.nodes.size <= LARGE) start(rest);
+  else requestAnimationFrame(() => setTimeout(() => start(rest)));
+})();

@@ -2,11 +2,16 @@
 "use strict";
 // What is in the document, found by id, and who belongs to whom?
 rosward.model = (() => {
-  const report = JSON.parse(document.getElementById("report").textContent);
-  const natural = new Intl.Collator("en", { numeric: true }); // robot2 before robot10
-  report.nodes.sort((a, b) => natural.compare(a.fqn, b.fqn));
-  report.endpoints.sort((a, b) => natural.compare(a.name, b.name));
-  report.enclaves.sort((a, b) => natural.compare(a.path, b.path));
+  const { report } = unpacked;
+  /** robot2 before robot10. The names are made comparable once: a collator is asked half a million times of a large system. */
+  function sorted(list, nameOf) {
+    const keys = new Map(list.map((one) => [one, nameOf(one).toLowerCase().replace(/\d+/g, (digits) => digits.padStart(9, "0"))]));
+    list.sort((a, b) => (keys.get(a) < keys.get(b) ? -1 : keys.get(a) > keys.get(b) ? 1 : 0));
+    return list;
+  }
+  sorted(report.nodes, (one) => one.fqn);
+  sorted(report.endpoints, (one) => one.name);
+  sorted(report.enclaves, (one) => one.path);
   const byId = (list) => new Map(list.map((one) => [one.id, one]));
   const nodes = byId(report.nodes);
   const endpoints = byId(report.endpoints);
@@ -73,7 +78,7 @@ rosward.model = (() => {
   const count = (words) => {
     const numbers = new Map();
     for (const word of words) numbers.set(word, (numbers.get(word) || 0) + 1);
-    return [...numbers].sort(([a], [b]) => natural.compare(a, b));
+    return sorted([...numbers], ([word]) => word);
   };
   /** Each namespace with the number of nodes in it or below it, and each package with the number of its nodes. */
   const namespaces = count(report.nodes.flatMap((node) => rosward.names.above(node.namespace)));

@@ -34,7 +34,7 @@ rosward.panel = (() => {
     const focused = state.get().focus === one.id;
     return el("p", { class: "actions" },
       el("button", { type: "button", class: "act", "aria-pressed": String(focused), onclick: (event) => {
-        state.set({ focus: focused ? null : one.id });
+        state.focus(focused ? null : one.id);
         if (route.get().view !== "graph") route.go(route.to(one));
         else show(route.get());
         event.preventDefault();

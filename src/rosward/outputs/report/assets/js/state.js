@@ -25,6 +25,8 @@ rosward.state = (() => {
     DEFAULTS,
     get: () => current,
     set,
+    /** What is near a thing, with all that goes between; null ends it. */
+    focus: (id) => set(id === null ? { focus: null } : { focus: id, detail: "all" }),
     reset: () => set({ ...DEFAULTS, group: current.group, detail: current.detail, collapsed: current.collapsed }),
     listen: (listener) => listeners.push(listener),
     /** Whether less than everything is asked for. */
