@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 class Launched(NamedTuple):
     """One program of a process. Exactly one of `entry` (interpreted), `program` (declared) and `unknown` (why its interface is not known) is set.
 
-    `process` is what the programs of one process share: a component's is that of its container.
+    `process` is what the programs of one process share: a component's is that of its container. `cause` is what several that are unknown
+    may have in common.
     """
 
     process: str
@@ -43,6 +44,7 @@ class Launched(NamedTuple):
     entry: Entry | None = None
     program: Program | None = None
     unknown: str | None = None
+    cause: str = ""
 
 
 class Declared(Protocol):
@@ -135,13 +137,9 @@ class Programs:
         for name, process in containers.items():
             if name == target or name.rpartition("/")[2] == target.strip("/"):
                 return process
-        self.findings[
-            Finding(
-                "RW318",
-                f"component {_shown(component.plugin)} is loaded into {target or 'a container'}, which nothing starts",
-                component.place,
-            )
-        ] = None
+        message = f"component {_shown(component.plugin)} is loaded into {target or 'a container'}, which nothing starts"
+        causes = (f"container {target}",) if target else ()
+        self.findings[Finding("RW318", message, component.place, causes)] = None
         return None
 
     def _one(self, each: Started, package: str | None, executable: str | None, conditional: bool) -> Launched | None:
@@ -159,7 +157,11 @@ class Programs:
         program = self._declared.executable(package, executable)
         if program is not None:
             return made._replace(program=program)
-        return made._replace(unknown=self._why(package, executable, known))
+        return made._replace(unknown=self._why(package, executable, known), cause=self._cause(package, executable))
+
+    def _cause(self, package: str, executable: str) -> str:
+        """What is missing for all that start it: the package, or the interface of the one program."""
+        return f"interface of {package}/{executable}" if self._file_of.has_package(package) else f"package {package}"
 
     def _why(self, package: str, executable: str, known: Executable | None) -> str:
         if known is not None:
@@ -182,7 +184,7 @@ class Programs:
             if inside
             else f"the package {made.package} is neither among the sources nor declared"
         )
-        return made._replace(unknown=why)
+        return made._replace(unknown=why, cause=self._cause(made.package, plugin) if made.package else "")
 
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join_all, options, reasons_of
 from rosward.domain.series import Series
 from rosward.domain.text import pattern
-from rosward.domain.unknown import Reason
+from rosward.domain.unknown import Reason, causes_of
 from rosward.domain.values import NONE, Choice, Ref, Unknown, Value
 from rosward.models.command_line import read_words
 from rosward.models.plain import listed
@@ -70,7 +70,7 @@ def _tell(machine: Interpreter, line: Series) -> None:
     if read.unreadable and (known is None or read.unreadable != known.unreadable):
         reasons = (*reasons, *(r for w in (*line.head, *line.tail) if not _whole(w) for r in reasons_of(w)))
     if reasons:
-        machine.report("RW106", UNKNOWN_ARGUMENTS + _because(reasons))
+        machine.report("RW106", UNKNOWN_ARGUMENTS + _because(reasons), causes_of(reasons, machine.place))
 
 
 def _whole(word: Value) -> bool:

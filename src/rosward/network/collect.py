@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.domain.text import pattern
+from rosward.domain.unknown import causes_of
 from rosward.domain.values import Const, Tuple, Value
 from rosward.findings import Finding
 from rosward.holes import HOLE, Holed
@@ -88,9 +89,9 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
             namespace = names.full_namespace(space.text)
-            found.append(
-                Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1)
-            )
+            causes = causes_of((*option.reasons, *space.reasons), effect.place)
+            sole = len(spaces) * len(own) == 1
+            found.append(Identity(option.text, namespace, rules, resolution, depends, reasons, causes, sole))
     return found
 
 
@@ -139,6 +140,7 @@ def _node(
         entities=tuple(entities),
         parameters=tuple(_parameters(log, effect.address)),
         reasons=identity.reasons,
+        causes=identity.causes,
         conditional=not certain,
         assumed=process.assumed,
     )
@@ -253,6 +255,7 @@ def _entity(
 ) -> Entity:
     resolution = option.resolution
     depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
+    causes = causes_of(option.reasons, effect.place)
     if not option.text.startswith("/"):
         resolution = max(
             resolution,
@@ -260,6 +263,7 @@ def _entity(
             key=_ORDER.__getitem__,
         )
         depends = tuple(sorted({*depends, *identity.depends_on}))
+        causes = tuple(sorted({*causes, *identity.causes}))
         reasons = (*reasons, *identity.reasons)
     if resolution is Resolution.UNKNOWN and HOLE in text and text.strip("/*"):
         resolution = Resolution.PATTERN
@@ -277,6 +281,7 @@ def _entity(
         depends_on=depends,
         created_at=(effect.place,),
         reasons=reasons,
+        causes=causes,
         via=effect.via,
         ros_prefix=effect.ros_prefix,
         path=path,

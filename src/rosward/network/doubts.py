@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import reasons_of
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import MADE_ANEW, Cause, Reason, causes_of
 from rosward.domain.values import Value
 from rosward.findings import Finding
 from rosward.holes import shown
@@ -36,17 +36,34 @@ def _because(reasons: tuple[Reason, ...]) -> str:
 
 def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:
     """An entity whose name is not wholly known."""
+    if entity.resolution is not Resolution.UNKNOWN and _made_anew(option):
+        return _name_made_anew(f"this {kind}", entity.name, place)
     if entity.resolution is Resolution.UNKNOWN:
-        return Finding("RW101", f"the name of this {kind} is not known{_because(option.reasons)}", place)
-    return Finding("RW102", f"the name of this {kind} is only known as {entity.name}{_because(option.reasons)}", place)
+        message = f"the name of this {kind} is not known{_because(option.reasons)}"
+        return Finding("RW101", message, place, causes_of(option.reasons, place))
+    message = f"the name of this {kind} is only known as {entity.name}{_because(option.reasons)}"
+    return Finding("RW102", message, place, causes_of(option.reasons, place))
 
 
 def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:
     """A node whose name or namespace is not wholly known."""
     if option.resolution is Resolution.UNKNOWN:
-        return Finding("RW105", f"the {part} of this node is not known{_because(option.reasons)}", place)
+        message = f"the {part} of this node is not known{_because(option.reasons)}"
+        return Finding("RW105", message, place, causes_of(option.reasons, place))
+    if _made_anew(option):
+        return _name_made_anew("this node", shown(option.text), place)
+    message = f"the {part} of this node is only known as {shown(option.text)}{_because(option.reasons)}"
+    return Finding("RW102", message, place, causes_of(option.reasons, place))
+
+
+def _made_anew(option: NameOption) -> bool:
+    return bool(option.reasons) and all(reason.cause is Cause.ANEW for reason in option.reasons)
+
+
+def _name_made_anew(what: str, text: str, place: Place) -> Finding:
+    """A name of which nobody can know more, in the analysis or before the start; one cause for all that are called so."""
     return Finding(
-        "RW102", f"the {part} of this node is only known as {shown(option.text)}{_because(option.reasons)}", place
+        "RW107", f"{what} is called {text}: what * stands for is made when it starts", place, (f"{MADE_ANEW}: {text}",)
     )
 
 
@@ -58,9 +75,12 @@ def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple
 
 def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
     """Words of a command line of which nothing is known, as `models/given_words.py` tells it of those that programs give."""
-    return Finding("RW106", f"{UNKNOWN_ARGUMENTS}{_because(reasons)}", place)
+    return Finding("RW106", f"{UNKNOWN_ARGUMENTS}{_because(reasons)}", place, causes_of(reasons, place))
 
 
 def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
     """An entity whose interface type is not known."""
-    return Finding("RW104", f"the type of the {kind} {name} is not known{_because(reasons_of(value))}", place)
+    reasons = reasons_of(value)
+    return Finding(
+        "RW104", f"the type of the {kind} {name} is not known{_because(reasons)}", place, causes_of(reasons, place)
+    )

@@ -155,7 +155,7 @@ def _one(expression: Value, scope: Scope) -> Value:
     if kind == "live":
         return Unknown((Reason(Cause.LIVE, name, Place("")),), "str")
     if expression.value == "random":
-        return Unknown((Reason(Cause.RANDOM, "", Place("")),), "str")
+        return Unknown((Reason(Cause.ANEW, "", Place("")),), "str")
     if expression.value == "namespace":
         return _prefix(scope)
     return scope.variables.get(

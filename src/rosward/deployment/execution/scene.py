@@ -18,7 +18,7 @@ from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.choice import lift, lift2, reasons_of
 from rosward.domain.text import concat, parts_of
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.ros.distro import Distro
@@ -53,9 +53,9 @@ class Findings:
     def __init__(self) -> None:
         self._found: dict[Finding, None] = {}
 
-    def tell(self, code: str, message: str, place: Place) -> None:
+    def tell(self, code: str, message: str, place: Place, causes: tuple[str, ...] = ()) -> None:
         """Tell a doubt."""
-        self.add(Finding(code, message, place))
+        self.add(Finding(code, message, place, causes))
 
     def add(self, *findings: Finding) -> None:
         """Tell doubts that somebody else has found."""
@@ -90,9 +90,9 @@ class Scene:
         """The arguments of the command line."""
         self._depth = 0
 
-    def fails(self, what: str, place: Place) -> None:
-        """Tell that the real launch raises an exception here."""
-        self.findings.tell("RW320", f"{what[:1].upper()}{what[1:]}.", place)
+    def fails(self, what: str, place: Place, reasons: tuple[Reason, ...] = ()) -> None:
+        """Tell that the real launch raises an exception here; `reasons` are those of what is not known then."""
+        self.findings.tell("RW320", f"{what[:1].upper()}{what[1:]}.", place, causes_of(reasons, place))
 
     # As a Performer
 
