@@ -176,7 +176,9 @@ class _Runs:
         ]
         if line.open:
             told.append(unknown_arguments(line.open, started.place))
-        return _Made(tuple(nodes), (*log.findings, *doubts, *told))
+        own = (*told, *started.told, *(f for f in log.findings if f.place == started.place))
+        about = tuple(node.fqn for node in nodes)
+        return _Made(tuple(nodes), (*log.findings, *doubts, *(f._replace(nodes=about) for f in own)))
 
     def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]]]:
         outset = self._outset

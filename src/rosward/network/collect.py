@@ -56,7 +56,10 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
     nodes: list[Node] = []
     for effect in log.nodes:
         for identity in _identities(log, effect, findings):
-            nodes.append(_node(log, effect, identity, process, distro, findings))
+            own: dict[Finding, None] = {}
+            node = _node(log, effect, identity, process, distro, own)
+            findings.update(dict.fromkeys(f._replace(nodes=(node.fqn,)) for f in own))
+            nodes.append(node)
     return _merged(nodes), list(findings)
 
 
@@ -81,14 +84,15 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
                     )
                 ] = None
                 continue
+            namespace = names.full_namespace(space.text)
+            about = (names.fully_qualified(namespace, option.text),)
             resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
             if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
-                findings[unknown_node(option, effect.place)] = None
+                findings[unknown_node(option, effect.place)._replace(nodes=about)] = None
             if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
-                findings[unknown_node(space, effect.place, "namespace")] = None
+                findings[unknown_node(space, effect.place, "namespace")._replace(nodes=about)] = None
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
-            namespace = names.full_namespace(space.text)
             causes = causes_of((*option.reasons, *space.reasons), effect.place)
             sole = len(spaces) * len(own) == 1
             found.append(Identity(option.text, namespace, rules, resolution, depends, reasons, causes, sole))

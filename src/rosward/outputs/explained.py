@@ -256,7 +256,13 @@ class _Teller:
             parameters=tuple(ParameterTold(p.name, p.type, p.default, p.value, p.declared_at) for p in node.parameters),
             missing=node.reasons,
             remedies=remedies(node.reasons),
-            doubts=self._doubts([f for f in self._network.findings if (f.place.file, f.place.line) in at]),
+            doubts=self._doubts(
+                [
+                    f
+                    for f in self._network.findings
+                    if (f.place.file, f.place.line) in at and (not f.nodes or node.fqn in f.nodes)
+                ]
+            ),
         )
 
     def _enclave(self, path: str) -> EnclaveTold:

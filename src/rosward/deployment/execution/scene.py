@@ -6,7 +6,8 @@ scene.text((Const('talker_'), Substitution('var', ((Const('id'),),))))   ->   Co
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Final, Protocol, final
 
 from rosward.deployment.execution.context import Context
@@ -52,6 +53,17 @@ class Findings:
 
     def __init__(self) -> None:
         self._found: dict[Finding, None] = {}
+        self._heard: list[dict[Finding, None]] = []
+
+    @contextmanager
+    def heard(self) -> Iterator[dict[Finding, None]]:
+        """What is told meanwhile, also where it was told before."""
+        told: dict[Finding, None] = {}
+        self._heard.append(told)
+        try:
+            yield told
+        finally:
+            self._heard.pop()
 
     def tell(self, code: str, message: str, place: Place, causes: tuple[str, ...] = ()) -> None:
         """Tell a doubt."""
@@ -60,7 +72,8 @@ class Findings:
     def add(self, *findings: Finding) -> None:
         """Tell doubts that somebody else has found."""
         if len(self._found) < MAX_FINDINGS:
-            self._found.update(dict.fromkeys(findings))
+            for found in (self._found, *self._heard):
+                found.update(dict.fromkeys(findings))
 
     def all(self) -> tuple[Finding, ...]:
         """All that were told."""
