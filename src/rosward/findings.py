@@ -355,7 +355,8 @@ class Finding(NamedTuple):
     """One doubt at one place: `code` is a key of `RULES`; `message` says what is the matter and, where known, how to settle it.
 
     `causes` say by what it is there, so that findings of one cause are told together (`one_cause.py`); none where that is not known.
-    `nodes` are the full names of those that it is about, where that is known and its place alone does not say it.
+    `nodes` are the full names of those that it is about, where that is known and its place alone does not say it. `remedy` is what the message
+    ends with where it says how to settle it: then that counts, and not the help of the rule.
     """
 
     code: str
@@ -363,6 +364,7 @@ class Finding(NamedTuple):
     place: Place
     causes: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
+    remedy: str = ""
 
     @property
     def rule(self) -> Rule:
@@ -376,13 +378,11 @@ def each_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
     for finding in findings:
         key = (finding.place, finding.code, finding.message)
         known = found.get(key)
-        found[key] = finding if known is None else known._replace(**_both(known, finding))
+        found[key] = finding if known is None else _both(known, finding)
     return tuple(found[key] for key in sorted(found))
 
 
-def _both(left: Finding, right: Finding) -> dict[str, tuple[str, ...]]:
-    """Causes and nodes of two findings that say the same."""
-    return {
-        "causes": tuple(sorted({*left.causes, *right.causes})),
-        "nodes": tuple(sorted({*left.nodes, *right.nodes})),
-    }
+def _both(left: Finding, right: Finding) -> Finding:
+    """One for two findings that say the same."""
+    causes = tuple(sorted({*left.causes, *right.causes}))
+    return left._replace(causes=causes, nodes=tuple(sorted({*left.nodes, *right.nodes})))

@@ -34,7 +34,7 @@ class OneCause(NamedTuple):
 
 
 def by_cause(findings: Iterable[Finding]) -> tuple[OneCause, ...]:
-    """The findings, those of one cause together: the heaviest first, the one that tells of the cause itself before the others."""
+    """The findings, those of one cause together: the heaviest first; of these what tells of the cause itself, then what says how to settle it."""
     return tuple(OneCause(first, tuple(rest)) for first, *rest in alike(findings, lambda finding: finding))
 
 
@@ -51,7 +51,7 @@ def alike(
 
 def _order(finding: Finding) -> tuple[object, ...]:
     weight = _WEIGHT[finding.rule.severity]
-    return (weight, finding.code not in _SAY_WHY, finding.code, finding.place, finding.message)
+    return (weight, finding.code not in _SAY_WHY, not finding.remedy, finding.code, finding.place, finding.message)
 
 
 def more_of(one: OneCause) -> str:

@@ -26,34 +26,30 @@ _REMEDY: Final = {
 }
 
 
-def _because(reasons: tuple[Reason, ...]) -> str:
-    if not reasons:
-        return ""
-    told = "; ".join(str(r) for r in reasons[:3])
+def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> Finding:
+    """What is not known, because of what, and the one thing that settles it."""
+    because = " because of " + "; ".join(str(r) for r in reasons[:3]) if reasons else ""
     remedy = next((_REMEDY[r.cause] for r in reasons if r.cause in _REMEDY), "")
-    return f" because of {told}" + (f": {remedy}" if remedy else "")
+    message = f"{what}{because}: {remedy}" if remedy else f"{what}{because}"
+    return Finding(code, message, place, causes_of(reasons, place), remedy=remedy)
 
 
 def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:
     """An entity whose name is not wholly known."""
-    if entity.resolution is not Resolution.UNKNOWN and _made_anew(option):
-        return _name_made_anew(f"this {kind}", entity.name, place)
     if entity.resolution is Resolution.UNKNOWN:
-        message = f"the name of this {kind} is not known{_because(option.reasons)}"
-        return Finding("RW101", message, place, causes_of(option.reasons, place))
-    message = f"the name of this {kind} is only known as {entity.name}{_because(option.reasons)}"
-    return Finding("RW102", message, place, causes_of(option.reasons, place))
+        return _doubt("RW101", f"the name of this {kind} is not known", option.reasons, place)
+    if _made_anew(option):
+        return _name_made_anew(f"this {kind}", entity.name, place)
+    return _doubt("RW102", f"the name of this {kind} is only known as {entity.name}", option.reasons, place)
 
 
 def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:
     """A node whose name or namespace is not wholly known."""
     if option.resolution is Resolution.UNKNOWN:
-        message = f"the {part} of this node is not known{_because(option.reasons)}"
-        return Finding("RW105", message, place, causes_of(option.reasons, place))
+        return _doubt("RW105", f"the {part} of this node is not known", option.reasons, place)
     if _made_anew(option):
         return _name_made_anew("this node", shown(option.text), place)
-    message = f"the {part} of this node is only known as {shown(option.text)}{_because(option.reasons)}"
-    return Finding("RW102", message, place, causes_of(option.reasons, place))
+    return _doubt("RW102", f"the {part} of this node is only known as {shown(option.text)}", option.reasons, place)
 
 
 def _made_anew(option: NameOption) -> bool:
@@ -75,12 +71,9 @@ def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple
 
 def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
     """Words of a command line of which nothing is known, as `models/given_words.py` tells it of those that programs give."""
-    return Finding("RW106", f"{UNKNOWN_ARGUMENTS}{_because(reasons)}", place, causes_of(reasons, place))
+    return _doubt("RW106", UNKNOWN_ARGUMENTS, reasons, place)
 
 
 def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
     """An entity whose interface type is not known."""
-    reasons = reasons_of(value)
-    return Finding(
-        "RW104", f"the type of the {kind} {name} is not known{_because(reasons)}", place, causes_of(reasons, place)
-    )
+    return _doubt("RW104", f"the type of the {kind} {name} is not known", reasons_of(value), place)

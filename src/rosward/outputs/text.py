@@ -141,7 +141,8 @@ def _group(console: Console, group: Doubts, verbose: bool) -> None:
             _finding(console, finding, of=rule.code)
     if len(shown) < len(group.causes):
         _print(console, (f"  … and {len(group.causes) - len(shown):,} more (-v lists all)", "dim"))
-    _print(console, ("  " + rule.help, "italic"))
+    if not all(one.finding.remedy for one in shown):
+        _print(console, ("  " + rule.help, "italic"))
 
 
 def _finding(console: Console, finding: Finding, more: str = "", of: str | None = None) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.deployment.execution.component_parameters import ComponentParameters
@@ -65,7 +66,7 @@ def start_node(action: StartNode, scene: Scene, at: At) -> list[Started]:
     """The node, once for each alternative of what is pushed and set for all nodes."""
     states = scene.context.alternatives
     at = at.maybe(_BY_PUSH) if len(states) > 1 else at
-    return [_with_doubts(lambda each=state: _node(action, each, scene, at), scene) for state in states]
+    return [_with_doubts(partial(_node, action, state, scene, at), scene) for state in states]
 
 
 def _with_doubts(start: Callable[[], Started], scene: Scene) -> Started:
@@ -179,9 +180,7 @@ def load_component(component: Component, container: Value, scene: Scene, at: At)
     """A component, once for each alternative of what is pushed and set for all nodes."""
     states = scene.context.alternatives
     at = at.maybe(_BY_PUSH) if len(states) > 1 else at
-    return [
-        _with_doubts(lambda each=state: _component(component, container, each, scene, at), scene) for state in states
-    ]
+    return [_with_doubts(partial(_component, component, container, state, scene, at), scene) for state in states]
 
 
 def _component(component: Component, container: Value, state: RosState, scene: Scene, at: At) -> Started:
