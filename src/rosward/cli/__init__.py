@@ -14,7 +14,20 @@ import sys
 from collections.abc import Sequence
 
 from rosward._version import __version__
-from rosward.cli import audit, check, diff, enclaves, explain, extract, launch_tree, listing, nodl, serve, snapshot
+from rosward.cli import (
+    audit,
+    check,
+    completion_script,
+    diff,
+    enclaves,
+    explain,
+    extract,
+    launch_tree,
+    listing,
+    nodl,
+    serve,
+    snapshot,
+)
 from rosward.cli.configuration import apply, leave_open
 from rosward.cli.parser import CommandParser
 from rosward.cli.shared import COMPLETE, INTERNAL, INTERRUPTED, told
@@ -65,6 +78,7 @@ def command_line() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for command in (extract, listing, explain, check, diff, enclaves, launch_tree, nodl, snapshot, audit, serve):
         command.add(commands)
+    completion_script.add(commands)
     leave_open(parser)
     parser.set_defaults(commands=tuple(commands.choices))
     return parser
