@@ -116,7 +116,8 @@ def test_bash_completes_with_what_is_printed(tmp_path: Path, capsys: pytest.Capt
 def test_without_argcomplete_it_says_what_it_needs(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(sys.modules, "argcomplete", None)
+    for name in ("argcomplete", "argcomplete.shell_integration"):
+        monkeypatch.setitem(sys.modules, name, None)
     assert main(["completion", "bash"]) == 2
     assert "pip install 'rosward[completion]'" in capsys.readouterr().err
 

@@ -76,9 +76,21 @@ def command_line() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rosward {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for command in (extract, listing, explain, check, diff, enclaves, launch_tree, nodl, snapshot, audit, serve):
+    for command in (
+        extract,
+        listing,
+        explain,
+        check,
+        diff,
+        enclaves,
+        launch_tree,
+        nodl,
+        snapshot,
+        audit,
+        serve,
+        completion_script,
+    ):
         command.add(commands)
-    completion_script.add(commands)
     leave_open(parser)
     parser.set_defaults(commands=tuple(commands.choices))
     return parser

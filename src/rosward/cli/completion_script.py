@@ -38,7 +38,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     try:
-        from argcomplete import shellcode
+        from argcomplete.shell_integration import shellcode
     except ImportError as error:
         raise WrongUseError("completion needs a further package: pip install 'rosward[completion]'") from error
     sys.stdout.write(shellcode(["rosward"], shell=options.shell).rstrip() + "\n")
