@@ -30,9 +30,13 @@ def lacking(what: str, why: str) -> NoReturn:
     pytest.skip(why)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
-    """One browser for all tests; each opens a context of its own."""
+    """One browser for the tests of this folder; each opens a context of its own.
+
+    It ends with the folder: as long as it is there playwright keeps an event loop running in this thread, and whatever
+    else calls `asyncio.run` in the same process fails.
+    """
     if find_spec("playwright") is None:
         lacking("browser", "no playwright")
     program = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")

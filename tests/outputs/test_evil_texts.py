@@ -42,6 +42,7 @@ from rosward.outputs.text import summary
 from rosward.review.judge import Judged, RelatedPlace, of_no_file
 from rosward.ros.entities import EntityKind, Parameter, Resolution
 from rosward.source.location import Place
+from rosward.source.toml import read_toml
 
 EVIL: Final = {
     "surrogate": "a\ud800b",
@@ -124,6 +125,12 @@ def shown(text: str) -> str:
     console = io.StringIO()
     summary(network_of(text), Console(file=console, soft_wrap=True, no_color=True), verbose=True, written=[text])
     return console.getvalue()
+
+
+def test_a_string_of_toml_is_read_as_it_was_and_hides_nothing(evil: str) -> None:
+    written = safe.toml_string(evil)
+    assert read_toml(f"a = {written}")["a"] == safe.encodable(evil)
+    assert not HIDDEN.search(written)
 
 
 def texts_of_xml(document: str) -> list[str]:

@@ -165,3 +165,18 @@ def test_what_was_unpacked_by_half_goes_with_its_result(tmp_path: Path, monkeypa
     with pytest.raises(KeyboardInterrupt):
         analyse(Job(str(upload / "tree"), str(output), archive="x.zip", notes=notes), lambda *_: None)  # type: ignore[arg-type]
     assert [folder.parent for folder in where] == [output]
+
+
+def test_a_format_that_fails_is_told_in_what_the_page_shows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def failing(*_: object, **__: object) -> str:
+        raise RuntimeError("no")
+
+    tree, output = tmp_path / "tree", tmp_path / "out"
+    tree.mkdir()
+    output.mkdir()
+    (tree / "talker.py").write_text("import rclpy\nrclpy.init()\nrclpy.create_node('talker')\n")
+    monkeypatch.setattr("rosward.outputs.files.graph_dot", failing)
+    analyse(Job(str(tree), str(output)), lambda *_: None)  # type: ignore[arg-type]
+    assert not (output / "graph.dot").exists()
+    assert "RW299" in (output / "findings.txt").read_text()
+    assert json.loads((output / "summary.json").read_text())["complete"] is False

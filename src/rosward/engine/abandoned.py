@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.heap import Obj
+from rosward.domain.memory import Heap
 from rosward.domain.suspended import Suspension
-from rosward.domain.values import Native, Partial, Ref, Value
+from rosward.domain.values import Native, Partial, Ref, Tuple, Value
 from rosward.engine.frame import Snapshot
 from rosward.engine.state import join_states
 
@@ -21,28 +21,28 @@ if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
 
 
-def may_act_when_closed(record: Obj | None) -> bool:
-    """Whether a generator may stand in a `try` or `with`, so that closing it runs something."""
-    suspension = None if record is None else record.payload
-    return isinstance(suspension, Suspension) and any(s.part == "body" for p in suspension.points for s in p.path)
-
-
 def close_behind(machine: Interpreter, left: Snapshot, source: Value) -> None:
     """Behind a loop that was left early, Python closes its generator where nothing else holds it."""
-    if isinstance(source, Ref) and may_act_when_closed(machine.state.heap.get(source.address)):
-        here, machine.state = machine.state, left.state.copy()
+    if not isinstance(source, Ref):
+        return
+    here, machine.state = machine.state, left.state
+    acting = _acting(machine.state.heap, source)
+    if source.address in acting:
+        machine.state = left.state.copy()
         machine.close_generator(source)
         left.state = join_states(left.state, machine.state, machine.fresh_version)
-        machine.state = here
+    for address in acting:
+        if address != source.address:
+            _close_later(machine, Ref(address))
+    machine.state = here
 
 
 def watch(machine: Interpreter, iterator: Value) -> None:
-    """The program itself has advanced a generator, and may drop it here. A context manager runs its own to the end."""
-    if machine.frames and machine.frames[-1].stub:
-        return
+    """A generator was advanced, and may be dropped at this point."""
     for option in options(iterator):
-        if isinstance(option, Ref) and may_act_when_closed(machine.state.heap.get(option.address)):
-            _close_later(machine, option)
+        if isinstance(option, Ref):
+            for address in _acting(machine.state.heap, option):
+                _close_later(machine, Ref(address))
 
 
 def watch_raising(machine: Interpreter, source: Value, raised: int) -> None:
@@ -51,8 +51,33 @@ def watch_raising(machine: Interpreter, source: Value, raised: int) -> None:
     states += [catcher.snapshot.state for catcher in machine.catchers[-1:] if catcher.level]
     if machine.raised != raised and machine.ends is not None:
         states.append(machine.ends)
-    if isinstance(source, Ref) and any(may_act_when_closed(s.heap.get(source.address)) for s in states):
-        _close_later(machine, source)
+    if isinstance(source, Ref):
+        for address in {address: None for s in states for address in _acting(s.heap, source)}:
+            _close_later(machine, Ref(address))
+
+
+def _acting(heap: Heap, generator: Ref) -> list[int]:
+    """Which generators end with this one, and may stand in a `try` or `with`, so that closing them runs something: it, and those it holds.
+
+    It holds what its variables and loops do; lists and tuples of those, too.
+    """
+    found: list[int] = []
+    seen: set[int] = set()
+    pending: list[Value] = [generator]
+    while pending:
+        for value in options(pending.pop()):
+            if isinstance(value, Tuple):
+                pending += value.items
+            if not isinstance(value, Ref) or value.address in seen:
+                continue
+            seen.add(value.address)
+            record = heap.get(value.address)
+            payload = None if record is None else record.payload
+            if isinstance(payload, Suspension):
+                if any(s.part == "body" for p in payload.points for s in p.path):
+                    found.append(value.address)
+                pending += [kept for values in payload.points.values() for kept in values]
+    return found
 
 
 def _close_later(machine: Interpreter, ref: Ref) -> None:

@@ -106,6 +106,8 @@ def _of_external(machine: Interpreter, value: External, name: str) -> Value:
 
 _OF_TYPE: Final = frozenset({"__new__", "__init__", "__call__", "__prepare__"})
 _OBJECT: Final = Native("builtins.object")
+_CLASS_METHODS: Final = {"dict.fromkeys": "from_keys"}
+"""Class methods of builtins that make what they are asked of, and write to it as the program says."""
 _TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
 
 
@@ -322,6 +324,8 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     if found is not None:
         if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
             return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
+        if found.__class__ is Native and found.name in _CLASS_METHODS:
+            return BoundMethod(cls, machine.load_attr(machine.load_module("_lazy"), _CLASS_METHODS[found.name]))
         return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
     if meta is not None:
         return bind(machine, meta, cls, metaclass_of(machine, cls))

@@ -106,7 +106,8 @@ def on_path(
             f"sys.path holds a folder that is not known: {name} may be any of {len(others)} files"
             f" ({named_few(sorted(others))}); none of them is followed",
         )
-        return (sure or otherwise,)
+        surest = sure or otherwise
+        return (None if surest is None or surest.guess else surest,)
     if others and reached.open:
         files = sorted({*others, *([sure.file] if sure is not None and sure.file else ())})
         machine.report("RW203", f"sys.path holds a folder that is not known: {name} may be {' or '.join(files)}")

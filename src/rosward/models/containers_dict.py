@@ -338,25 +338,6 @@ def _pop_item(call: NativeCall) -> Value:
     return join_all((*known, *(() if rest is None else (rest,))))
 
 
-def _move_to_end(call: NativeCall) -> Value:
-    """OrderedDict.move_to_end(key, last=True)."""
-    ref, last = _receiver(call), call.arg(2, "last")
-    key = key_of(call.args[1])
-    if ref is None or key is None:
-        return NONE
-    obj = call.machine.obj(ref)
-    present = find(obj, key)
-    if present is None:
-        if obj.rest is None:
-            raise Raised("KeyError", "move_to_end", (call.args[1],))
-        return NONE
-    others = {k: v for k, v in obj.entries.items() if k != present}
-    moved = {present: obj.entries[present]}
-    at_end = last is None or call.machine.truth(last) is not False
-    call.machine.update(ref, obj.replace(entries={**others, **moved} if at_end else {**moved, **others}))
-    return NONE
-
-
 def _from_keys(call: NativeCall) -> Value:
     value = call.args[1] if len(call.args) > 1 else NONE
     known, rest = call.machine.iterate(call.args[0])
@@ -398,7 +379,6 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "dict.setdefault": native(_set_default, 2),
     "dict.update": native(_update, 1),
     "dict.pop": native(_pop, 2),
-    "dict.move_to_end": native(_move_to_end, 2),
     "dict.popitem": native(_pop_item, 1),
     "dict.fromkeys": native(_from_keys, 1),
     "dict.clear": native(_clear, 1),

@@ -10,12 +10,11 @@ A process is named by its nodes, which stay what they are when launch files chan
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Iterator
 from typing import Final
 
-from rosward.outputs.safe import encodable
+from rosward.outputs.safe import toml_string
 from rosward.reduction.suggestion import JointEnclave, Suggestion
 
 __all__ = ["enclaves_toml"]
@@ -34,12 +33,7 @@ def _enclave(enclave: JointEnclave, counted: Counter[str]) -> Iterator[str]:
     others = [p.process for p in enclave.processes if p not in unique]
     yield ""
     yield "[[enclave]]"
-    yield f"path = {_string(enclave.path)}"
+    yield f"path = {toml_string(enclave.path)}"
     for key, names in (("nodes", [node for p in unique for node in p.nodes]), ("processes", others)):
         if names:
-            yield f"{key} = [{', '.join(map(_string, sorted(names)))}]"
-
-
-def _string(text: str) -> str:
-    """A basic string of TOML, which has the escapes of JSON."""
-    return json.dumps(encodable(text), ensure_ascii=False).replace("\x7f", "\\u007F")
+            yield f"{key} = [{', '.join(map(toml_string, sorted(names)))}]"

@@ -11,7 +11,7 @@ import json
 import re
 from typing import Final
 
-__all__ = ["encodable", "json_escaped", "printable", "xml_attribute", "xml_comment", "xml_text"]
+__all__ = ["encodable", "json_escaped", "printable", "toml_string", "xml_attribute", "xml_comment", "xml_text"]
 
 _NOT_XML: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _SURROGATE: Final = re.compile("[\ud800-\udfff]")
@@ -46,6 +46,12 @@ def xml_attribute(text: str) -> str:
 def json_escaped(document: str) -> str:
     """A JSON document in which what cannot be seen, or is no character, is an escape: a reader of JSON gets what was there before."""
     return _CONTROL.sub(_json_escape, document)
+
+
+def toml_string(text: str) -> str:
+    """The text as a basic string of TOML, quotes included. It has the escapes of JSON, but no pairs of surrogates."""
+    quoted = json.dumps(encodable(text), ensure_ascii=False)
+    return _CONTROL.sub(lambda m: f"\\U{ord(m.group()):08X}", quoted)
 
 
 def xml_comment(text: str) -> str:

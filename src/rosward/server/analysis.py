@@ -26,6 +26,7 @@ from rich.console import Console
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.differences.compare import compare, read_snapshot
 from rosward.findings import Severity
+from rosward.network.connect import with_findings
 from rosward.network.graph import Network
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
 from rosward.outputs.counts import counts_of
@@ -36,7 +37,7 @@ from rosward.outputs.report.document import Background
 from rosward.outputs.text import summary
 from rosward.outputs.whole_files import write_text
 from rosward.pipeline import extract
-from rosward.review.judge import Sources, Wishes, review
+from rosward.review.judge import Sources, Wishes, of_no_file, review
 from rosward.server.job import Job
 from rosward.server.launch_files import launch_files
 from rosward.server.places import LeftOut, read_left_out, write_left_out
@@ -72,7 +73,7 @@ def analyse(job: Job, tell: Teller) -> None:
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
     reviewed = found._replace(shown=tuple(j for j in found.shown if j.finding.code not in LOOSE_ENDS))
     network = replace(result.network, findings=reviewed.findings)
-    write_outputs(
+    written = write_outputs(
         network,
         job.output,
         FORMATS,
@@ -80,6 +81,8 @@ def analyse(job: Job, tell: Teller) -> None:
         scan=Scan(reviewed.shown),
         background=Background(result.root, result.systems, loose),
     )
+    reviewed = reviewed._replace(shown=(*reviewed.shown, *of_no_file(written.findings)))
+    network = with_findings(network, written.findings)
     printed = io.StringIO()
     summary(network, Console(file=printed, soft_wrap=True, width=120, no_color=True), verbose=True, reviewed=reviewed)
     write_text(job.output, "findings.txt", printed.getvalue())

@@ -61,6 +61,12 @@ def contains(iterable, wanted):
             return True
     return False
 
+def from_keys(cls, iterable, value=None):
+    found = cls()
+    for key in iterable:
+        found[key] = value
+    return found
+
 def islice(iterable, start, stop, step):
     number = 0
     if stop is None or stop > 0:

@@ -1,9 +1,67 @@
 # SPDX-License-Identifier: Apache-2.0
 """`collections`: over lists and dicts of the program."""
+import sys
 from _rosward import contents, either, native, reads_only, unknown
 from collections.abc import MutableMapping
 
-OrderedDict = dict
+def _writes_as_dict(instance):
+    return type(instance).__setitem__ is dict.__setitem__
+
+class OrderedDict(dict):
+    """A dict that stores by `self[key] = value` whatever comes in, where a subclass says what that does."""
+    def __init__(self, other=(), /, **kwargs):
+        OrderedDict.update(self, other, **kwargs)
+    def update(self, other=(), /, **kwargs):
+        if _writes_as_dict(self):
+            dict.update(self, other, **kwargs)
+            return
+        if hasattr(other, 'keys'):
+            for key in other.keys():
+                self[key] = other[key]
+        else:
+            for key, value in other:
+                self[key] = value
+        for key, value in kwargs.items():
+            self[key] = value
+    def setdefault(self, key, default=None):
+        if _writes_as_dict(self):
+            return dict.setdefault(self, key, default)
+        if key in self:
+            return self[key]
+        self[key] = default
+        return default
+    def copy(self):
+        found = type(self)()
+        for key in self:
+            found[key] = self[key]
+        return found
+    def __copy__(self):
+        return self.copy()
+    def __or__(self, other):
+        found = type(self)(self)
+        OrderedDict.update(found, other)
+        return found
+    def __ror__(self, other):
+        found = type(self)(other)
+        OrderedDict.update(found, self)
+        return found
+    def __ior__(self, other):
+        OrderedDict.update(self, other)
+        return self
+    def popitem(self, last=True):
+        if not len(self):
+            raise KeyError('dictionary is empty')
+        key = list(dict.keys(self))[-1 if last else 0]
+        return (key, dict.pop(self, key))
+    def move_to_end(self, key, last=True):
+        value = dict.pop(self, key)
+        if last:
+            dict.__setitem__(self, key, value)
+        else:
+            others = dict(dict.items(self))
+            dict.clear(self)
+            dict.__setitem__(self, key, value)
+            dict.update(self, others)
 
 @native
 def _make_named_tuple(base, typename, field_names, defaults): ...
@@ -112,7 +170,12 @@ class UserDict(MutableMapping):
     def __contains__(self, key):
         return key in self.data
     def get(self, key, default=None):
-        return self[key] if key in self else default
+        if key in self or sys.version_info < (3, 12):  # before that, the one of Mapping: it asks `__missing__`
+            try:
+                return self[key]
+            except KeyError:
+                return default
+        return default
     def __or__(self, other):
         return type(self)(self.data | (other.data if isinstance(other, UserDict) else other))
     def __ior__(self, other):
