@@ -35,6 +35,7 @@ CLAIMS: Final = {
     **dict.fromkeys(("RW101", "RW105", "RW106"), (M, E)),
     **dict.fromkeys(("RW102", "RW104"), (L, W)),
     "RW103": (F, E),
+    "RW107": (L, N),  # nobody can say more
     **dict.fromkeys(("RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW210", "RW212", "RW299"), (M, E)),
     "RW205": (K, N),  # surely not run
     "RW209": (F, W),

@@ -17,7 +17,7 @@ import pytest
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
 LONGEST: Final = 500
 
-_TEXT = frozenset({"source", "findings", "guard", "holes"})
+_TEXT = frozenset({"source", "findings", "one_cause", "guard", "holes"})
 _DOMAIN = frozenset({"domain"}) | _TEXT
 _ENGINE = frozenset({"engine", "models", "ros", "frontends", "ir"}) | _DOMAIN
 _NETWORK = frozenset({"network"}) | _ENGINE
@@ -25,6 +25,7 @@ _NETWORK = frozenset({"network"}) | _ENGINE
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "source": _TEXT,
     "findings": _TEXT,
+    "one_cause": _TEXT,
     "guard": _TEXT,
     "holes": frozenset(),
     "ir": frozenset({"ir"}) | _TEXT,

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from rosward.engine.budget import Budget
     from rosward.findings import Finding, Rule, Severity
     from rosward.network.graph import Action, Network, Service, Topic
-    from rosward.pipeline import NothingToReadError, Result, extract
+    from rosward.one_cause import OneCause, by_cause
+    from rosward.pipeline import NothingToReadError, RequestError, Result, UnknownRequestError, extract
     from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
     from rosward.source.location import Place
 
@@ -30,16 +31,20 @@ __all__ = [
     "Network",
     "Node",
     "NothingToReadError",
+    "OneCause",
     "Parameter",
     "Place",
     "Qos",
+    "RequestError",
     "Resolution",
     "Result",
     "Rule",
     "Service",
     "Severity",
     "Topic",
+    "UnknownRequestError",
     "__version__",
+    "by_cause",
     "extract",
 ]
 
@@ -52,15 +57,19 @@ _WHERE: Final = {
     "Network": "rosward.network.graph",
     "Node": "rosward.ros.entities",
     "NothingToReadError": "rosward.pipeline",
+    "OneCause": "rosward.one_cause",
     "Parameter": "rosward.ros.entities",
     "Place": "rosward.source.location",
     "Qos": "rosward.ros.entities",
+    "RequestError": "rosward.pipeline",
     "Resolution": "rosward.ros.entities",
     "Result": "rosward.pipeline",
     "Rule": "rosward.findings",
     "Service": "rosward.network.graph",
     "Severity": "rosward.findings",
     "Topic": "rosward.network.graph",
+    "UnknownRequestError": "rosward.pipeline",
+    "by_cause": "rosward.one_cause",
     "extract": "rosward.pipeline",
 }
 
@@ -70,3 +79,8 @@ def __getattr__(name: str) -> object:
     if name not in _WHERE:
         raise AttributeError(f"module 'rosward' has no attribute {name!r}")
     return getattr(importlib.import_module(_WHERE[name]), name)
+
+
+def __dir__() -> list[str]:
+    """The public names, also those that nobody has used yet."""
+    return sorted({*__all__, *(name for name in globals() if name.startswith("__"))})

@@ -9,6 +9,7 @@ RW4xx policies that are checked, RW5xx running systems.
 from __future__ import annotations
 
 import enum
+from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from rosward.source.location import Place
@@ -118,6 +119,12 @@ _TABLE: Final = (
         "unknown ROS arguments",
         _E,
         "Write the arguments in the source: remap rules among them rename nodes, topics and services.",
+    ),
+    Rule(
+        "RW107",
+        "name made at each start",
+        _N,
+        "Nobody can know it before: the policy has a pattern for it, which allows the same below every such name.",
     ),
     # Analysis
     Rule(
@@ -345,13 +352,37 @@ RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}
 
 
 class Finding(NamedTuple):
-    """One doubt at one place: `code` is a key of `RULES`; `message` says what is the matter and, where known, how to settle it."""
+    """One doubt at one place: `code` is a key of `RULES`; `message` says what is the matter and, where known, how to settle it.
+
+    `causes` say by what it is there, so that findings of one cause are told together (`one_cause.py`); none where that is not known.
+    `nodes` are the full names of those that it is about, where that is known and its place alone does not say it. `remedy` is what the message
+    ends with where it says how to settle it: then that counts, and not the help of the rule.
+    """
 
     code: str
     message: str
     place: Place
+    causes: tuple[str, ...] = ()
+    nodes: tuple[str, ...] = ()
+    remedy: str = ""
 
     @property
     def rule(self) -> Rule:
         """The rule that this finding is an instance of."""
         return RULES[self.code]
+
+
+def each_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """The findings sorted by place, those of one code, place and message as one, of all their causes and nodes."""
+    found: dict[tuple[Place, str, str], Finding] = {}
+    for finding in findings:
+        key = (finding.place, finding.code, finding.message)
+        known = found.get(key)
+        found[key] = finding if known is None else _both(known, finding)
+    return tuple(found[key] for key in sorted(found))
+
+
+def _both(left: Finding, right: Finding) -> Finding:
+    """One for two findings that say the same."""
+    causes = tuple(sorted({*left.causes, *right.causes}))
+    return left._replace(causes=causes, nodes=tuple(sorted({*left.nodes, *right.nodes})))

@@ -174,9 +174,12 @@ class _Runs:
             Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
             for error in line.errors
         ]
-        if line.open:
-            told.append(unknown_arguments(line.open, started.place))
-        return _Made(tuple(nodes), (*log.findings, *doubts, *told))
+        doubtful = tuple(dict.fromkeys((*line.open, *line.holes)))
+        if doubtful:
+            told.append(unknown_arguments(doubtful, started.place))
+        own = (*told, *started.told, *(f for f in log.findings if f.place == started.place))
+        about = tuple(node.fqn for node in nodes)
+        return _Made(tuple(nodes), (*log.findings, *doubts, *(f._replace(nodes=about) for f in own)))
 
     def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]]]:
         outset = self._outset

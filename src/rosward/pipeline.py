@@ -8,13 +8,14 @@ result.network.nodes
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Final, NamedTuple
 
 from rosward.deep_stack import with_deep_stack
-from rosward.deployment.request import Request, UnknownRequestError
+from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Severity
 from rosward.gather import Gathered, of_sources
@@ -32,7 +33,9 @@ from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.workspace import SkipReason, SourceFile
 
-__all__ = ["NothingToReadError", "Progress", "Result", "UnknownRequestError", "extract"]
+__all__ = ["NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
+
+NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -77,6 +80,8 @@ def extract(
     exclude: Sequence[str | Exclusion] = (),
     follow_links: bool = False,
     request: Request = EVERYTHING,
+    launch: Wanted | Sequence[Wanted] = (),
+    arguments: Mapping[str, str] = NO_ARGUMENTS,
     underlays: Sequence[SourcePath] = (),
     enclaves: str | None = None,
     assigned: Assignment = NOTHING_ASSIGNED,
@@ -95,6 +100,8 @@ def extract(
         exclude: patterns, as in .gitignore, of files and folders that are not read at all.
         follow_links: whether symbolic links are entered that lead out of `paths`.
         request: what is started; by default every executable, as `ros2 run` starts it.
+        launch: in its place, a launch file or several: `PKG:FILE` or a path.
+        arguments: launch arguments for all of these; `*` leaves one open.
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
         assigned: enclaves that somebody chose for some of the processes.
@@ -105,12 +112,16 @@ def extract(
     Raises:
         NothingToReadError: where no Python file is found.
         UnknownRequestError: where what is to be started is not there.
-        ValueError: where the distro or the kind of enclaves is not known.
+        ValueError: where the distro or the kind of enclaves is not known, or what is to be started has no meaning (RequestError).
         PatternError: where a pattern has no meaning.
 
     Nothing of what is read is imported or executed.
     """
     chosen = Distro(distro)
+    if launch or arguments:
+        if request != EVERYTHING:
+            raise RequestError("what is started is said by the request, or by launch and arguments")
+        request = launching(launch, arguments)
     mode = (
         EnclaveMode(enclaves) if enclaves is not None else EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
     )

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 NOTHING: Final = Background()
 OWN: Final = ("file:", "blob:", "data:")
-SECONDS: Final = 10_000
+SECONDS: Final = 300_000
 
 
 def written(folder: Path, network: Network, background: Background = NOTHING) -> str:

@@ -37,7 +37,7 @@ node.create_publisher(String, "chatter", 10)
 rclpy.spin(node)
 """
 NEEDED: Final = ("starlette", "uvicorn", "python_multipart", "watchfiles")
-SECONDS: Final = 30_000
+SECONDS: Final = 300_000
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,7 @@ of the input. Memory and time are bounded by the operating system.
 from __future__ import annotations
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -19,13 +20,15 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 SECONDS: Final = 120
+HANGING: Final = 1_800
+"""So long may it wait for what never comes; how long it works is counted in time of the processor."""
 MEGABYTES: Final = 3_000
 
 _PROGRAM: Final = r"""
 import sys
 sys.path[:] = [p for p in sys.path if p]  # -c puts the current folder first, which the command does not
 import json, os, resource
-log, inputs, outputs, megabytes, file_bytes = sys.argv[1:6]
+log, inputs, outputs, megabytes, file_bytes, seconds = sys.argv[1:7]
 inputs = os.path.realpath(inputs)
 outputs = os.path.realpath(outputs)
 events = []
@@ -75,12 +78,13 @@ def hook(name, args):
 from rosward.cli import main
 limit = int(megabytes) << 20
 resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), resource.RLIM_INFINITY))
 if int(file_bytes):
     resource.setrlimit(resource.RLIMIT_FSIZE, (int(file_bytes), int(file_bytes)))
 sys.addaudithook(hook)
 status = None
 try:
-    status = main(sys.argv[6:])
+    status = main(sys.argv[7:])
 except SystemExit as leaving:
     status = leaving.code
 finally:
@@ -117,12 +121,12 @@ def watched(
 ) -> Watched:
     """Run the command under watch; `file_bytes` bounds the size of a file that it writes, `folder` is where it stands."""
     read, write = os.pipe()
-    limits = [str(write), str(inputs), str(outputs), str(megabytes), str(file_bytes)]
+    limits = [str(write), str(inputs), str(outputs), str(megabytes), str(file_bytes), str(math.ceil(seconds))]
     try:
         done = subprocess.run(
             [sys.executable, "-c", _PROGRAM, *limits, *arguments],
             capture_output=True,
-            timeout=seconds,
+            timeout=HANGING,
             check=False,
             pass_fds=(write,),
             cwd=folder,
@@ -133,7 +137,7 @@ def watched(
         with os.fdopen(read, "rb") as report:
             told = report.read()
     stderr = done.stderr.decode(errors="replace")
-    assert told, stderr[-2000:]
+    assert told, stderr[-2000:] or f"ended by {done.returncode}"
     found = json.loads(told)
     assert "Traceback" not in stderr, stderr[-3000:]
     return Watched(

@@ -96,5 +96,5 @@ class RealRclpy:
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.close()
-        self._process.wait(timeout=20)
+        self._process.wait(timeout=300)
         self._process.stdout.close()

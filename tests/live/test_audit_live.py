@@ -30,7 +30,7 @@ from rosward.running.document import read_snapshot
 from rosward.running.result import Audit
 
 SCRIPT: Final = Path(snapshot.__file__)
-PATIENCE: Final = 40.0
+PATIENCE: Final = 300.0
 
 ROBOT: Final = """\
 import rclpy

@@ -44,7 +44,7 @@ if __name__ == "__main__":
     main()
 """
 POLICIES = list(itertools.product(("BEST_EFFORT", "RELIABLE"), ("VOLATILE", "TRANSIENT_LOCAL")))
-PATIENCE = 20.0
+PATIENCE = 300.0
 
 
 def told(folder: Path, program: str) -> bool:

@@ -213,7 +213,7 @@ class FakeMachine:
     def spend(self, steps: int) -> None:
         self.spent += steps
 
-    def report(self, code: str, message: str) -> None:  # noqa: ARG002
+    def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:  # noqa: ARG002
         self.findings.append(code)
 
     def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:

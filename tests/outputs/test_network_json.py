@@ -85,10 +85,29 @@ def test_everything_is_sorted() -> None:
 
 
 def test_diagnostics_have_the_severity_of_their_rule() -> None:
-    network = connect("jazzy", [], [Finding("RW102", "b", Place("b.py", 2, 3)), Finding("RW007", "a", Place("a.py"))])
+    partly = Finding("RW102", "b", Place("b.py", 2, 3), ("launch argument: ns",), ("/a",))
+    network = connect("jazzy", [], [partly, Finding("RW007", "a", Place("a.py"))])
     assert document(network)["diagnostics"] == [
-        {"code": "RW007", "severity": "note", "message": "a", "file": "a.py", "line": 0, "column": 1},
-        {"code": "RW102", "severity": "warning", "message": "b", "file": "b.py", "line": 2, "column": 3},
+        {
+            "code": "RW007",
+            "severity": "note",
+            "message": "a",
+            "file": "a.py",
+            "line": 0,
+            "column": 1,
+            "causes": [],
+            "nodes": [],
+        },
+        {
+            "code": "RW102",
+            "severity": "warning",
+            "message": "b",
+            "file": "b.py",
+            "line": 2,
+            "column": 3,
+            "causes": ["launch argument: ns"],
+            "nodes": ["/a"],
+        },
     ]
 
 

@@ -123,6 +123,7 @@ def test_a_whole_document() -> None:
             "message": "topic /a/chatter: publisher in /a/talker, and no subscription",
             "place": here,
             "subjects": ["n0", "t0", "e0"],
+            "first": None,
         }
     ]
     assert document["code"] == {}

@@ -85,6 +85,43 @@ def test_two_launch_files_of_one_name_are_told_apart(tmp_path: Path) -> None:
     assert offered("rosward extract --launch demo:", tmp_path) == expected
 
 
+@pytest.mark.parametrize(
+    ("shell", "said"), [("bash", "complete -o"), ("zsh", "#compdef rosward"), ("fish", "complete --command rosward")]
+)
+def test_each_shell_is_told_how_to_ask(shell: str, said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["completion", shell]) == 0
+    assert said in capsys.readouterr().out
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
+def test_bash_completes_with_what_is_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The script, a line that is typed, and what bash makes of it; `rosward` is this one."""
+    assert main(["completion", "bash"]) == 0
+    program = tmp_path / "rosward"
+    program.write_text(
+        f"#!{sys.executable}\n# PYTHON_ARGCOMPLETE_OK\nfrom rosward.cli import main\nmain()\n", encoding="utf-8"
+    )
+    program.chmod(0o755)
+    typed = 'COMP_LINE="rosward compl"; COMP_POINT=13; COMP_TYPE=9; COMP_WORDS=(rosward compl); COMP_CWORD=1'
+    script = (
+        f'{capsys.readouterr().out}\n{typed}\n_python_argcomplete rosward compl rosward\necho "${{COMPREPLY[@]}}"\n'
+    )
+    environment = {**os.environ, "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+    done = subprocess.run(
+        ["bash", "-c", script], env=environment, capture_output=True, text=True, check=False, timeout=60
+    )
+    assert done.stdout.strip() == "completion"
+
+
+def test_without_argcomplete_it_says_what_it_needs(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("argcomplete", "argcomplete.shell_integration"):
+        monkeypatch.setitem(sys.modules, name, None)
+    assert main(["completion", "bash"]) == 2
+    assert "pip install 'rosward[completion]'" in capsys.readouterr().err
+
+
 def test_the_shell_may_ask_rosward() -> None:
     """argcomplete asks programs only that say so near the start of the file."""
     for module in ("cli/__init__.py", "__main__.py"):

@@ -30,7 +30,7 @@ from .cyclone import Cyclone, DdsError
 from .keystore import Keystore
 
 _TESTS: Final = Path(__file__).parent.parent
-_PATIENCE: Final = 30.0
+_PATIENCE: Final = 300.0
 _LONGER: Final = 1.0
 """How long those who must hear nothing may still listen, after all others have heard each other."""
 

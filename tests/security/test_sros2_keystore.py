@@ -66,7 +66,7 @@ def test_sros2_makes_a_keystore_of_it_that_dds_enforces(
         folder = sros2_keystore / "enclaves" / enclave.path[1:]
         authority = sros2_keystore / "public" / "permissions_ca.cert.pem"
         verify = ["openssl", "smime", "-verify", "-text", "-CAfile", authority, "-in", folder / "permissions.p7s"]
-        signed = subprocess.run([*map(str, verify)], capture_output=True, check=True, timeout=30).stdout
+        signed = subprocess.run([*map(str, verify)], capture_output=True, check=True, timeout=300).stdout
         assert signed.replace(b"\r\n", b"\n").strip() == (folder / "permissions.xml").read_bytes().strip()
         with dds.participant(domain, folder) as participant:
             allowed = {endpoint for endpoint in tried if participant.may(endpoint)}

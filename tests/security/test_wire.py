@@ -31,7 +31,7 @@ from .keystore import Keystore
 from .systems import PROGRAMS, network_of
 
 _HOST: Final = Path(__file__).with_name("host.py")
-_PATIENCE: Final = 30.0
+_PATIENCE: Final = 300.0
 _AT_A_TIME: Final = 5
 _LOOPBACK: Final = """\
 <dds xmlns="http://www.eprosima.com"><profiles>

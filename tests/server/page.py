@@ -9,7 +9,7 @@ import io
 import json
 import time
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final, final
 
@@ -21,6 +21,9 @@ from rosward.server.limits import Limits
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
 from rosward.server.workers import run_job
+
+HANGING: Final = 300.0
+"""So long is waited for what never comes."""
 
 PORT: Final = 8765
 ORIGIN: Final = f"http://127.0.0.1:{PORT}"
@@ -102,7 +105,7 @@ class Page:
 
     def wait_for(self, found: Callable[[], dict[str, Any] | None]) -> dict[str, Any]:
         """What is there after some time."""
-        end = time.monotonic() + 20
+        end = time.monotonic() + HANGING
         while time.monotonic() < end:
             result = found()
             if result is not None:
@@ -119,6 +122,19 @@ class Page:
 
 def _ended(result: Mapping[str, Any]) -> bool:
     return result["state"] in {"done", "failed", "cancelled"}
+
+
+async def those_that_end(
+    asked: Collection[asyncio.Task[int]], number: int
+) -> tuple[list[asyncio.Task[int]], list[asyncio.Task[int]]]:
+    """So many that end, however long that takes, and with them whatever else has ended then; and those that have not."""
+    waiting = set(asked)
+    while len(asked) - len(waiting) < number:
+        ended, waiting = await asyncio.wait(waiting, timeout=HANGING, return_when=asyncio.FIRST_COMPLETED)
+        assert ended, "nothing came"
+    for _ in range(100):
+        await asyncio.sleep(0)
+    return [task for task in asked if task.done()], [task for task in asked if not task.done()]
 
 
 @contextlib.contextmanager

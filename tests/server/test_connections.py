@@ -19,7 +19,7 @@ from rosward.server.limits import Limits
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
 
-from .page import PORT, status_of
+from .page import PORT, status_of, those_that_end
 from .test_run import start
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="signals")
@@ -62,7 +62,7 @@ def test_an_upload_too_many_is_told_at_once(tmp_path: Path) -> None:
         access = Access(PORT)
         app = application(Server(tmp_path, Limits(uploads=2, silence=60)), access, Hosts({"127.0.0.1"}, PORT))
         asking = [asyncio.create_task(status_of(app, access, "POST", "/api/uploads")) for _ in range(5)]
-        done, open_ = await asyncio.wait(asking, timeout=2)
+        done, open_ = await those_that_end(asking, 3)
         for task in open_:
             task.cancel()
         return sorted(task.result() for task in done)

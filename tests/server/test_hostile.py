@@ -17,12 +17,12 @@ from rosward.server.app import application
 from rosward.server.job import End, Job, Step
 from rosward.server.jobs import Jobs
 from rosward.server.limits import Limits
-from rosward.server.results import Results, Source
+from rosward.server.results import ENDED, Results, Source
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
 from rosward.server.settings import Settings
 
-from .page import OWN_PAGE, PORT, TALKER, Page, opened, status_of
+from .page import OWN_PAGE, PORT, TALKER, Page, opened, status_of, those_that_end
 
 posix = pytest.mark.skipif(sys.platform != "linux", reason="names without encoding, and FIFOs")
 
@@ -52,7 +52,7 @@ def test_an_upload_that_stops_gives_its_place_to_the_next(tmp_path: Path) -> Non
         access = Access(PORT)
         app = application(Server(tmp_path, Limits(silence=0.2)), access, Hosts({"127.0.0.1"}, PORT))
         return await asyncio.wait_for(
-            asyncio.gather(*(status_of(app, access, "POST", "/api/uploads") for _ in range(4))), 5
+            asyncio.gather(*(status_of(app, access, "POST", "/api/uploads") for _ in range(4))), 300
         )
 
     assert asyncio.run(story()) == [400] * 4
@@ -64,10 +64,10 @@ def test_streams_that_are_opened_at_once_are_counted(tmp_path: Path) -> None:
         server = Server(tmp_path, Limits(streams=5))
         app = application(server, access, Hosts({"127.0.0.1"}, PORT))
         asking = [asyncio.create_task(status_of(app, access, "GET", "/api/news")) for _ in range(50)]
-        done, open_ = await asyncio.wait(asking, timeout=1)
+        done, open_ = await those_that_end(asking, 45)
         assert len(open_) == 5
         server.news.close()
-        ended = await asyncio.wait_for(asyncio.gather(*open_), 5)
+        ended = await asyncio.wait_for(asyncio.gather(*open_), 300)
         assert not server.streaming.locked()
         return [task.result() for task in done] + ended
 
@@ -82,7 +82,8 @@ def test_an_analysis_that_cannot_be_started_has_failed(tmp_path: Path) -> None:
         results = Results(tmp_path, Limits(), lambda: None)
         jobs = Jobs(results, Limits(), run)
         identifier = jobs.submit(Source("workspace", "/nowhere", "nowhere"), Settings()).id
-        await asyncio.sleep(0.05)
+        while results.all()[0].state not in ENDED:
+            await asyncio.sleep(0.01)
         await jobs.close()
         found = results.get(identifier)
         assert found is not None

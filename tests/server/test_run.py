@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -11,7 +12,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from http.client import HTTPConnection
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -35,7 +36,7 @@ class Running(NamedTuple):
     def get(self, path: str) -> tuple[int, str]:
         """Ask, with the token."""
         parts = urlsplit(self.address)
-        connection = HTTPConnection(parts.hostname or "", parts.port, timeout=10)
+        connection = HTTPConnection(parts.hostname or "", parts.port, timeout=300)
         connection.request("GET", f"{path}?{parts.query}")
         answer = connection.getresponse()
         return answer.status, answer.read().decode()
@@ -45,14 +46,22 @@ class Running(NamedTuple):
         self.process.send_signal(number)
         assert self.process.stdout is not None
         rest = self.process.stdout.read()
-        return self.process.wait(timeout=15), rest
+        return self.process.wait(timeout=300), rest
 
 
-def start(tmp_path: Path, *arguments: str) -> Running:
+ROSWARD: Final = ("-m", "rosward")
+PATIENT: Final = (
+    "-c",
+    "import rosward.server.run as run; run._SECONDS_TO_END = 120; from rosward.cli import main; main()",
+)
+"""A server that waits two minutes for whoever still listens, and then says so."""
+
+
+def start(tmp_path: Path, *arguments: str, program: Sequence[str] = ROSWARD) -> Running:
     temporary = tmp_path / "tmp"
     temporary.mkdir()
     process = subprocess.Popen(
-        [sys.executable, "-m", "rosward", "serve", "--port", "0", *arguments],
+        [sys.executable, *program, "serve", "--port", "0", *arguments],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
@@ -76,17 +85,29 @@ def workspace(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def server(tmp_path: Path, workspace: Path) -> Iterator[Running]:
-    running = start(tmp_path, str(workspace))
-    yield running
-    running.process.kill()
-    running.process.wait()
-    if running.process.stdout is not None:
-        running.process.stdout.close()
+    with running(tmp_path, workspace) as started:
+        yield started
+
+
+@pytest.fixture
+def patient(tmp_path: Path, workspace: Path) -> Iterator[Running]:
+    with running(tmp_path, workspace, PATIENT) as started:
+        yield started
+
+
+@contextlib.contextmanager
+def running(tmp_path: Path, workspace: Path, program: Sequence[str] = ROSWARD) -> Iterator[Running]:
+    started = start(tmp_path, str(workspace), program=program)
+    yield started
+    started.process.kill()
+    started.process.wait()
+    if started.process.stdout is not None:
+        started.process.stdout.close()
 
 
 def test_it_opens_the_workspace_and_ends_without_a_trace(server: Running) -> None:
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/results/[0-9a-f]{16}\?token=\S{43}", server.address)
-    end = time.monotonic() + 20
+    end = time.monotonic() + 300
     while json.loads(server.get("/api/results")[1])[0]["state"] != "done" and time.monotonic() < end:
         time.sleep(0.05)
     status, page = server.get(urlsplit(server.address).path)
@@ -105,21 +126,20 @@ def test_other_ends_leave_no_trace_either(server: Running, number: signal.Signal
     assert list(server.temporary.iterdir()) == []
 
 
-def test_an_open_stream_of_news_does_not_keep_it(server: Running) -> None:
-    parts = urlsplit(server.address)
-    connection = HTTPConnection(parts.hostname or "", parts.port, timeout=10)
+def test_an_open_stream_of_news_does_not_keep_it(patient: Running) -> None:
+    parts = urlsplit(patient.address)
+    connection = HTTPConnection(parts.hostname or "", parts.port, timeout=300)
     connection.request("GET", f"/api/news?{parts.query}")
     answer = connection.getresponse()
     assert answer.headers["content-type"].startswith("text/event-stream")
     assert answer.readline().startswith(b"data: [{")
-    started = time.monotonic()
-    assert server.end(signal.SIGINT)[0] == 0
-    assert time.monotonic() - started < 3
+    status, rest = patient.end(signal.SIGINT)
+    assert (status, "exceeded" in rest) == (0, False)
 
 
 def test_results_are_kept_where_the_user_says(tmp_path: Path, workspace: Path) -> None:
     running = start(tmp_path, str(workspace), "--results", "kept")
-    end = time.monotonic() + 20
+    end = time.monotonic() + 300
     while not list(tmp_path.glob("kept/results/*/out/summary.json")) and time.monotonic() < end:
         time.sleep(0.05)
     assert running.end(signal.SIGINT)[0] == 0
@@ -133,7 +153,7 @@ def test_a_port_that_is_taken(tmp_path: Path) -> None:
         port = str(taken.getsockname()[1])
         done = subprocess.run(
             [sys.executable, "-m", "rosward", "serve", "--port", port],
-            capture_output=True, text=True, check=False, timeout=20, cwd=tmp_path,
+            capture_output=True, text=True, check=False, timeout=300, cwd=tmp_path,
         )  # fmt: skip
     assert (done.returncode, done.stdout) == (2, "")
     assert f"rosward: cannot listen on 127.0.0.1, port {port}" in done.stderr

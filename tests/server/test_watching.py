@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -12,6 +14,8 @@ import pytest
 from rosward.server.limits import Limits
 
 from .page import Page, opened
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="asks the kernel in /proc what is watched")
 
 
 @pytest.fixture
@@ -23,10 +27,20 @@ def workspace(tmp_path: Path) -> Path:
 
 
 def begin(page: Page, workspace: Path, **settings: object) -> dict[str, Any]:
+    before = watches_of_the_system()
     body = {"path": str(workspace), "watch": True, "settings": settings}
     result = page.wait(page.post("/api/workspaces", body)["id"])
-    time.sleep(0.3)  # until the system watches
+    page.wait_for(lambda: result if watches_of_the_system() > before else None)
     return result
+
+
+def watches_of_the_system() -> int:
+    """How many folders the kernel watches for this process."""
+    found = 0
+    for file in Path("/proc/self/fdinfo").iterdir():
+        with contextlib.suppress(OSError):  # it was closed meanwhile
+            found += file.read_text(encoding="utf-8").count("inotify wd:")
+    return found
 
 
 def automatic(page: Page) -> dict[str, Any] | None:

@@ -7,7 +7,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import os
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 
@@ -95,3 +96,19 @@ def parse_node(text: str) -> NodeRequest:
 def assignments(texts: Iterable[str]) -> tuple[tuple[str, str], ...]:
     """Several `name:=value`, each name once, the last one wins."""
     return tuple(dict(parse_assignment(text) for text in texts).items())
+
+
+Wanted = str | os.PathLike[str]
+"""A launch file: `PKG:FILE` or a path, with arguments of its own behind it; what is no str is a path and nothing else."""
+
+
+def launching(wanted: Wanted | Sequence[Wanted], arguments: Mapping[str, str]) -> Request:
+    """The request of somebody who names launch files, and arguments for all of them. Raises `RequestError`."""
+    several = [wanted] if isinstance(wanted, (str, os.PathLike)) else wanted
+    launches = tuple(parse_launch(w) if isinstance(w, str) else LaunchRequest(os.fspath(w)) for w in several)
+    if arguments and not launches:
+        raise RequestError("launch arguments are for launch files, and none is named")
+    for name, value in arguments.items():
+        if not isinstance(value, str):
+            raise RequestError(f"the launch argument {name!r} is no text: {value!r}")
+    return Request(launches, arguments=tuple(arguments.items()))

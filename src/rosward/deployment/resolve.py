@@ -32,7 +32,8 @@ if TYPE_CHECKING:
 class Launched(NamedTuple):
     """One program of a process. Exactly one of `entry` (interpreted), `program` (declared) and `unknown` (why its interface is not known) is set.
 
-    `process` is what the programs of one process share: a component's is that of its container.
+    `process` is what the programs of one process share: a component's is that of its container. `cause` is what several that are unknown
+    may have in common.
     """
 
     process: str
@@ -44,6 +45,7 @@ class Launched(NamedTuple):
     entry: Entry | None = None
     program: Program | None = None
     unknown: str | None = None
+    cause: str = ""
 
 
 class Declared(Protocol):
@@ -145,7 +147,7 @@ class Programs:
             first = f"component {_shown(members[0].plugin)}"
             several = f"{first} and {len(members) - 1} more are loaded" if len(members) > 1 else f"{first} is loaded"
             message = f"{several} into {target}, which nothing starts"
-            self.findings[Finding("RW318", message, members[0].place)] = None
+            self.findings[Finding("RW318", message, members[0].place, (f"container {target}",))] = None
         return [p._replace(process=label_of(t)) for t, members in wanted.items() for c in members for p in self._of(c)]
 
     def _of(self, each: Started) -> Iterator[Launched]:
@@ -170,7 +172,11 @@ class Programs:
         program = self._declared.executable(package, executable)
         if program is not None:
             return made._replace(program=program)
-        return made._replace(unknown=self._why(package, executable, known))
+        return made._replace(unknown=self._why(package, executable, known), cause=self._cause(package, executable))
+
+    def _cause(self, package: str, executable: str) -> str:
+        """What is missing for all that start it: the package, or the interface of the one program."""
+        return f"interface of {package}/{executable}" if self._file_of.has_package(package) else f"package {package}"
 
     def _why(self, package: str, executable: str, known: Executable | None) -> str:
         if known is not None:
@@ -189,9 +195,13 @@ class Programs:
             return made._replace(program=program)
         if made.package is None:
             return made._replace(unknown=f"its package is not known{_because(made.started.package)}")
-        if self._file_of.has_package(made.package):
-            return made._replace(unknown="it is written in C++, which is not analysed")
-        return made._replace(unknown=f"the package {made.package} is neither among the sources nor declared")
+        inside = self._file_of.has_package(made.package)
+        why = (
+            "it is written in C++, which is not analysed"
+            if inside
+            else f"the package {made.package} is neither among the sources nor declared"
+        )
+        return made._replace(unknown=why, cause=self._cause(made.package, plugin))
 
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable

@@ -18,6 +18,7 @@ from rosward.network.launch_tree import Inclusion
 
 if TYPE_CHECKING:
     from rosward.domain.values import Value
+    from rosward.findings import Finding
     from rosward.models.configuration import Configuration
     from rosward.source.location import Place
 
@@ -53,7 +54,8 @@ class Started:
     `namespace` has the pushed namespaces in it. `remaps` has SetRemap's first. `configuration` is the command line that this makes.
     `conditional`: some execution with these arguments does not start it; `why` says what that depends on. `event`: what has to happen first
     ('' : nothing), as 'timer', 'process-exit', … `trail` are the includes that led here, outermost first;
-    `container` is the (full, as given) name of a component's container, `plugin` its class.
+    `container` is the (full, as given) name of a component's container, `plugin` its class. `told` is what is doubtful of this one, which
+    the findings of the execution have, too.
     """
 
     kind: StartKind
@@ -72,3 +74,4 @@ class Started:
     why: tuple[str, ...] = ()
     event: str = ""
     trail: tuple[Inclusion, ...] = ()
+    told: tuple[Finding, ...] = ()

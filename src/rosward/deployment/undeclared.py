@@ -42,7 +42,6 @@ def undeclared(launched: Launched) -> EffectLog:
     )
     log.nodes[effect] = None
     what = "component" if component else "node"
-    log.findings[Finding("RW314", f"the interface of the {what} {label} is not known: {launched.unknown}", place)] = (
-        None
-    )
+    message = f"the interface of the {what} {label} is not known: {launched.unknown}"
+    log.findings[Finding("RW314", message, place, (launched.cause,) if launched.cause else ())] = None
     return log

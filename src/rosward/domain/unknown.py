@@ -32,6 +32,7 @@ class Cause(enum.Enum):
     MODULE = "module that is not among the sources"
     CALLER = "argument that no caller in the sources gives"
     RANDOM = "time, random or host"
+    ANEW = "part that the program makes anew at each start"
     OPERATION = "operation on a value that is not known"
     LOOP = "value that changes in a loop"
     MANY = "more alternatives than are kept apart"
@@ -55,6 +56,29 @@ class Reason(NamedTuple):
     def __str__(self) -> str:
         text = f"{self.cause.value}: {self.subject}" if self.subject else self.cause.value
         return f"{text} ({self.place})" if self.place.file else text
+
+
+_SET_BY_NAME: Final = frozenset((Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT))
+
+
+MADE_ANEW: Final = Cause.ANEW.value
+"""The cause of what nobody can make known, since no two runs have it in common."""
+
+
+def causes_of(reasons: Iterable[Reason], place: Place) -> tuple[str, ...]:
+    """By what findings with these reasons are put together; `place` is where they are told.
+
+    What is given by name from outside is one cause wherever it is asked for; all else is one at its own place, or at that where it is told.
+    """
+    found: set[str] = set()
+    for each in reasons:
+        if each.cause in _SET_BY_NAME:
+            found.add(f"{each.cause.value}: {each.subject}")
+        elif each.place.file or each.cause is Cause.ANEW:
+            found.add(str(each))
+        else:
+            found.add(f"{each} ({place})")
+    return tuple(sorted(found))
 
 
 class Origin(NamedTuple):

@@ -453,9 +453,9 @@ class Interpreter:
         found = namespaces.variables(self, local=local)
         return self.unknown(Cause.LIVE, "variables", "dict") if found is None else found
 
-    def report(self, code: str, message: str) -> None:
+    def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
         """A finding at the current place."""
-        self.log.findings[Finding(code, message, self.place)] = None
+        self.log.findings[Finding(code, message, self.place, causes)] = None
 
     def die(
         self,

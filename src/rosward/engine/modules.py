@@ -144,7 +144,8 @@ def _load_found(
     if found is None:
         ours = machine.library.sources.belongs(name) if not level else name and not machine.catchers
         if ours and not _is_interface_module(name):
-            machine.report("RW207", f"{'.' * level}{name} is not among the sources")
+            missing = f"{'.' * level}{name}"
+            machine.report("RW207", f"{missing} is not among the sources", (f"module {missing}",))
         return External(name or "." * level)
     if found.model:
         return machine.library.load_model(found)

@@ -16,7 +16,7 @@ from rosward.domain.choice import lift, options, reasons_of
 from rosward.domain.series import Series
 from rosward.domain.text import make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Text, Tuple, Unknown, Value
+from rosward.domain.values import Choice, Const, Text, Tuple, Unknown, Value
 from rosward.holes import HOLE, Holed, shown
 from rosward.models.configuration import Configuration, Given
 from rosward.ros import arguments, names
@@ -37,7 +37,8 @@ class Rule(NamedTuple):
 class CommandLine(NamedTuple):
     """What the words mean. `parameters` are those of -p and of the files, in order; `missing` says which files are not known, and why.
 
-    `errors` end the real program at once; `unreadable`: words whose holes may make them anything; `open`: why there may be further words.
+    `errors` end the real program at once; `unreadable`: words whose holes may make them anything, `holes`: why they have these;
+    `open`: why there may be further words.
     """
 
     remaps: tuple[Rule, ...] = ()
@@ -48,6 +49,7 @@ class CommandLine(NamedTuple):
     errors: tuple[str, ...] = ()
     unreadable: tuple[str, ...] = ()
     open: tuple[Reason, ...] = ()
+    holes: tuple[Reason, ...] = ()
 
     @property
     def rules(self) -> tuple[names.RemapRule, ...]:
@@ -91,7 +93,8 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
         else:
             known = configuration.missing.get(override.path) if configuration is not None else None
             missing.append(known or Reason(Cause.FILE, f"parameter file {override.path}", Place("")))
-    missing += [Reason(Cause.ARGUMENT, text, Place("")) for text in parsed.unknown]
+    holes = tuple(dict.fromkeys(r for w in words if parsed.unknown and not _whole(w) for r in reasons_of(w)))
+    missing += holes or [Reason(Cause.ARGUMENT, text, Place("")) for text in parsed.unknown]
     return CommandLine(
         remaps,
         tuple(parameters),
@@ -101,7 +104,12 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
         parsed.errors,
         parsed.unknown,
         tuple(dict.fromkeys(further)),
+        holes,
     )
+
+
+def _whole(word: Value) -> bool:
+    return not isinstance(word, (Unknown, Choice)) and "*" not in pattern(word)
 
 
 def renames_anything(rule: names.RemapRule) -> bool:

@@ -10,11 +10,10 @@ from __future__ import annotations
 import itertools
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all, options, reasons_of
+from rosward.domain.choice import join_all, options
 from rosward.domain.series import Series
-from rosward.domain.text import pattern
-from rosward.domain.unknown import Reason
-from rosward.domain.values import NONE, Choice, Ref, Unknown, Value
+from rosward.domain.unknown import Reason, causes_of
+from rosward.domain.values import NONE, Ref, Unknown, Value
 from rosward.models.command_line import read_words
 from rosward.models.plain import listed
 
@@ -67,14 +66,10 @@ def _tell(machine: Interpreter, line: Series) -> None:
         if known is None or error not in known.errors:  # else the launch file is told
             machine.report("RW209", f"rcl refuses these arguments: {error}")
     reasons = read.open
-    if read.unreadable and (known is None or read.unreadable != known.unreadable):
-        reasons = (*reasons, *(r for w in (*line.head, *line.tail) if not _whole(w) for r in reasons_of(w)))
+    if known is None or read.unreadable != known.unreadable:  # else the launch file is told
+        reasons = (*reasons, *read.holes)
     if reasons:
-        machine.report("RW106", UNKNOWN_ARGUMENTS + _because(reasons))
-
-
-def _whole(word: Value) -> bool:
-    return not isinstance(word, (Unknown, Choice)) and "*" not in pattern(word)
+        machine.report("RW106", UNKNOWN_ARGUMENTS + _because(reasons), causes_of(reasons, machine.place))
 
 
 def _because(reasons: tuple[Reason, ...]) -> str:

@@ -128,7 +128,7 @@ class Machine(Protocol):
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives where the call stands: a dict."""
 
-    def report(self, code: str, message: str) -> None:
+    def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
         """A finding at the current place."""
 
     def spend(self, steps: int) -> None:

@@ -44,7 +44,8 @@ def launches(call: NativeCall, command: Value) -> None:
             continue
         if any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names) or _runs_python(names):
             code = "RW211" if _is_tool(names) else "RW210"
-            call.machine.report(code, f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`")
+            message = f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`"
+            call.machine.report(code, message, (f"call ({call.machine.place})",))
             return
 
 

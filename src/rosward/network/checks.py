@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
 from typing import Literal, TypeVar
 
+from rosward.domain.unknown import MADE_ANEW
 from rosward.findings import Finding
 from rosward.guard import Steps
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
@@ -79,17 +80,24 @@ def _wildcards(nodes: Iterable[Node], unknown: UnknownNames) -> Iterator[Finding
     told = {Resolution.PATTERN} if unknown == "deny" else {Resolution.PATTERN, Resolution.UNKNOWN}
     for node in nodes:
         granted = unknown == "wildcard" or node.resolution is not Resolution.UNKNOWN
+        granted = granted and not _made_anew(node)
         if granted and "*" in node.fqn and any(e.system and "*" in e.name for e in node.entities):
             message = (
                 f"the system services and topics of node {node.fqn} are granted for every node that its name matches"
             )
-            yield Finding("RW302", message, node.defined_at)
-        own = [e for e in node.entities if not e.system and "*" in e.name and e.resolution in told]
+            yield Finding("RW302", message, node.defined_at, node.causes)
+        own = [
+            e for e in node.entities if not e.system and "*" in e.name and e.resolution in told and not _made_anew(e)
+        ]
         for name, entities in _grouped((e.name, e) for e in own):
             kinds = " and ".join(dict.fromkeys(e.kind.value for e in entities))
-            yield Finding(
-                "RW302", f"node {node.fqn}: {kinds} {name}: {_also_matches(name)}", place_of(node, entities[0])
-            )
+            message = f"node {node.fqn}: {kinds} {name}: {_also_matches(name)}"
+            yield Finding("RW302", message, place_of(node, entities[0]), entities[0].causes)
+
+
+def _made_anew(named: Node | Entity) -> bool:
+    """Whether nobody can make more of the name known: that and the pattern for it are told already (RW107)."""
+    return named.resolution is Resolution.PATTERN and named.causes == (MADE_ANEW,)
 
 
 def _also_matches(name: str) -> str:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.domain.text import pattern
+from rosward.domain.unknown import causes_of
 from rosward.domain.values import Const, Tuple, Value
 from rosward.findings import Finding
 from rosward.holes import HOLE, Holed
@@ -55,7 +56,10 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
     nodes: list[Node] = []
     for effect in log.nodes:
         for identity in _identities(log, effect, findings):
-            nodes.append(_node(log, effect, identity, process, distro, findings))
+            own: dict[Finding, None] = {}
+            node = _node(log, effect, identity, process, distro, own)
+            findings.update(dict.fromkeys(f._replace(nodes=(node.fqn,)) for f in own))
+            nodes.append(node)
     return _merged(nodes), list(findings)
 
 
@@ -80,17 +84,18 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
                     )
                 ] = None
                 continue
+            namespace = names.full_namespace(space.text)
+            about = (names.fully_qualified(namespace, option.text),)
             resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
             if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
-                findings[unknown_node(option, effect.place)] = None
+                findings[unknown_node(option, effect.place)._replace(nodes=about)] = None
             if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
-                findings[unknown_node(space, effect.place, "namespace")] = None
+                findings[unknown_node(space, effect.place, "namespace")._replace(nodes=about)] = None
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
-            namespace = names.full_namespace(space.text)
-            found.append(
-                Identity(option.text, namespace, rules, resolution, depends, reasons, len(spaces) * len(own) == 1)
-            )
+            causes = causes_of((*option.reasons, *space.reasons), effect.place)
+            sole = len(spaces) * len(own) == 1
+            found.append(Identity(option.text, namespace, rules, resolution, depends, reasons, causes, sole))
     return found
 
 
@@ -139,6 +144,7 @@ def _node(
         entities=tuple(entities),
         parameters=tuple(_parameters(log, effect.address)),
         reasons=identity.reasons,
+        causes=identity.causes,
         conditional=not certain,
         assumed=process.assumed,
     )
@@ -253,6 +259,7 @@ def _entity(
 ) -> Entity:
     resolution = option.resolution
     depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
+    causes = causes_of(option.reasons, effect.place)
     if not option.text.startswith("/"):
         resolution = max(
             resolution,
@@ -260,6 +267,7 @@ def _entity(
             key=_ORDER.__getitem__,
         )
         depends = tuple(sorted({*depends, *identity.depends_on}))
+        causes = tuple(sorted({*causes, *identity.causes}))
         reasons = (*reasons, *identity.reasons)
     if resolution is Resolution.UNKNOWN and HOLE in text and text.strip("/*"):
         resolution = Resolution.PATTERN
@@ -277,6 +285,7 @@ def _entity(
         depends_on=depends,
         created_at=(effect.place,),
         reasons=reasons,
+        causes=causes,
         via=effect.via,
         ros_prefix=effect.ros_prefix,
         path=path,

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Final, NamedTuple, TypeVar
 
-from rosward.findings import Finding
+from rosward.findings import Finding, each_once
 from rosward.network.checks import UnknownNames, check
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
@@ -64,8 +64,7 @@ def apart(distro: str, nodes: Iterable[Node], *, files: int = 0, lines: int = 0,
 
 def with_findings(network: Network, findings: Iterable[Finding]) -> Network:
     """The same network with these findings too: sorted by place, each once."""
-    ordered = sorted({*network.findings, *findings}, key=lambda f: (f.place, f.code, f.message))
-    return replace(network, findings=tuple(ordered))
+    return replace(network, findings=each_once((*network.findings, *findings)))
 
 
 def _settled(node: Node) -> Node:
@@ -92,6 +91,7 @@ def _merged(entities: list[Entity]) -> Entity:
         depends_on=_union(e.depends_on for e in entities),
         created_at=_union_of_places(e.created_at for e in entities),
         reasons=_union(e.reasons for e in entities),
+        causes=_union(e.causes for e in entities),
         via=None if None in vias else min(via for via in vias if via is not None),
         path=min((e.path for e in entities if e.path), default=()),
     )

@@ -41,6 +41,7 @@ class Identity(NamedTuple):
     resolution: Resolution
     depends_on: tuple[str, ...]
     reasons: tuple[str, ...]
+    causes: tuple[str, ...]
     sole: bool
 
 

@@ -91,7 +91,8 @@ def _findings(fields: Fields) -> tuple[Finding, ...]:
     """The finding; none where a later version has a code that this one does not."""
     code = fields.text("code")
     place = Place(fields.text("file"), fields.number("line"), fields.number("column"))
-    return (Finding(code, fields.long_text("message"), place),) if code in RULES else ()
+    causes, nodes = (tuple(fields.texts(key, _MOST)) if key in fields else () for key in ("causes", "nodes"))
+    return (Finding(code, fields.long_text("message"), place, causes, nodes),) if code in RULES else ()
 
 
 def _place(fields: Fields) -> Place:

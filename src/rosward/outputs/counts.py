@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from rosward.findings import Severity
 from rosward.network.graph import Action, Network, Service, Topic
+from rosward.one_cause import by_cause
 from rosward.ros.entities import Resolution
 
 __all__ = ["Count", "Counts", "counts_of", "several", "some"]
@@ -23,7 +24,7 @@ class Count(NamedTuple):
 class Counts(NamedTuple):
     """The numbers of one network. `assumed` are the nodes that nothing starts.
 
-    `names` counts the names that the user's own code gives: endpoints, not nodes."""
+    `names` counts the names that the user's own code gives: endpoints, not nodes. `severities` counts causes: what is there for one is one."""
 
     nodes: int
     assumed: int
@@ -37,7 +38,7 @@ class Counts(NamedTuple):
 def counts_of(network: Network) -> Counts:
     """Count everything once."""
     own = [entity for node in network.nodes for entity in node.entities if not entity.system]
-    weights = [finding.rule.severity for finding in network.findings]
+    weights = [one.finding.rule.severity for one in by_cause(network.findings)]
     return Counts(
         nodes=len(network.nodes),
         assumed=sum(node.assumed for node in network.nodes),

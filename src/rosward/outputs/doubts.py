@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The findings in the order in which a person should read them: errors first, one group for each rule."""
+"""The findings in the order in which a person should read them: errors first, one group for each rule, one line for each cause."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from rosward.findings import RULES, Finding, Rule, Severity
+from rosward.one_cause import OneCause, by_cause
 
 __all__ = ["Doubts", "doubts"]
 
@@ -14,16 +15,20 @@ _ORDER: Final = {severity: index for index, severity in enumerate(Severity)}
 
 
 class Doubts(NamedTuple):
-    """One rule, and where it was found to hold; sorted by place."""
+    """One rule, and where it was found to hold, each cause once; sorted by place."""
 
     rule: Rule
-    findings: tuple[Finding, ...]
+    causes: tuple[OneCause, ...]
 
 
 def doubts(findings: Iterable[Finding]) -> tuple[Doubts, ...]:
     """Group the findings by rule: errors, warnings, notes, and by code within these."""
-    groups: dict[str, list[Finding]] = {}
-    for finding in findings:
-        groups.setdefault(finding.code, []).append(finding)
+    groups: dict[str, list[OneCause]] = {}
+    for one in by_cause(findings):
+        groups.setdefault(one.finding.code, []).append(one)
     codes = sorted(groups, key=lambda code: (_ORDER[RULES[code].severity], code))
-    return tuple(Doubts(RULES[code], tuple(sorted(groups[code], key=lambda f: (f.place, f.message)))) for code in codes)
+    return tuple(Doubts(RULES[code], tuple(sorted(groups[code], key=_place))) for code in codes)
+
+
+def _place(one: OneCause) -> tuple[object, ...]:
+    return (one.finding.place, one.finding.message)

@@ -256,7 +256,13 @@ class _Teller:
             parameters=tuple(ParameterTold(p.name, p.type, p.default, p.value, p.declared_at) for p in node.parameters),
             missing=node.reasons,
             remedies=remedies(node.reasons),
-            doubts=self._doubts([f for f in self._network.findings if (f.place.file, f.place.line) in at]),
+            doubts=self._doubts(
+                [
+                    f
+                    for f in self._network.findings
+                    if (f.place.file, f.place.line) in at and (not f.nodes or node.fqn in f.nodes)
+                ]
+            ),
         )
 
     def _enclave(self, path: str) -> EnclaveTold:
@@ -270,12 +276,16 @@ class _Teller:
                 f.code,
                 f.rule.severity.value,
                 f.rule.title,
-                f.message,
-                RULES[f.code].help,
+                f.message.removesuffix(f": {f.remedy}") if f.remedy else f.message,
+                _whole_sentence(f.remedy) or RULES[f.code].help,
                 self._excerpts.around(f.place),
             )
             for f in findings[:_MOST]
         )
+
+
+def _whole_sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
 def _whole(resolution: Resolution) -> bool:

@@ -3,7 +3,7 @@
 
     ::warning file=src/talker.py,line=20,col=9,title=RW102 partly known name::publisher /*/state: …
 
-Whoever runs them sees them in the change itself. What is in the baseline, or ignored, is not told.
+Whoever runs them sees them in the change itself, one for each cause. What is in the baseline, or ignored, is not told.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.findings import Severity
+from rosward.one_cause import OneCause, alike, more_of
 from rosward.outputs.safe import printable
 from rosward.review.judge import Judged
 
@@ -23,12 +24,14 @@ _COMMANDS: Final = {Severity.ERROR: "error", Severity.WARNING: "warning", Severi
 def github_commands(findings: Iterable[Judged]) -> str:
     """The commands, errors first: GitHub shows ten of each kind for a step."""
     order = list(_COMMANDS)
-    new = sorted((j for j in findings if not j.known), key=lambda j: order.index(j.finding.rule.severity))
-    return "".join(_command(judged) for judged in new)
+    groups = alike((j for j in findings if not j.known), lambda j: j.finding)
+    return "".join(_command(*group) for group in sorted(groups, key=lambda g: order.index(g[0].finding.rule.severity)))
 
 
-def _command(judged: Judged) -> str:
+def _command(judged: Judged, *also: Judged) -> str:
     finding = judged.finding
+    more = more_of(OneCause(finding, tuple(j.finding for j in also)))
+    message = f"{finding.message} (and {more})" if more else finding.message
     properties = {"title": f"{finding.code} {finding.rule.title}"}
     if judged.file:
         properties = {"file": judged.file, **properties}
@@ -36,7 +39,7 @@ def _command(judged: Judged) -> str:
         at = {"line": str(finding.place.line), "col": str(max(finding.place.column, 1))}
         properties = {"file": judged.file, **at, "title": properties["title"]}
     told = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
-    return f"::{_COMMANDS[finding.rule.severity]} {told}::{_data(finding.message)}\n"
+    return f"::{_COMMANDS[finding.rule.severity]} {told}::{_data(message)}\n"
 
 
 def _data(text: str) -> str:

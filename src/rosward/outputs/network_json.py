@@ -115,6 +115,8 @@ def _diagnostics(network: Network) -> list[dict[str, object]]:
             "file": finding.place.file,
             "line": finding.place.line,
             "column": finding.place.column,
+            "causes": list(finding.causes),
+            "nodes": list(finding.nodes),
         }
         for finding in ordered
     ]

@@ -18,8 +18,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from rosward.findings import Severity
+from rosward.findings import Finding, Severity
 from rosward.network.graph import Network
+from rosward.one_cause import by_cause, more_of
 from rosward.outputs.counts import Count, Counts, counts_of
 from rosward.outputs.doubts import Doubts, doubts
 from rosward.outputs.safe import printable
@@ -130,22 +131,32 @@ def _names(counts: Counts) -> list[tuple[str, str]]:
 
 def _group(console: Console, group: Doubts, verbose: bool) -> None:
     rule = group.rule
-    title = f" {rule.code} {rule.title}: {len(group.findings):,}"
+    title = f" {rule.code} {rule.title}: {len(group.causes):,}"
     _print(console, (rule.severity.value, _COLOURS[rule.severity]), (title, "bold"))
-    shown = group.findings if verbose else group.findings[:_SHOWN]
-    for finding in shown:
-        place = printable(str(finding.place))
-        _print(console, ("  ", ""), (place, "cyan"), ("  " + printable(finding.message), ""))
-    if len(shown) < len(group.findings):
-        _print(console, (f"  … and {len(group.findings) - len(shown):,} more (-v lists all)", "dim"))
-    _print(console, ("  " + rule.help, "italic"))
+    shown = group.causes if verbose else group.causes[:_SHOWN]
+    for one in shown:
+        more = more_of(one)
+        _finding(console, one.finding, "" if verbose or not more else f" (and {more})")
+        for finding in one.also if verbose else ():
+            _finding(console, finding, of=rule.code)
+    if len(shown) < len(group.causes):
+        _print(console, (f"  … and {len(group.causes) - len(shown):,} more (-v lists all)", "dim"))
+    if not all(one.finding.remedy for one in shown):
+        _print(console, ("  " + rule.help, "italic"))
+
+
+def _finding(console: Console, finding: Finding, more: str = "", of: str | None = None) -> None:
+    """A finding on its line; further in, with its code where that is another one, what has the cause of a finding with the code `of`."""
+    place, message = printable(str(finding.place)), printable(finding.message)
+    code = "" if of in (None, finding.code) else f"{finding.code} "
+    _print(console, ("    " if of else "  ", ""), (place, "cyan"), (f"  {code}{message}", ""), (more, "dim"))
 
 
 def _verdict(counts: Counts, verbose: bool, reviewed: Reviewed) -> list[tuple[str, str]]:
     errors = counts.severities[Severity.ERROR]
     warnings = counts.severities[Severity.WARNING]
     notes = counts.severities[Severity.NOTE]
-    known = sum(f.rule.severity is Severity.ERROR for f in reviewed.known)
+    known = sum(one.finding.rule.severity is Severity.ERROR for one in by_cause(reviewed.known))
     if errors:
         parts = [("Incomplete: ", "bold red"), (_several(errors, "error"), "")]
     elif reviewed.accepted or known:  # the result lacks something, and somebody said that this is known

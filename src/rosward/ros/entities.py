@@ -80,7 +80,8 @@ class Entity:
     """One endpoint of a node.
 
     `name` is fully qualified, after expansion and remapping, `*` for each unknown part. `reasons` says, for a name or type that is
-    not wholly known, why, in words for a person ("parameter 'ns' has no default (talker.py:12)"); `via` names the library function
+    not wholly known, why, in words for a person ("parameter 'ns' has no default (talker.py:12)"), `causes` by what findings of it are put
+    together; `via` names the library function
     that created the entity on behalf of the user's code (`tf2_ros.TransformListener`), None where the user's code did so itself.
     `ros_prefix` is False for a topic with `avoid_ros_namespace_conventions`. `path` is one chain of calls in the user's code that ends
     where the entity is created; it says how, not what, so two entities that differ in it alone are equal.
@@ -97,6 +98,7 @@ class Entity:
     depends_on: tuple[str, ...] = ()
     created_at: tuple[Place, ...] = ()
     reasons: tuple[str, ...] = ()
+    causes: tuple[str, ...] = ()
     via: str | None = None
     ros_prefix: bool = True
     path: tuple[Place, ...] = field(default=(), compare=False)
@@ -140,6 +142,7 @@ class Node:
     given_enclave: str | None = None
     conditional: bool = False
     assumed: bool = False
+    causes: tuple[str, ...] = ()
 
     @property
     def fqn(self) -> str:

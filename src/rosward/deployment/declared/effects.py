@@ -341,8 +341,8 @@ class _Execution:
         self._log.findings[Finding("RW201", message, self._place)] = None
 
     def _open(self, reason: str) -> None:
-        message = f"The interface of {self._program.package}/{self._program.name} is not wholly known: {reason}."
-        self._log.findings[Finding("RW314", message, self._place)] = None
+        what = f"interface of {self._program.package}/{self._program.name}"
+        self._log.findings[Finding("RW314", f"The {what} is not wholly known: {reason}.", self._place, (what,))] = None
 
 
 def qualified(namespace: Value, name: Value) -> Value:

@@ -23,6 +23,9 @@ from rosward.source.location import Place
 
 DEEPEST: Final = 8
 
+_MADE: Final = {"random": Cause.RANDOM, "address": Cause.ANEW}
+"""What is made when the program runs: where a name given at the start takes its place, and where nothing does."""
+
 
 class Parameters:
     """The parameters of one node: what it is given, else its defaults. `missing`: why some that are given may not be known."""
@@ -154,8 +157,8 @@ def _one(expression: Value, scope: Scope) -> Value:
         return operand(name, scope)
     if kind == "live":
         return Unknown((Reason(Cause.LIVE, name, Place("")),), "str")
-    if expression.value == "random":
-        return Unknown((Reason(Cause.RANDOM, "", Place("")),), "str")
+    if expression.value in _MADE:
+        return Unknown((Reason(_MADE[str(expression.value)], "", Place("")),), "str")
     if expression.value == "namespace":
         return _prefix(scope)
     return scope.variables.get(

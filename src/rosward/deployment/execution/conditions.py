@@ -51,9 +51,8 @@ def decide(condition: Condition | None, scene: Scene) -> Verdict:
         return YES
     verdict = _verdict(condition, scene)
     if verdict.open:
-        scene.findings.tell(
-            "RW316", f"The condition is not known: it depends on {verdict.why}. Both ways are taken.", condition.place
-        )
+        message = f"The condition is not known: it depends on {verdict.why}. Both ways are taken."
+        scene.findings.tell("RW316", message, condition.place, (verdict.why,) if verdict.why else ())
     return verdict
 
 

@@ -45,10 +45,12 @@ class Descriptions:
         """The file behind a path; where there is none, that is told."""
         file = self._files.find(path)
         if file is None:
-            self._findings.tell("RW311", self._missing(path), place)
+            message, causes = self._missing(path)
+            self._findings.tell("RW311", message, place, causes)
         return file
 
-    def _missing(self, path: Value) -> str:
+    def _missing(self, path: Value) -> tuple[str, tuple[str, ...]]:
+        """What is to be said of it, and by what it is put together with what else is missing."""
         shown = self._files.show(path)
         parts = parts_of(path)
         first = parts[0]
@@ -56,11 +58,13 @@ class Descriptions:
             packages = [r.subject for r in first.reasons if r.cause is not Cause.SOURCES]
             absent = [p for p in packages if not self._files.has_package(p)]
             if absent:
-                return f"The included launch file {shown} is not found: the package '{absent[0]}' is not among the sources."
+                why = f"the package '{absent[0]}' is not among the sources"
+                return f"The included launch file {shown} is not found: {why}.", (f"package {absent[0]}",)
             if len(parts) == 2:
-                return f"The included launch file {shown} is not there."
+                return f"The included launch file {shown} is not there.", (f"file {shown}",)
         reasons = "; ".join(str(r) for r in reasons_of(path)[:3])
-        return f"The included launch file {shown} is not found" + (f" ({reasons})." if reasons else ".")
+        why = f" ({reasons})." if reasons else "."
+        return f"The included launch file {shown} is not found{why}", ()
 
     def read(self, file: str, form: str, scene: Scene) -> Description | None:
         """What a launch file says; None where it cannot be read, which is told."""

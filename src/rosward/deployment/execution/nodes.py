@@ -10,7 +10,9 @@ The order of the words is that of launch_ros: arguments, ros_arguments, name, na
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.deployment.execution.component_parameters import ComponentParameters
@@ -64,7 +66,14 @@ def start_node(action: StartNode, scene: Scene, at: At) -> list[Started]:
     """The node, once for each alternative of what is pushed and set for all nodes."""
     states = scene.context.alternatives
     at = at.maybe(_BY_PUSH) if len(states) > 1 else at
-    return [_node(action, state, scene, at) for state in states]
+    return [_with_doubts(partial(_node, action, state, scene, at), scene) for state in states]
+
+
+def _with_doubts(start: Callable[[], Started], scene: Scene) -> Started:
+    """What is started, with what is told of it alone, not of all that its line starts."""
+    with scene.findings.heard() as told:
+        started = start()
+    return replace(started, told=tuple(told))
 
 
 def _optional(template: Template | None, scene: Scene) -> Value | None:
@@ -171,7 +180,7 @@ def load_component(component: Component, container: Value, scene: Scene, at: At)
     """A component, once for each alternative of what is pushed and set for all nodes."""
     states = scene.context.alternatives
     at = at.maybe(_BY_PUSH) if len(states) > 1 else at
-    return [_component(component, container, state, scene, at) for state in states]
+    return [_with_doubts(partial(_component, component, container, state, scene, at), scene) for state in states]
 
 
 def _component(component: Component, container: Value, state: RosState, scene: Scene, at: At) -> Started:

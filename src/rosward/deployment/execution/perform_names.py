@@ -62,8 +62,9 @@ def _configuration(scene: Scene, name: str, substitution: Substitution) -> Value
         return held.value if default is None else join(held.value, default)
     if default is not None:
         return default
-    scene.fails(f"the launch configuration '{name}' is not set", substitution.place)
-    return Unknown((Reason(Cause.LAUNCH_ARGUMENT, name, substitution.place),), "str")
+    reasons = (Reason(Cause.LAUNCH_ARGUMENT, name, substitution.place),)
+    scene.fails(f"the launch configuration '{name}' is not set", substitution.place, reasons)
+    return Unknown(reasons, "str")
 
 
 def _env(scene: Scene, substitution: Substitution) -> Value:

@@ -6,7 +6,8 @@ scene.text((Const('talker_'), Substitution('var', ((Const('id'),),))))   ->   Co
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Final, Protocol, final
 
 from rosward.deployment.execution.context import Context
@@ -18,7 +19,7 @@ from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.choice import lift, lift2, reasons_of
 from rosward.domain.text import concat, parts_of
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.ros.distro import Distro
@@ -52,15 +53,27 @@ class Findings:
 
     def __init__(self) -> None:
         self._found: dict[Finding, None] = {}
+        self._heard: list[dict[Finding, None]] = []
 
-    def tell(self, code: str, message: str, place: Place) -> None:
+    @contextmanager
+    def heard(self) -> Iterator[dict[Finding, None]]:
+        """What is told meanwhile, also where it was told before."""
+        told: dict[Finding, None] = {}
+        self._heard.append(told)
+        try:
+            yield told
+        finally:
+            self._heard.pop()
+
+    def tell(self, code: str, message: str, place: Place, causes: tuple[str, ...] = ()) -> None:
         """Tell a doubt."""
-        self.add(Finding(code, message, place))
+        self.add(Finding(code, message, place, causes))
 
     def add(self, *findings: Finding) -> None:
         """Tell doubts that somebody else has found."""
         if len(self._found) < MAX_FINDINGS:
-            self._found.update(dict.fromkeys(findings))
+            for found in (self._found, *self._heard):
+                found.update(dict.fromkeys(findings))
 
     def all(self) -> tuple[Finding, ...]:
         """All that were told."""
@@ -90,9 +103,9 @@ class Scene:
         """The arguments of the command line."""
         self._depth = 0
 
-    def fails(self, what: str, place: Place) -> None:
-        """Tell that the real launch raises an exception here."""
-        self.findings.tell("RW320", f"{what[:1].upper()}{what[1:]}.", place)
+    def fails(self, what: str, place: Place, reasons: tuple[Reason, ...] = ()) -> None:
+        """Tell that the real launch raises an exception here; `reasons` are those of what is not known then."""
+        self.findings.tell("RW320", f"{what[:1].upper()}{what[1:]}.", place, causes_of(reasons, place))
 
     # As a Performer
 

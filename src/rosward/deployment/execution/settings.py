@@ -17,7 +17,7 @@ from rosward.deployment.execution.ros_state import GlobalFile, GlobalParameter, 
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.text import concat, matches, readable
-from rosward.domain.unknown import Cause, Origin, Reason
+from rosward.domain.unknown import Cause, Origin, Reason, causes_of
 from rosward.domain.values import Const, Unknown, Value
 from rosward.holes import literal
 from rosward.ros.validation import validate_namespace
@@ -112,8 +112,9 @@ def _declare_one(name: str, action: tree.Declare, scene: Scene) -> None:
             default = with_origin(scene.text(action.default), Origin("launch argument", name, settled=True))
         else:
             shown = f"The launch argument '{name}' has no default and is given no value."
-            scene.findings.tell("RW312", shown, action.place)
-            default = Unknown((Reason(Cause.LAUNCH_ARGUMENT, name, action.place),), "str")
+            reasons = (Reason(Cause.LAUNCH_ARGUMENT, name, action.place),)
+            scene.findings.tell("RW312", shown, action.place, causes_of(reasons, action.place))
+            default = Unknown(reasons, "str")
         value = default if value is None else join(value, default)
     scene.context.set(name, _chosen(name, value, action, scene))
 

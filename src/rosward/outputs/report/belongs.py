@@ -4,7 +4,8 @@
     RW101 at talker.py:12   the name of this publisher is not known   ->  the entities created there whose name is not known
     RW306 at viewer.py:40   topic /scan: A (publisher in /driver); …  ->  the topic /scan and all of its ends
 
-A finding about a line belongs to what is created, defined or started there; where its message names some of these, to those alone. A finding
+A finding about a line belongs to what is created, defined or started there, by the nodes that it is about, where it says so; where its message
+names some of these, to those alone. A finding
 about the whole belongs to what its message names: nodes, endpoints, or the nodes of an enclave. With an entity it belongs to the node and the
 endpoint of it, too. A finding about a line at which nothing is made belongs to nothing.
 """
@@ -115,6 +116,9 @@ class Belongings:
             return []
         fits, suits = _FITTING_ENTITIES.get(finding.code, _any), _FITTING_NODES.get(finding.code, _any)
         ends, members = self._ends_at.get(line, {}), self._members_at.get(line, {})
+        if finding.nodes:
+            ends = {name: [end for end in found if end.node.fqn in finding.nodes] for name, found in ends.items()}
+            members = {name: found for name, found in members.items() if name in finding.nodes}
         for names in (mentioned, None):  # those that are named, else all
             found = (
                 [end for end in _called(ends, names) if fits(end.entity)],

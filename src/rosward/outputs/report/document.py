@@ -20,6 +20,7 @@ from rosward.network.connect import with_findings
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.network.loose_ends import loose_ends
+from rosward.one_cause import alike
 from rosward.outputs.counts import Count, counts_of
 from rosward.outputs.grants import NOT_WIDENED
 from rosward.outputs.provenance import Start, Starts
@@ -82,7 +83,7 @@ def report_document(
         ),
         "enclaves": granted.enclaves,
         "rules": granted.rules,
-        "findings": shown([_finding(f"f{n}", f, subjects[n]) for n, f in enumerate(network.findings)]),
+        "findings": shown(_findings(network.findings, subjects)),
         "code": shown(code.lines),
     }
 
@@ -124,7 +125,13 @@ def _count(count: Count) -> dict[str, object]:
     return {"total": count.total, "system": count.system}
 
 
-def _finding(id_: str, finding: Finding, subjects: list[str]) -> dict[str, object]:
+def _findings(findings: Sequence[Finding], subjects: Sequence[list[str]]) -> list[dict[str, object]]:
+    groups = alike(range(len(findings)), findings.__getitem__)
+    first = {number: f"f{leader}" for leader, *others in groups for number in others}
+    return [_finding(f"f{n}", finding, subjects[n], first.get(n)) for n, finding in enumerate(findings)]
+
+
+def _finding(id_: str, finding: Finding, subjects: list[str], first: str | None) -> dict[str, object]:
     rule = finding.rule
     return {
         "id": id_,
@@ -135,6 +142,7 @@ def _finding(id_: str, finding: Finding, subjects: list[str]) -> dict[str, objec
         "message": finding.message,
         "place": place_row(finding.place),
         "subjects": subjects,
+        "first": first,
     }
 
 

@@ -40,6 +40,11 @@ rosward.model = (() => {
     return one.fqn === undefined ? one.name : one.fqn;
   }
 
+  /** What there is to read: one finding for each cause, and the others of it by its id. */
+  const causes = report.findings.filter((one) => !one.first);
+  const sameCause = new Map(causes.map((one) => [one.id, []]));
+  for (const finding of report.findings) if (finding.first) sameCause.get(finding.first).push(finding);
+
   /** The findings of a node or endpoint, with those of its entities; the heaviest first. */
   const about = new Map();
   for (const finding of report.findings) {
@@ -85,7 +90,7 @@ rosward.model = (() => {
   const packages = count(report.nodes.map((node) => node.package).filter((name) => name !== null));
 
   return {
-    report, nodes, endpoints, entities, enclaves, rules, findings, users, namespaces, packages,
+    report, nodes, endpoints, entities, enclaves, rules, findings, causes, sameCause, users, namespaces, packages,
     thing, kindOf, nameOf, findingsOf, severityOf, towardsNode, doubtful, lineOf,
   };
 })();

@@ -10,7 +10,7 @@ rosward.problems = (() => {
 
   function groups() {
     const byCode = new Map();
-    for (const finding of model.report.findings) {
+    for (const finding of model.causes) {
       if (!byCode.has(finding.code)) byCode.set(finding.code, []);
       byCode.get(finding.code).push(finding);
     }
@@ -29,7 +29,7 @@ rosward.problems = (() => {
   }
 
   function filter(severity) {
-    const number = model.report.findings.filter((one) => one.severity === severity).length;
+    const number = model.causes.filter((one) => one.severity === severity).length;
     if (!number) return null;
     const button = el("button", { type: "button", class: `chip ${severity}`, "aria-pressed": "true", onclick: () => {
       off[off.has(severity) ? "delete" : "add"](severity);
@@ -44,19 +44,35 @@ rosward.problems = (() => {
     const section = el("details", { class: `code ${severity}`, "data-severity": severity, id: `code-${code}` },
       el("summary", {}, icon(severity), el("b", {}, code), el("span", {}, title), el("span", { class: "number" }, list.length)),
       el("p", { class: "help" }, help));
-    const open = () => { if (section.open && section.childElementCount === 2) section.append(el("ul", {}, list.map(item))); };
+    const open = () => { if (section.open && section.childElementCount === 2) section.append(el("ul", {}, list.map(cause))); };
     section.addEventListener("toggle", open);
-    section.open = severity !== "note" || list.length <= 3 || model.report.findings.length <= MANY;
+    section.open = severity !== "note" || list.length <= 3 || model.causes.length <= MANY;
     open();
     return section;
   }
 
-  function item(finding) {
+  function cause(finding) {
+    const others = model.sameCause.get(finding.id);
+    const line = item(finding);
+    if (!others.length) return line;
+    const rest = el("details", {}, el("summary", {}, `${others.length} more of this cause`));
+    rest.addEventListener("toggle", () => { if (rest.open) unfold(rest, finding); });
+    line.append(rest);
+    return line;
+  }
+
+  /** Show what else there is of a cause; made when it is first asked for. */
+  function unfold(rest, finding) {
+    rest.open = true;
+    if (rest.childElementCount === 1) rest.append(el("ul", {}, model.sameCause.get(finding.id).map((one) => item(one, one.code !== finding.code))));
+  }
+
+  function item(finding, coded = false) {
     const things = finding.subjects.map((id) => model.thing(id)).filter(Boolean);
     const named_ = things.filter((one) => model.kindOf(one) !== "entity");
     const entities = things.filter((one) => model.kindOf(one) === "entity");
     return el("li", { id: `finding-${finding.id}`, tabindex: "-1" },
-      el("p", { class: "message" }, named(finding.message, "span")),
+      el("p", { class: "message" }, coded ? el("b", {}, `${finding.code} `) : null, named(finding.message, "span")),
       el("p", { class: "subjects" }, named_.slice(0, 8).map((one) => parts.link(one)), entities.length ? el("a", { href: route.toEntities(entities.slice(0, 50).map((one) => one.id)), class: "thing" }, icon("graph"), names.plural(entities.length, "connection")) : null),
       finding.place && finding.place.file ? parts.source(finding.place) : null);
   }
@@ -66,10 +82,12 @@ rosward.problems = (() => {
     if (!box.firstChild) draw();
     for (const one of box.querySelectorAll("li.marked")) one.classList.remove("marked");
     if (!finding) return;
-    const section = document.getElementById(`code-${finding.code}`);
+    const first = finding.first ? model.findings.get(finding.first) : finding;
+    const section = document.getElementById(`code-${first.code}`);
     section.hidden = false;
     section.open = true;
-    if (section.childElementCount === 2) section.append(el("ul", {}, groups().find(([one]) => one.code === finding.code).map(item)));
+    if (section.childElementCount === 2) section.append(el("ul", {}, groups().find(([one]) => one.code === first.code).map(cause)));
+    if (finding !== first) unfold(document.querySelector(`#finding-${first.id} > details`), first);
     const line = document.getElementById(`finding-${finding.id}`);
     line.classList.add("marked");
     line.scrollIntoView({ block: "center" });

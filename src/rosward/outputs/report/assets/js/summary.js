@@ -23,7 +23,7 @@ rosward.summary = (() => {
   }
 
   function tabs() {
-    const marks = parts.SEVERITIES.map((severity) => [severity, model.report.findings.filter((one) => one.severity === severity).length]).filter(([, number]) => number);
+    const marks = parts.SEVERITIES.map((severity) => [severity, model.causes.filter((one) => one.severity === severity).length]).filter(([, number]) => number);
     return VIEWS.map(([view, word]) => el("a", { href: `#${view}`, "data-view": view }, word,
       view === "findings" ? marks.map(([severity, number]) => parts.severityMark(severity, number)) : null,
       view === "policies" ? el("span", { class: "number" }, model.enclaves.size) : null));

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`rosward completion SHELL`: the lines by which a shell asks rosward what can stand next. What the answer is, `completion.py` says."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING, Final
+
+from rosward.cli.shared import COMPLETE, WrongUseError
+
+if TYPE_CHECKING:
+    from rosward.cli.shared import Commands
+
+_SHELLS: Final = ("bash", "zsh", "fish")
+_WHERE: Final = """\
+where to put it:
+  bash  rosward completion bash > ~/.local/share/bash-completion/completions/rosward
+  zsh   rosward completion zsh > DIR/_rosward, where DIR is a folder of $fpath
+  fish  rosward completion fish > ~/.config/fish/completions/rosward.fish
+
+Or, for this shell alone: eval "$(rosward completion bash)", rosward completion fish | source.
+It needs a further package, also when Tab is pressed: pip install 'rosward[completion]'."""
+
+
+def add(commands: Commands[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    parser = commands.add_parser(
+        "completion",
+        help="print what makes a shell complete commands, options, launch files and names",
+        description="Prints the script by which a shell completes what is typed behind rosward.",
+        epilog=_WHERE,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.set_defaults(run=_run)
+    parser.add_argument("shell", choices=_SHELLS, metavar="SHELL", help=", ".join(_SHELLS))
+
+
+def _run(options: argparse.Namespace) -> int:
+    try:
+        from argcomplete.shell_integration import shellcode
+    except ImportError as error:
+        raise WrongUseError("completion needs a further package: pip install 'rosward[completion]'") from error
+    sys.stdout.write(shellcode(["rosward"], shell=options.shell).rstrip() + "\n")
+    return COMPLETE
