@@ -128,9 +128,6 @@ class FakeMachine:
         del weak
         self.store_attr(owner, name, value)
 
-    def drop_attr(self, owner: Ref, name: str) -> None:
-        self.delete_attr(owner, name)
-
     def load_item(self, value: Value, index: Value) -> Value:
         return operators.load_item(self, value, index)
 

@@ -30,6 +30,7 @@ from rosward.engine import attributes
 from rosward.engine.attributes import setter_of
 from rosward.engine.escape import name_of
 from rosward.engine.namespaces import slots_of
+from rosward.engine.removal import remove
 from rosward.models.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.builtin_attributes import ANY_ATTRIBUTE
 from rosward.models.std_records import FROZEN
@@ -115,7 +116,10 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
 
 
 def keep(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
-    """`object.__dict__[name] = value`: no `__setattr__`, property or slot has a say in it."""
+    """`object.__dict__[name] = value` (UNBOUND: `del` of that): no `__setattr__`, property or slot has a say in it."""
+    if value is UNBOUND:
+        remove(machine, ref, name)
+        return
     obj = machine.obj(ref)
     if store_in_table(machine, obj, name, value, weak=weak):
         return

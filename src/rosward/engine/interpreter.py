@@ -381,12 +381,8 @@ class Interpreter:
         assignment.store(self, target, name, value)
 
     def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
-        """owner.__dict__[name] = value."""
+        """owner.__dict__[name] = value; UNBOUND: `del` of that."""
         assignment.keep(self, owner, name, value, weak=weak)
-
-    def drop_attr(self, owner: Ref, name: str) -> None:
-        """del owner.__dict__[name]."""
-        removal.remove(self, owner, name)
 
     def delete_attr(self, target: Value, name: str) -> None:
         """del target.name."""
@@ -458,13 +454,7 @@ class Interpreter:
         self.log.findings[Finding(code, message, self.place, causes)] = None
 
     def die(
-        self,
-        error: str,
-        message: str,
-        args: Sequence[Value] | None = None,
-        *,
-        sure: bool = False,
-        plain: bool = False,
+        self, error: str, message: str, args: Sequence[Value] | None = None, *, sure: bool = False, plain: bool = False
     ) -> Value:
         """This path raises here: it ends where that is what the program wants (SystemExit), or waits for. Any other failure of a builtin
         is taken as a value that is not known: what fails for the values that we see (a default list too short) may go well for others."""

@@ -175,7 +175,7 @@ def take(machine: Machine, ref: Ref, index: Value) -> Found:
 def _gone(machine: Machine, obj: Obj, key: Value) -> None:
     """What is taken out of the `__dict__` of an object is no attribute of it any more."""
     if isinstance(obj.payload, Ref) and isinstance(key, Const) and isinstance(key.value, str):
-        machine.drop_attr(obj.payload, key.value)
+        machine.keep_attr(obj.payload, key.value, UNBOUND)
 
 
 def keys(machine: Machine, obj: Obj) -> Items:

@@ -45,10 +45,7 @@ class Machine(Protocol):
         """target.name = value."""
 
     def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
-        """owner.__dict__[name] = value."""
-
-    def drop_attr(self, owner: Ref, name: str) -> None:
-        """del owner.__dict__[name]."""
+        """owner.__dict__[name] = value; UNBOUND: `del` of that."""
 
     def delete_attr(self, target: Value, name: str) -> None:
         """del target.name."""
