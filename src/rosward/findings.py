@@ -235,7 +235,7 @@ _TABLE: Final = (
         "RW313",
         "launch value not known",
         _W,
-        "Give the launch argument or environment variable that it depends on a value (--arg NAME:=VALUE).",
+        "Give the launch argument or environment variable that it depends on a value (--arg NAME:=VALUE, --env NAME=VALUE).",
     ),
     Rule(
         "RW314",
@@ -249,7 +249,12 @@ _TABLE: Final = (
         _E,
         "launch goes on without it, and so does the analysis: correct the path, or build what makes the file.",
     ),
-    Rule("RW316", "launch condition not known", _N, "Both ways are taken; settle it with --arg NAME:=VALUE."),
+    Rule(
+        "RW316",
+        "launch condition not known",
+        _N,
+        "Both ways are taken; settle it with --arg NAME:=VALUE or --env NAME=VALUE.",
+    ),
     Rule("RW317", "parameter file cannot be read", _E, "rcl refuses this file: the node ends when it starts."),
     Rule(
         "RW318",

@@ -48,7 +48,14 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
     for each in everything:
         if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
             entry = each.entry
-            process = Process(entry.package, entry.executable, entry.label, each.done, assumed=entry.assumed)
+            process = Process(
+                entry.package,
+                entry.executable,
+                entry.label,
+                each.done,
+                assumed=entry.assumed,
+                shell=read.library.environment,
+            )
             findings.update(dict.fromkeys(each.log.findings))
             missing = "the nodes of this program are missing"
             made = guarded(partial(collect, each.log, process, read.distro), Place(entry.file), missing, net=net)

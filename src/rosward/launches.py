@@ -9,7 +9,7 @@ The same program, started in the same way, is interpreted once, and is in the re
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -71,6 +71,7 @@ def launched(
     exclude: Sequence[str | Exclusion] = (),
     follow_links: bool = False,
     request: Request = EVERYTHING,
+    env: Mapping[str, str] | None = None,
     underlays: Sequence[SourcePath] = (),
     budget: Budget | None = None,
 ) -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
@@ -86,6 +87,7 @@ def launched(
             budget,
             None,
             request,
+            environment=env,
             tests=tests,
             exclude=exclude,
             follow_links=follow_links,
@@ -167,7 +169,15 @@ class _Runs:
         log, done = self._log(program)
         started = program.started
         place = started.place if started.place.file else None
-        process = Process(program.package, program.executable, program.process, done, place, program.conditional)
+        process = Process(
+            program.package,
+            program.executable,
+            program.process,
+            done,
+            place,
+            program.conditional,
+            shell=self._outset.library.environment,
+        )
         nodes, doubts = collect(log, process, self._outset.distro)
         line = read_words(Series(program.configuration.words), program.configuration)
         told = [

@@ -8,7 +8,7 @@ result.network.nodes
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -77,6 +77,7 @@ def extract(
     exclude: Sequence[str | Exclusion] = (),
     follow_links: bool = False,
     request: Request = EVERYTHING,
+    env: Mapping[str, str] | None = None,
     underlays: Sequence[SourcePath] = (),
     enclaves: str | None = None,
     assigned: Assignment = NOTHING_ASSIGNED,
@@ -95,6 +96,7 @@ def extract(
         exclude: patterns, as in .gitignore, of files and folders that are not read at all.
         follow_links: whether symbolic links are entered that lead out of `paths`.
         request: what is started; by default every executable, as `ros2 run` starts it.
+        env: environment variables of the shell in which everything is started; those of the distro need not be given.
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
         assigned: enclaves that somebody chose for some of the processes.
@@ -105,7 +107,7 @@ def extract(
     Raises:
         NothingToReadError: where no Python file is found.
         UnknownRequestError: where what is to be started is not there.
-        ValueError: where the distro or the kind of enclaves is not known.
+        ValueError: where the distro or the kind of enclaves is not known, or `env` contradicts the distro.
         PatternError: where a pattern has no meaning.
 
     Nothing of what is read is imported or executed.
@@ -125,6 +127,7 @@ def extract(
                 budget,
                 tell,
                 request,
+                environment=env,
                 tests=tests,
                 exclude=exclude,
                 follow_links=follow_links,

@@ -194,7 +194,9 @@ class _Ran(NamedTuple):
 def _execute(file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]) -> _Ran:
     python = LaunchPython(outset.library, outset.budget)
     given = {n: Const(v) for n, v in arguments.items()}
-    execution = Execution(outset.files, python, outset.distro, given, net=outset.budget.net)
+    execution = Execution(
+        outset.files, python, outset.distro, given, environment=outset.library.environment, net=outset.budget.net
+    )
     started = execution.run(file, outset.files.place_value(file))
     findings.update(dict.fromkeys(execution.findings))
     return _Ran(started, execution.unread)

@@ -19,7 +19,7 @@ _REMEDY: Final = {
     Cause.PARAMETER: "give the parameter a default",
     Cause.ARGUMENT: "give the argument a default",
     Cause.LAUNCH_ARGUMENT: "give it one (--arg NAME:=VALUE)",
-    Cause.ENVIRONMENT: "give the variable a default",
+    Cause.ENVIRONMENT: "give it a value (--env NAME=VALUE)",
     Cause.MODULE: "add the package that holds it to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",
     Cause.CALLER: "add the code that makes the call to the analysis",

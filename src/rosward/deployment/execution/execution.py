@@ -25,8 +25,10 @@ from rosward.domain.text import make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Hole, Value
 from rosward.findings import Finding
+from rosward.models.shell import Shell, shell
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
+from rosward.source.surroundings import surroundings
 
 __all__ = ["Execution", "LaunchFiles"]
 
@@ -45,9 +47,11 @@ class Execution:
         arguments: Mapping[str, Value],
         limit: int = MAX_ACTIONS,
         *,
+        environment: Shell | None = None,
         net: bool = True,
     ) -> None:
         self._net = net
+        self._shell = shell(surroundings(distro.value)) if environment is None else environment
         self._limit = limit
         self._distro = distro
         self._files = files
@@ -60,7 +64,7 @@ class Execution:
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
         generated = Generated(self._files, self._findings)
-        scene = Scene(self._files, self._python, self._findings, generated, self._distro)
+        scene = Scene(self._files, self._python, self._findings, generated, self._distro, self._shell)
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in self._arguments.items())
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))
