@@ -19,7 +19,7 @@ _REMEDY: Final = {
     Cause.PARAMETER: "give the parameter a default",
     Cause.ARGUMENT: "give the argument a default",
     Cause.LAUNCH_ARGUMENT: "give it one (--arg NAME:=VALUE)",
-    Cause.ENVIRONMENT: "give it a value (--env NAME=VALUE)",
+    Cause.ENVIRONMENT: "give it a value (--env {}=VALUE)",
     Cause.MODULE: "add the package that holds it to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",
     Cause.CALLER: "add the code that makes the call to the analysis",
@@ -30,7 +30,7 @@ def _because(reasons: tuple[Reason, ...]) -> str:
     if not reasons:
         return ""
     told = "; ".join(str(r) for r in reasons[:3])
-    remedy = next((_REMEDY[r.cause] for r in reasons if r.cause in _REMEDY), "")
+    remedy = next((_REMEDY[r.cause].format(r.subject) for r in reasons if r.cause in _REMEDY), "")
     return f" because of {told}" + (f": {remedy}" if remedy else "")
 
 
