@@ -278,6 +278,12 @@ _TABLE: Final = (
     Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
     Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
+    Rule(
+        "RW325",
+        "environment variable that is not given",
+        _W,
+        'Give it a value: --env NAME=VALUE, or NAME = "VALUE" in the table [env] of rosward.toml. Till then each of its values is followed.',
+    ),
     # Loose ends
     Rule("RW331", "topic that nobody publishes", _N, "Check name and remapping; or the publisher is not analysed."),
     Rule(

@@ -16,6 +16,7 @@ from rosward.domain.values import Const
 from rosward.findings import Finding, Severity
 from rosward.guard import guarded
 from rosward.models.configuration import Configuration
+from rosward.models.variables import Variables, not_given
 from rosward.network.collect import Process, collect
 from rosward.processes import Run, called_from_outside, node_classes, run
 from rosward.reading import Progress, SourcesRead
@@ -68,6 +69,10 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
     missing = "code that never runs is not told"
     told = guarded(lambda: list(unreached(everything, modules)), Place("", 0), missing, net=net)
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
+    asked = Variables()
+    for each in everything:
+        asked.add_required(each.log.variables)
+    findings.update(dict.fromkeys(not_given(asked)))
     return Gathered(nodes, list(findings))
 
 

@@ -16,10 +16,12 @@ from functools import partial
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from rosward.cases import Executed, in_each_case
 from rosward.deployment.declared.effects import Declarations
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.given import parameter_files
+from rosward.deployment.named_files import NamedFiles
 from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.request import LaunchRequest, NodeRequest, Request, UnknownRequestError
 from rosward.deployment.resolve import Launched, Programs
@@ -32,6 +34,8 @@ from rosward.findings import Finding
 from rosward.guard import Steps, guarded
 from rosward.models.configuration import Configuration
 from rosward.models.file_paths import Location, path_of
+from rosward.models.shell import Shell
+from rosward.models.variables import Variables
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.reading import SourcesRead
 from rosward.ros.distro import Distro
@@ -80,20 +84,31 @@ class Outset(NamedTuple):
         return None if file is None else self.files.text(file)
 
 
-def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Finding]]:
+class SystemsRead(NamedTuple):
+    """The systems of a request, what is doubtful about them, and the environment variables that they ask for and nobody gave."""
+
+    systems: list[System]
+    findings: list[Finding]
+    asked: Variables
+
+
+def systems_of(request: Request, outset: Outset) -> SystemsRead:
     """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
     findings: dict[Finding, None] = {}
     net = outset.budget.net
     extra = parameter_files(request.params, outset.workspace.root, findings, net=net)
     found: list[System] = []
     unread: dict[str, list[str]] = {}
+    asked = Variables()
     for launch, file in _launch_files(request, outset):
         arguments = {**dict(request.arguments), **dict(launch.arguments)}
         missing = "what this launch file starts is missing"
-        ran = guarded(partial(_execute, file, arguments, outset, findings), Place(file), missing, net=net)
+        variables = Variables()
+        ran = guarded(partial(_execute, file, arguments, outset, variables), Place(file), missing, net=net)
         if isinstance(ran, Finding):
-            findings[ran] = None
-            ran = _Ran((), ())
+            ran = Executed((), (ran,), ())
+        asked.add(variables)
+        findings.update(dict.fromkeys(ran.findings))
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
         started = [_with_files(s, extra) for s in ran.started]
@@ -115,7 +130,7 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
         _check_nodes(found[-1])
     findings.update(outset.declarations.findings)
     findings.update(outset.library.findings)
-    return found, list(findings)
+    return SystemsRead(found, list(findings), asked)
 
 
 def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest, str]]:
@@ -184,22 +199,24 @@ def _only(named: Sequence[str], what: str) -> str:
     return named[0]
 
 
-class _Ran(NamedTuple):
-    """What a launch file starts, and which arguments nobody read."""
-
-    started: tuple[Started, ...]
-    unread: tuple[str, ...]
-
-
-def _execute(file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]) -> _Ran:
-    python = LaunchPython(outset.library, outset.budget)
+def _execute(file: str, arguments: dict[str, str], outset: Outset, asked: Variables) -> Executed:
     given = {n: Const(v) for n, v in arguments.items()}
-    execution = Execution(
-        outset.files, python, outset.distro, given, environment=outset.library.environment, net=outset.budget.net
-    )
-    started = execution.run(file, outset.files.place_value(file))
-    findings.update(dict.fromkeys(execution.findings))
-    return _Ran(started, execution.unread)
+    path = outset.files.place_value(file)
+
+    def execute(shell: Shell, variables: Variables) -> Executed:
+        python = LaunchPython(outset.library, outset.budget, variables)
+        execution = Execution(
+            NamedFiles(outset.files, variables),
+            python,
+            outset.distro,
+            given,
+            environment=shell,
+            variables=variables,
+            net=outset.budget.net,
+        )
+        return Executed(execution.run(file, path), execution.findings, execution.unread)
+
+    return in_each_case(execute, outset.library.environment, asked)
 
 
 def _system(name: str, file: str, started: Sequence[Started], outset: Outset, findings: dict[Finding, None]) -> System:

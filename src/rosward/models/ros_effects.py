@@ -344,9 +344,10 @@ def _unknown(call: NativeCall) -> Value:
     label = text_of(call.args[0]).upper().replace(" ", "_")
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
     subject = call.arg(1, "subject")
-    return call.machine.unknown(
-        cause, text_of(subject, "" if subject is None else readable(subject)), text_of(call.arg(2, "hint"))
-    )
+    name = text_of(subject, "" if subject is None else readable(subject))
+    value = call.machine.unknown(cause, name, text_of(call.arg(2, "hint")))
+    whole = cause is Cause.ENVIRONMENT and value.hint == "str" and isinstance(subject, Const)
+    return Unknown(value.reasons, value.hint, name) if whole else value
 
 
 def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:

@@ -26,6 +26,7 @@ from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Hole, Value
 from rosward.findings import Finding
 from rosward.models.shell import Shell, shell
+from rosward.models.variables import Variables
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 from rosward.source.surroundings import surroundings
@@ -48,11 +49,13 @@ class Execution:
         limit: int = MAX_ACTIONS,
         *,
         environment: Shell | None = None,
+        variables: Variables | None = None,
         net: bool = True,
     ) -> None:
         self._net = net
         self._shell = shell(surroundings(distro.value)) if environment is None else environment
         self._limit = limit
+        self._variables = variables
         self._distro = distro
         self._files = files
         self._python = python
@@ -64,7 +67,7 @@ class Execution:
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
         generated = Generated(self._files, self._findings)
-        scene = Scene(self._files, self._python, self._findings, generated, self._distro, self._shell)
+        scene = Scene(self._files, self._python, self._findings, generated, self._distro, self._shell, self._variables)
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in self._arguments.items())
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))

@@ -82,7 +82,8 @@ def _variable(scene: Scene, name: Value, substitution: Substitution) -> Value:
             scene.fails(f"the environment variable '{shown}' is not set", substitution.place)
         return default or Unknown((Reason(Cause.ENVIRONMENT, shown, substitution.place),), "str")
     if default is None:
-        shell: Value = Unknown((Reason(Cause.ENVIRONMENT, shown, substitution.place),), "str")
+        reasons = (Reason(Cause.ENVIRONMENT, shown, substitution.place),)
+        shell: Value = Unknown(reasons, "str", shown if plain is not None else "")
     else:
         shell = with_origin(default, Origin(ORIGIN, shown))
     return shell if held is None or held.value is None else join(held.value, shell)

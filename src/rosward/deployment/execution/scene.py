@@ -22,6 +22,7 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.models.shell import Shell
+from rosward.models.variables import Variables
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
@@ -80,6 +81,7 @@ class Scene:
         generated: Generated,
         distro: Distro,
         shell: Shell | None = None,
+        variables: Variables | None = None,
     ) -> None:
         self.files = files
         self.distro = distro
@@ -87,6 +89,7 @@ class Scene:
         self.findings = findings
         self.generated = generated
         self.shell = shell
+        self.variables = variables or Variables()
         self.context = Context(shell)
         self.turn: Mapping[str, Value] = {}
         """The variables of the loop whose body is executed."""

@@ -191,7 +191,9 @@ class System:
         if file is None:
             return
         outer = self.scene
-        scene = Scene(outer.files, outer.python, outer.findings, outer.generated, outer.distro, outer.shell)
+        scene = Scene(
+            outer.files, outer.python, outer.findings, outer.generated, outer.distro, outer.shell, outer.variables
+        )
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in launch.arguments.items())
         for name, value in self.scene.context.environment(place).items():
             scene.set_variable(name, value)

@@ -63,7 +63,7 @@ class _Environ:
     def values(self):
         return unknown('environment', 'os.environ', 'list')
     def items(self):
-        return [(unknown('environment', 'os.environ', 'str'), unknown('environment', 'os.environ', 'str'))]
+        return [(unknown('live', 'os.environ', 'str'), unknown('live', 'os.environ', 'str'))]
 
 def _read(key, value):
     if value is None:
