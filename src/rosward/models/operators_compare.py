@@ -33,6 +33,7 @@ from rosward.domain.values import (
 )
 from rosward.models.host import host
 from rosward.models.native import Machine
+from rosward.models.shell import ORIGIN
 from rosward.models.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -171,7 +172,7 @@ def _is_variable(value: Value) -> bool:
 def _compared_defaults(machine: Machine, left: Const, right: Const) -> None:
     """What a default of the environment is compared with is another value that it may have."""
     for one, other in ((left, right), (right, left)):
-        if any(not origin.settled for origin in one.origins):
+        if any(origin.kind == ORIGIN and not origin.settled for origin in one.origins):
             host(machine).log.variables.of_default(one.origins, other, machine.place)
 
 
