@@ -33,7 +33,6 @@ from rosward.domain.values import (
 )
 from rosward.models.host import host
 from rosward.models.native import Machine
-from rosward.models.shell import ORIGIN
 from rosward.models.plain import (
     LOOSE_HINTS,
     NOT_PLAIN,
@@ -48,6 +47,7 @@ from rosward.models.plain import (
     text_of,
     unknown_from,
 )
+from rosward.models.shell import ORIGIN
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000

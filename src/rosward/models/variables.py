@@ -25,6 +25,7 @@ __all__ = ["Variables", "not_given"]
 _NONE: Final[Mapping[str, frozenset[str]]] = MappingProxyType({})
 _MOST: Final = 16
 _SHOWN: Final = 6
+_TRUTHS: Final = ("true", "false")
 
 
 @final
@@ -39,6 +40,8 @@ class Variables:
         """By variable: the values for which there is a file that it names."""
         self.places: dict[str, dict[Place, None]] = {}
         """By variable: where it is read."""
+        self.conditions: dict[str, None] = {}
+        """The variables that are conditions themselves: true or false."""
         self.required: dict[str, None] = {}
         """The variables that are read without a default."""
 
@@ -65,6 +68,10 @@ class Variables:
         known.update((value, None) for value in values if len(known) < _MOST)
         self.places.setdefault(name, {})[place] = None
 
+    def is_condition(self, name: str) -> None:
+        """A variable is a condition of launch."""
+        self.conditions[name] = None
+
     def named(self, name: str, values: Iterable[str], place: Place) -> None:
         """A path is made of a variable; there is a file for each of `values`."""
         known = self.files.setdefault(name, {})
@@ -90,6 +97,7 @@ class Variables:
             for place in other.places[name]:
                 self.compared(name, values, place)
         self.required.update(other.required)
+        self.conditions.update(other.conditions)
 
 
 def not_given(variables: Variables) -> list[Finding]:
@@ -99,17 +107,19 @@ def not_given(variables: Variables) -> list[Finding]:
 
 def _not_given(name: str, variables: Variables) -> Finding:
     places = sorted(variables.places[name])
+    truths = _TRUTHS if name in variables.conditions else ()
     told = [
         f"{what} {_listed(list(values))}"
         for what, values in (
             ("it is compared with", variables.values[name]),
             ("there are files for", variables.files.get(name, ())),
+            ("it is a condition,", truths),
         )
         if values
     ]
     where = f" (read at {len(places)} places)" if len(places) > 1 else ""
     why = f": {', '.join(told)}" if told else ""
-    example = f"{name}={next(iter(variables.candidates(name)), 'VALUE')}"
+    example = f"{name}={next(iter((*variables.candidates(name), *truths)), 'VALUE')}"
     return Finding(
         "RW325", f"the environment variable {name} is not given{where}{why}: --env {shlex.quote(example)}", places[0]
     )

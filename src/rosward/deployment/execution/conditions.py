@@ -55,9 +55,8 @@ def decide(condition: Condition | None, scene: Scene) -> Verdict:
         return YES
     verdict = _verdict(condition, scene)
     if verdict.open and verdict.variables:
-        values = ("true", "false") if condition.kind in ("if", "unless") else ()
         for name in verdict.variables:
-            scene.variables.compared(name, () if scene.variables.values.get(name) else values, condition.place)
+            scene.variables.compared(name, (), condition.place)
     elif verdict.open:
         scene.findings.tell(
             "RW316", f"The condition is not known: it depends on {verdict.why}. Both ways are taken.", condition.place
@@ -89,6 +88,8 @@ def _of_text(text: Value, template: Template, condition: Condition, scene: Scene
             scene.fails(f"the condition is {plain!r}, neither true nor false", condition.place)
             verdicts.append(Verdict(why=f"the text {plain!r}"))
         else:
+            if isinstance(option, Unknown) and option.variable:
+                scene.variables.is_condition(option.variable)
             verdicts.append(_not_known(option))
     return _joined(verdicts, template)
 
