@@ -34,11 +34,12 @@ _OTHER: Final = None
 
 
 class Executed(NamedTuple):
-    """What one execution of a launch file gave; `unread`: arguments that nobody asked for."""
+    """What one execution of a launch file gave; `unread`: arguments that nobody asked for; `known`: the names that somebody did."""
 
     started: tuple[Started, ...]
     findings: tuple[Finding, ...]
     unread: tuple[str, ...]
+    known: frozenset[str] = frozenset()
 
 
 Execute = Callable[[Shell, Variables], Executed]
@@ -81,6 +82,7 @@ def in_each_case(execute: Execute, shell: Shell, asked: Variables) -> Executed:
         tuple(_started(whole.started, results)),
         tuple(_findings(results)),
         tuple(name for name in whole.unread if all(name in r.executed.unread for r in results)),
+        whole.known.union(*(r.executed.known for r in results)),
     )
 
 

@@ -352,6 +352,9 @@ _TABLE: Final = (
 INTERNAL_ERROR: Final = "RW299"
 """The code of a fault of rosward itself."""
 
+UNREAD_ARGUMENT: Final = "RW322"
+"""The code of a launch argument that changes nothing."""
+
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}
 
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -30,7 +31,7 @@ from rosward.deployment.started import Started, StartKind
 from rosward.domain.values import Const, Value
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.findings import Finding
+from rosward.findings import UNREAD_ARGUMENT, Finding
 from rosward.guard import Steps, guarded
 from rosward.models.configuration import Configuration
 from rosward.models.file_paths import Location, path_of
@@ -99,6 +100,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
     extra = parameter_files(request.params, outset.workspace.root, findings, net=net)
     found: list[System] = []
     unread: dict[str, list[str]] = {}
+    known: set[str] = set()
     asked = Variables()
     for launch, file in _launch_files(request, outset):
         arguments = {**dict(request.arguments), **dict(launch.arguments)}
@@ -108,6 +110,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
         if isinstance(ran, Finding):
             ran = Executed((), (ran,), ())
         asked.add(variables)
+        known |= ran.known
         findings.update(dict.fromkeys(ran.findings))
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
@@ -121,8 +124,10 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
     own = {name for launch in request.launches for name, _ in launch.arguments}
     for name, files in unread.items():
         if name in own or len(files) == len(found):  # what is given to all files is for those that know it
-            message = f"No launch file declares or reads the launch argument '{name}'."
-            findings.update((Finding("RW322", message, Place(file)), None) for file in files)
+            near = get_close_matches(name, sorted(known), n=1)
+            hint = f" Did you mean '{near[0]}'?" if near else ""
+            message = f"No launch file declares or reads the launch argument '{name}'.{hint}"
+            findings.update((Finding(UNREAD_ARGUMENT, message, Place(file)), None) for file in files)
     if request.nodes:
         named = [_with_files(_node(n), extra) for n in request.nodes]
         title = ", ".join(f"{n.package}/{n.executable}" for n in request.nodes)
@@ -214,7 +219,7 @@ def _execute(file: str, arguments: dict[str, str], outset: Outset, asked: Variab
             variables=variables,
             net=outset.budget.net,
         )
-        return Executed(execution.run(file, path), execution.findings, execution.unread)
+        return Executed(execution.run(file, path), execution.findings, execution.unread, execution.known)
 
     return in_each_case(execute, outset.library.environment, asked)
 

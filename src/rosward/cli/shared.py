@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
-from rosward.findings import INTERNAL_ERROR
+from rosward.findings import INTERNAL_ERROR, UNREAD_ARGUMENT
 from rosward.outputs.safe import printable
 from rosward.source.exclude import PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, parse_variable, surroundings
@@ -27,6 +27,9 @@ DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
 MOST_BUDGET: Final = 1_000
 MODES: Final = ("node", "process", "launch")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
+
+_LISTING: Final = ("extract", "extract_policy")
+"""The commands that print the findings themselves; others tell what is wrong with how they are called."""
 
 Commands = argparse._SubParsersAction
 
@@ -237,6 +240,10 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
     note_failures(options, result.findings)
+    if options.command not in _LISTING:
+        for finding in result.findings:
+            if finding.code == UNREAD_ARGUMENT:
+                print(f"rosward: {printable(finding.message)}", file=sys.stderr)  # noqa: T201
     return result
 
 

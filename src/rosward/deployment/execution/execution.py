@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final, final
 
+from rosward.deployment.execution.context import ROS_NAMESPACE
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.nodes import At
@@ -63,6 +64,8 @@ class Execution:
         self._findings = Findings()
         self.unread: tuple[str, ...] = ()
         """The arguments that no launch file declared or read."""
+        self.known: frozenset[str] = frozenset()
+        """Those that some launch file declared or read."""
 
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
@@ -75,6 +78,7 @@ class Execution:
         system = System(scene, descriptions, Budget(self._limit, net=self._net))
         system.run(file, path or _in_sources(file), At())
         asked = self._arguments if scene.asked_all else scene.asked
+        self.known = frozenset(name for name in scene.asked if name != ROS_NAMESPACE)
         self.unread = tuple(name for name in self._arguments if name not in asked)
         return tuple(system.started)
 
