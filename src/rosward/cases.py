@@ -13,14 +13,14 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from rosward.deployment.started import Started
 from rosward.domain.unknown import Origin
-from rosward.domain.values import Const, Value
+from rosward.domain.values import Choice, Const, Text
 from rosward.findings import Finding
 from rosward.models.shell import ORIGIN, Shell
-from rosward.models.variables import Variables
+from rosward.models.variables import Variables, listed
 
 __all__ = ["Executed", "in_each_case"]
 
@@ -110,8 +110,8 @@ def _words(where: Sequence[_Case], results: Sequence[_Result]) -> str:
         if len(own) == len(every):
             continue
         if _OTHER in own:
-            rest = " or ".join(repr(v) for v in every if v not in own)
-            told.append(f"{name} is not {rest}")
+            rest = [value for value in every if value is not None and value not in own]
+            told.append(f"{name} is not {rest[0]!r}" if len(rest) == 1 else f"{name} is none of {listed(rest)}")
         else:
             told.append(f"{name} is {' or '.join(map(repr, own))}")
     return " and ".join(told)
@@ -149,7 +149,7 @@ def _place(started: Started) -> object:
 class _Content(NamedTuple):
     """What one start says: who it is, and all the rest."""
 
-    identity: tuple[Value | None, ...]
+    identity: tuple[object, ...]
     details: tuple[object, ...]
     turn: int = 0
 
@@ -166,7 +166,18 @@ def _content(started: Started) -> _Content:
         started.settings,
         started.command,
     )
-    return _Content(identity, details)
+    return _Content(_bare(identity), _bare(details))
+
+
+def _bare(value: Any) -> Any:
+    """The same without origins: what is made of the variable in one case may be written down in another."""
+    if isinstance(value, Const):
+        return Const(value.value)
+    if isinstance(value, Text):
+        return Text(value.parts)
+    if isinstance(value, Choice):
+        return frozenset(map(_bare, value.options))
+    return tuple(map(_bare, value)) if isinstance(value, tuple) else value
 
 
 def _are_apart(contents: Sequence[_Content]) -> bool:

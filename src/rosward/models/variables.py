@@ -10,7 +10,7 @@ value and one for all others, tell the uses of a variable apart that one run wou
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Final, final
 
@@ -20,7 +20,7 @@ from rosward.findings import Finding
 from rosward.models.shell import ORIGIN
 from rosward.source.location import Place
 
-__all__ = ["Variables", "not_given"]
+__all__ = ["Variables", "listed", "not_given"]
 
 _NONE: Final[Mapping[str, frozenset[str]]] = MappingProxyType({})
 _MOST: Final = 16
@@ -109,7 +109,7 @@ def _not_given(name: str, variables: Variables) -> Finding:
     places = sorted(variables.places[name])
     truths = _TRUTHS if name in variables.conditions else ()
     told = [
-        f"{what} {_listed(list(values))}"
+        f"{what} {listed(tuple(values))}"
         for what, values in (
             ("it is compared with", variables.values[name]),
             ("there are files for", variables.files.get(name, ())),
@@ -125,6 +125,7 @@ def _not_given(name: str, variables: Variables) -> Finding:
     )
 
 
-def _listed(values: list[str]) -> str:
+def listed(values: Sequence[str]) -> str:
+    """Some values, and how many more there are."""
     more = f" and {len(values) - _SHOWN} more" if len(values) > _SHOWN else ""
     return ", ".join(map(repr, values[:_SHOWN])) + more
