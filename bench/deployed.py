@@ -80,7 +80,7 @@ def row(folder: Path, *, listed: bool) -> Row:
 
     def launched() -> tuple[list[Launched], Workspace]:
         read = read_sources([folder], Distro.JAZZY)
-        systems, _ = systems_of(Request(all_launch=True), Outset.of(read))
+        systems = systems_of(Request(all_launch=True), Outset.of(read)).systems
         return [p for s in systems for p in s.programs], read.workspace
 
     programs, workspace = with_deep_stack(launched)

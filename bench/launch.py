@@ -106,7 +106,7 @@ def compare(
         arguments = tuple((name, value) for name, value in run.get("arguments", ()) if isinstance(value, str))
         start = time.process_time()
         try:
-            (system,), _ = systems_of(Request(launches=(LaunchRequest(file, None, arguments),)), outset)
+            (system,) = systems_of(Request(launches=(LaunchRequest(file, None, arguments),)), outset).systems
         except UnknownRequestError as error:
             print(f"{folder.name} {file}: {error}")
             system = System("", file, (), ())

@@ -50,6 +50,7 @@ CLAIMS: Final = {
     "RW317": (F, E),
     **dict.fromkeys(("RW320", "RW322"), (F, W)),
     "RW323": (K, N),
+    "RW325": (L, W),
     **dict.fromkeys(("RW331", "RW332", "RW333", "RW334"), (K, N)),
     "RW340": (L, N),
     "RW341": (F, W),

@@ -53,7 +53,8 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "deep_stack": frozenset(),
     "reading": frozenset({"deployment", "plan", "sources"}) | _ENGINE,
     "gather": frozenset({"deployment", "processes", "reading", "unreached"}) | _NETWORK,
-    "systems": frozenset({"deployment", "reading"}) | _NETWORK,
+    "cases": frozenset({"deployment"}) | _ENGINE,
+    "systems": frozenset({"cases", "deployment", "reading"}) | _NETWORK,
     "launches": frozenset(
         {"deep_stack", "deployment", "gather", "plan", "processes", "reading", "sources", "systems", "unreached"}
     )

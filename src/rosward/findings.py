@@ -242,7 +242,7 @@ _TABLE: Final = (
         "RW313",
         "launch value not known",
         _W,
-        "Give the launch argument or environment variable that it depends on a value (--arg NAME:=VALUE).",
+        "Give the launch argument or environment variable that it depends on a value (--arg NAME:=VALUE, --env NAME=VALUE).",
     ),
     Rule(
         "RW314",
@@ -256,7 +256,12 @@ _TABLE: Final = (
         _E,
         "launch goes on without it, and so does the analysis: correct the path, or build what makes the file.",
     ),
-    Rule("RW316", "launch condition not known", _N, "Both ways are taken; settle it with --arg NAME:=VALUE."),
+    Rule(
+        "RW316",
+        "launch condition not known",
+        _N,
+        "Both ways are taken; settle it with --arg NAME:=VALUE or --env NAME=VALUE.",
+    ),
     Rule("RW317", "parameter file cannot be read", _E, "rcl refuses this file: the node ends when it starts."),
     Rule(
         "RW318",
@@ -280,6 +285,12 @@ _TABLE: Final = (
     Rule("RW322", "launch argument that nothing declares", _W, "Check the spelling: it changes nothing."),
     Rule("RW323", "no launch file starts it", _N, "The executable is in no launch file of the workspace."),
     Rule("RW324", "declared interface cannot be read", _E, "Correct the file: see the reference of node declarations."),
+    Rule(
+        "RW325",
+        "environment variable that is not given",
+        _W,
+        'Give it a value: --env NAME=VALUE, or NAME = "VALUE" in the table [env] of rosward.toml. Till then each of its values is followed.',
+    ),
     # Loose ends
     Rule("RW331", "topic that nobody publishes", _N, "Check name and remapping; or the publisher is not analysed."),
     Rule(
@@ -347,6 +358,9 @@ _TABLE: Final = (
 
 INTERNAL_ERROR: Final = "RW299"
 """The code of a fault of rosward itself."""
+
+UNREAD_ARGUMENT: Final = "RW322"
+"""The code of a launch argument that changes nothing."""
 
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}
 

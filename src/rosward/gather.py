@@ -16,6 +16,7 @@ from rosward.domain.values import Const
 from rosward.findings import Finding, Severity
 from rosward.guard import guarded
 from rosward.models.configuration import Configuration
+from rosward.models.variables import Variables, not_given
 from rosward.network.collect import Process, collect
 from rosward.processes import Run, called_from_outside, node_classes, run
 from rosward.reading import Progress, SourcesRead
@@ -48,7 +49,14 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
     for each in everything:
         if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
             entry = each.entry
-            process = Process(entry.package, entry.executable, entry.label, each.done, assumed=entry.assumed)
+            process = Process(
+                entry.package,
+                entry.executable,
+                entry.label,
+                each.done,
+                assumed=entry.assumed,
+                shell=read.library.environment,
+            )
             findings.update(dict.fromkeys(each.log.findings))
             missing = "the nodes of this program are missing"
             made = guarded(partial(collect, each.log, process, read.distro), Place(entry.file), missing, net=net)
@@ -61,6 +69,10 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
     missing = "code that never runs is not told"
     told = guarded(lambda: list(unreached(everything, modules)), Place("", 0), missing, net=net)
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
+    asked = Variables()
+    for each in everything:
+        asked.add_required(each.log.variables)
+    findings.update(dict.fromkeys(not_given(asked)))
     return Gathered(nodes, list(findings))
 
 

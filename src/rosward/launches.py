@@ -9,7 +9,7 @@ The same program, started in the same way, is interpreted once, and is in the re
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -27,6 +27,7 @@ from rosward.guard import Steps, guarded
 from rosward.models.command_line import read_words
 from rosward.models.configuration import Configuration
 from rosward.models.effects import EffectLog
+from rosward.models.variables import Variables, not_given
 from rosward.network.collect import Process, collect
 from rosward.network.doubts import unknown_arguments
 from rosward.network.launch_tree import LaunchSystem
@@ -55,8 +56,9 @@ class Deployed(NamedTuple):
 def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deployed:
     """Start all that is asked for. Raises UnknownRequestError where it is not there."""
     outset = Outset.of(read)
-    systems, findings = systems_of(request, outset)
-    nodes, doubts = _of_systems(systems, read.sources, outset, progress)
+    systems, findings, asked = systems_of(request, outset)
+    nodes, doubts = _of_systems(systems, read.sources, outset, progress, asked)
+    findings += not_given(asked)
     doubts += _never_launched(systems, read.plan) if request.all_launch else []
     steps = Steps(net=read.budget.net)
     trees = tuple(s.tree(steps) for s in systems)
@@ -71,6 +73,7 @@ def launched(
     exclude: Sequence[str | Exclusion] = (),
     follow_links: bool = False,
     request: Request = EVERYTHING,
+    env: Mapping[str, str] | None = None,
     underlays: Sequence[SourcePath] = (),
     budget: Budget | None = None,
 ) -> tuple[tuple[LaunchSystem, ...], tuple[Finding, ...]]:
@@ -86,15 +89,21 @@ def launched(
             budget,
             None,
             request,
+            environment=env,
             tests=tests,
             exclude=exclude,
             follow_links=follow_links,
         )
         steps = Steps(net=read.budget.net)
-        systems, findings = systems_of(request, Outset.of(read))
+        systems, findings, asked = systems_of(request, Outset.of(read))
         trees = tuple(s.tree(steps) for s in systems)
-        told = {*findings, *steps.findings, *(f for f in read.plan.findings if f.code == INTERNAL_ERROR)}
-        return trees, tuple(sorted(told, key=lambda f: (f.place, f.code, f.message)))
+        every = {
+            *findings,
+            *not_given(asked),
+            *steps.findings,
+            *(f for f in read.plan.findings if f.code == INTERNAL_ERROR),
+        }
+        return trees, tuple(sorted(every, key=lambda f: (f.place, f.code, f.message)))
 
     return with_deep_stack(work)
 
@@ -106,8 +115,10 @@ class _Made(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def _of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, progress: Progress) -> Gathered:
-    """The nodes of launched systems. What several systems start in the same way is in the result once."""
+def _of_systems(
+    systems: Iterable[System], sources: SourceTree, outset: Outset, progress: Progress, asked: Variables
+) -> Gathered:
+    """The nodes of launched systems, `asked` what their programs ask for. What several systems start in the same way is in the result once."""
     runs = _Runs(outset)
     findings: dict[Finding, None] = {}
     known: dict[str, list[tuple[Node, ...]]] = {}
@@ -129,6 +140,8 @@ def _of_systems(systems: Iterable[System], sources: SourceTree, outset: Outset, 
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
     findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
+    for each in runs.all():
+        asked.add_required(each.log.variables)
     entered = {code for run in runs.all() for code in run.entered}
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and id(m.code) in entered]
     missing = "code that never runs is not told"
@@ -167,7 +180,15 @@ class _Runs:
         log, done = self._log(program)
         started = program.started
         place = started.place if started.place.file else None
-        process = Process(program.package, program.executable, program.process, done, place, program.conditional)
+        process = Process(
+            program.package,
+            program.executable,
+            program.process,
+            done,
+            place,
+            program.conditional,
+            shell=self._outset.library.environment,
+        )
         nodes, doubts = collect(log, process, self._outset.distro)
         line = read_words(Series(program.configuration.own), program.configuration)
         told = [

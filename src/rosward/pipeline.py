@@ -82,6 +82,7 @@ def extract(
     request: Request = EVERYTHING,
     launch: Wanted | Sequence[Wanted] = (),
     arguments: Mapping[str, str] = NO_ARGUMENTS,
+    env: Mapping[str, str] | None = None,
     underlays: Sequence[SourcePath] = (),
     enclaves: str | None = None,
     assigned: Assignment = NOTHING_ASSIGNED,
@@ -102,6 +103,7 @@ def extract(
         request: what is started; by default every executable, as `ros2 run` starts it.
         launch: in its place, a launch file or several: `PKG:FILE` or a path.
         arguments: launch arguments for all of these; `*` leaves one open.
+        env: environment variables of the shell in which everything is started; those of the distro need not be given.
         underlays: further workspaces, or install folders, in which launch and parameter files are looked for.
         enclaves: 'node', 'process' or 'launch'; by default per process where launch files are followed, else per node.
         assigned: enclaves that somebody chose for some of the processes.
@@ -112,7 +114,8 @@ def extract(
     Raises:
         NothingToReadError: where no Python file is found.
         UnknownRequestError: where what is to be started is not there.
-        ValueError: where the distro or the kind of enclaves is not known, or what is to be started has no meaning (RequestError).
+        ValueError: where the distro or the kind of enclaves is not known, `env` contradicts the distro, or what is to be started has no meaning
+            (RequestError).
         PatternError: where a pattern has no meaning.
 
     Nothing of what is read is imported or executed.
@@ -136,6 +139,7 @@ def extract(
                 budget,
                 tell,
                 request,
+                environment=env,
                 tests=tests,
                 exclude=exclude,
                 follow_links=follow_links,

@@ -7,7 +7,7 @@ read_sources([Path("my_ws")], Distro.JAZZY, …)  ->  SourcesRead(workspace, sou
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -16,6 +16,7 @@ from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.guard import Steps
+from rosward.models.shell import shell
 from rosward.models.tables import natives
 from rosward.plan import Plan, make_plan, plain_plan
 from rosward.ros.distro import Distro
@@ -59,11 +60,16 @@ def read_sources(
     progress: Progress | None = None,
     request: Request = EVERYTHING,
     *,
+    environment: Mapping[str, str] | None = None,
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),
     follow_links: bool = False,
 ) -> SourcesRead:
-    """Read what is under `paths`, and the launch files that a request names by their path."""
+    """Read what is under `paths`, and the launch files that a request names by their path.
+
+    `environment` has the variables that are given. Raises SurroundingsError where one of them contradicts the distro.
+    """
+    variables = surroundings(distro.value, environment)
     wanted = [Path(p) for p in paths] or [Path()]
     named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
     patterns = exclusions_of(exclude, map(str, wanted))
@@ -74,6 +80,7 @@ def read_sources(
         include_tests=tests,
         exclude=patterns,
         follow_links=follow_links,
+        environment=variables,
         net=bounds.net,
     )
     if not (workspace.files or workspace.launch_files or request.nodes):
@@ -84,7 +91,7 @@ def read_sources(
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
     folders = tuple(Path(m) for m in models)
-    library = Library(sources, natives(), folders, surroundings(distro.value), net=bounds.net)
+    library = Library(sources, natives(), folders, shell(variables), net=bounds.net)
     steps = Steps(net=bounds.net)
     missing = "each file is run by itself, under its own name, and not as an executable"
     made = steps(lambda: make_plan(workspace, sources, library), None, missing)

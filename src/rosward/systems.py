@@ -12,14 +12,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from rosward.cases import Executed, in_each_case
 from rosward.deployment.declared.effects import Declarations
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.given import parameter_files
+from rosward.deployment.named_files import NamedFiles
 from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.request import LaunchRequest, NodeRequest, Request, UnknownRequestError
 from rosward.deployment.resolve import Launched, Programs
@@ -28,10 +31,12 @@ from rosward.deployment.started import Started, StartKind
 from rosward.domain.values import Const, Value
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.findings import Finding
+from rosward.findings import UNREAD_ARGUMENT, Finding
 from rosward.guard import Steps, guarded
 from rosward.models.configuration import Configuration
 from rosward.models.file_paths import Location, path_of
+from rosward.models.shell import Shell
+from rosward.models.variables import Variables
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.reading import SourcesRead
 from rosward.ros.distro import Distro
@@ -84,7 +89,15 @@ class Outset(NamedTuple):
         return None if file is None else self.files.text(file)
 
 
-def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Finding]]:
+class SystemsRead(NamedTuple):
+    """The systems of a request, what is doubtful about them, and the environment variables that they ask for and nobody gave."""
+
+    systems: list[System]
+    findings: list[Finding]
+    asked: Variables
+
+
+def systems_of(request: Request, outset: Outset) -> SystemsRead:
     """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
     findings: dict[Finding, None] = {}
     net = outset.budget.net
@@ -92,13 +105,18 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
     found: list[System] = []
     made: list[Programs] = []
     unread: dict[str, list[str]] = {}
+    known: set[str] = set()
+    asked = Variables()
     for launch, file in _launch_files(request, outset):
         arguments = {**dict(request.arguments), **dict(launch.arguments)}
         missing = "what this launch file starts is missing"
-        ran = guarded(partial(_execute, file, arguments, outset, findings), Place(file), missing, net=net)
+        variables = Variables()
+        ran = guarded(partial(_execute, file, arguments, outset, variables), Place(file), missing, net=net)
         if isinstance(ran, Finding):
-            findings[ran] = None
-            ran = _Ran((), ())
+            ran = Executed((), (ran,), ())
+        asked.add(variables)
+        known |= ran.known
+        findings.update(dict.fromkeys(ran.findings))
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
         started = [_with_files(s, extra) for s in ran.started]
@@ -112,8 +130,10 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
     own = {name for launch in request.launches for name, _ in launch.arguments}
     for name, files in unread.items():
         if name in own or len(files) == len(found):  # what is given to all files is for those that know it
-            message = f"No launch file declares or reads the launch argument '{name}'."
-            findings.update((Finding("RW322", message, Place(file)), None) for file in files)
+            near = get_close_matches(name, sorted(known), n=1)
+            hint = f" Did you mean '{near[0]}'?" if near else ""
+            message = f"No launch file declares or reads the launch argument '{name}'.{hint}"
+            findings.update((Finding(UNREAD_ARGUMENT, message, Place(file)), None) for file in files)
     if request.nodes:
         named = [_with_files(_node(n), extra) for n in request.nodes]
         title = ", ".join(f"{n.package}/{n.executable}" for n in request.nodes)
@@ -124,7 +144,7 @@ def systems_of(request: Request, outset: Outset) -> tuple[list[System], list[Fin
     findings.update((f, None) for programs in made for f in programs.findings)
     findings.update(outset.declarations.findings)
     findings.update(outset.library.findings)
-    return found, list(findings)
+    return SystemsRead(found, list(findings), asked)
 
 
 def _launch_files(request: Request, outset: Outset) -> list[tuple[LaunchRequest, str]]:
@@ -193,20 +213,24 @@ def _only(named: Sequence[str], what: str) -> str:
     return named[0]
 
 
-class _Ran(NamedTuple):
-    """What a launch file starts, and which arguments nobody read."""
-
-    started: tuple[Started, ...]
-    unread: tuple[str, ...]
-
-
-def _execute(file: str, arguments: dict[str, str], outset: Outset, findings: dict[Finding, None]) -> _Ran:
-    python = LaunchPython(outset.library, outset.budget)
+def _execute(file: str, arguments: dict[str, str], outset: Outset, asked: Variables) -> Executed:
     given = {n: Const(v) for n, v in arguments.items()}
-    execution = Execution(outset.files, python, outset.distro, given, net=outset.budget.net)
-    started = execution.run(file, outset.files.place_value(file))
-    findings.update(dict.fromkeys(execution.findings))
-    return _Ran(started, execution.unread)
+    path = outset.files.place_value(file)
+
+    def execute(shell: Shell, variables: Variables) -> Executed:
+        python = LaunchPython(outset.library, outset.budget, variables)
+        execution = Execution(
+            NamedFiles(outset.files, variables),
+            python,
+            outset.distro,
+            given,
+            environment=shell,
+            variables=variables,
+            net=outset.budget.net,
+        )
+        return Executed(execution.run(file, path), execution.findings, execution.unread, execution.known)
+
+    return in_each_case(execute, outset.library.environment, asked)
 
 
 def _programs(outset: Outset) -> Programs:

@@ -99,6 +99,10 @@ class Launch:
     def variable(self, name: str) -> Value | None:
         return self.variables.get(name)
 
+    def removed(self, name: str) -> bool:
+        del name
+        return False
+
     def set_variable(self, name: str, value: Value | None) -> None:
         self.variables.pop(name, None)
         if value is not None:

@@ -22,9 +22,10 @@ from rosward.deployment.request import (
 )
 
 NAMES = st.from_regex(r"[a-z][a-z0-9_]{0,8}", fullmatch=True)
+ARGUMENT_NAMES = st.from_regex(r"[a-z][a-z0-9_.-]{0,8}", fullmatch=True)
 FILES = st.lists(NAMES, min_size=1, max_size=3).map(lambda parts: f"{'/'.join(parts)}.launch.py")
 VALUES = st.text(st.characters(codec="utf-8", exclude_characters=","), max_size=12)
-ARGUMENTS = st.lists(st.tuples(NAMES, VALUES), max_size=3).map(tuple)
+ARGUMENTS = st.lists(st.tuples(ARGUMENT_NAMES, VALUES), max_size=3).map(tuple)
 
 
 @given(st.builds(LaunchRequest, FILES, st.none() | NAMES, ARGUMENTS))
@@ -52,6 +53,11 @@ def test_any_text_is_read_or_refused(text: str, read: Callable[[str], object]) -
         ("p:a.launch.py,a:=1,2,b:=x", (("a", "1,2"), ("b", "x"))),
         ("p:a.launch.py,rules:=x,/a:=/b", (("rules", "x,/a:=/b"),)),  # no launch argument is called /a
         ("p:a.launch.py,empty:=", (("empty", ""),)),
+        (
+            "p:a.launch.py,rgb.profile:=640x480,30,a-b.c_1:=1.5,x.y",
+            (("rgb.profile", "640x480,30"), ("a-b.c_1", "1.5,x.y")),
+        ),
+        ("p:a.launch.py,a:=1,.b:=2", (("a", "1,.b:=2"),)),
         ("p:a.launch.py,nested:=b:=c", (("nested", "b:=c"),)),
     ],
 )

@@ -73,7 +73,7 @@ def starts_of(request: Request) -> list[Start]:
         read = _read(request)
         if not request.deploys:
             return [Start(e.label, e, Configuration()) for e in read.plan.entries if e.executable is not None]
-        (system,), _ = systems_of(request, Outset.of(read))
+        (system,) = systems_of(request, Outset.of(read)).systems
         return [Start(p.process, p.entry, p.configuration) for p in system.programs if p.entry is not None]
 
     return with_deep_stack(work)

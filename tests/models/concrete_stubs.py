@@ -96,6 +96,8 @@ class Stubs:
         if name.partition(".")[0] == "_rosward":
             return types.SimpleNamespace(
                 environment=lambda _name: None,
+                unset=lambda _name: False,
+                removed=lambda _name: False,
                 variable=lambda _name: None,
                 set_variable=lambda _name, _value: None,
                 native=self._native,

@@ -7,7 +7,8 @@
     [command.check]
     format = "github"                           for `rosward check` alone
 
-The nearest file above the first PATH counts, for every command that reads sources. An option of the command line replaces that of the file.
+The nearest file above the first PATH counts, for every command that reads sources. An option of the command line replaces that of the file; that of
+`env` adds to it.
 The file comes with the sources, so it is not trusted: it can have outputs written below its own folder only, and `--no-config` leaves it unread.
 """
 
@@ -33,6 +34,7 @@ class _Open(NamedTuple):
 
     action: argparse.Action | None
     default: object
+    added: bool = False
 
 
 def leave_open(parser: argparse.ArgumentParser) -> None:
@@ -46,7 +48,11 @@ def leave_open(parser: argparse.ArgumentParser) -> None:
             own.setdefault(action.dest, action)  # --json is another word for one value of --format
     if "no_config" not in own:
         return
-    found = {dest: _Open(action, action.default) for dest, action in own.items() if _key(dest) in KEYS}
+    found = {
+        dest: _Open(action, action.default, KEYS[_key(dest)].added)
+        for dest, action in own.items()
+        if _key(dest) in KEYS
+    }
     for key, option in KEYS.items():
         if option.file_alone:
             found[_dest(key)] = _Open(None, [])
@@ -67,6 +73,9 @@ def apply(options: argparse.Namespace) -> None:
         if getattr(options, dest) is None:
             default = list(option.default) if isinstance(option.default, list) else option.default
             setattr(options, dest, given.get(dest, default))
+        elif option.added:
+            before = given.get(dest)
+            setattr(options, dest, [*(before if isinstance(before, list) else ()), *getattr(options, dest)])
 
 
 def _start(options: argparse.Namespace) -> Path:

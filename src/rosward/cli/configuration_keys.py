@@ -18,10 +18,11 @@ from rosward.cli.shared import DISTROS, MODES
 from rosward.findings import RULES
 from rosward.review.ignore_in import IgnoreIn
 from rosward.source.exclude import Exclusion, PatternError, pattern_of
+from rosward.source.surroundings import SurroundingsError, checked_variable
 
 __all__ = ["KEYS", "NEVER", "Key", "Value", "WrongValueError"]
 
-Value = str | bool | list[str] | list[Exclusion] | list[IgnoreIn]
+Value = str | bool | list[str] | list[tuple[str, str]] | list[Exclusion] | list[IgnoreIn]
 Reader = Callable[[object, Path], Value]
 
 
@@ -32,13 +33,14 @@ class WrongValueError(Exception):
 class Key(NamedTuple):
     """How the value of a key is read, what it means for people, and the one command that it is for at the top of the file.
 
-    `file_alone`: the command line has no such option.
+    `file_alone`: the command line has no such option. `added`: what the command line says is added to it, instead of replacing it.
     """
 
     read: Reader
     kind: str
     command: str = ""
     file_alone: bool = False
+    added: bool = False
 
 
 def _text(value: object, _folder: Path) -> str:
@@ -135,6 +137,15 @@ def _ignore_in(value: object, folder: Path) -> list[IgnoreIn]:
     ]
 
 
+def _variables(value: object, _folder: Path) -> list[tuple[str, str]]:
+    if not isinstance(value, dict) or not all(isinstance(v, str) for v in value.values()):
+        raise WrongValueError('a table of strings, as in ROBOT = "r1"')
+    try:
+        return [checked_variable(str(name), text) for name, text in value.items()]
+    except SurroundingsError as error:
+        raise WrongValueError(f"a table of variables: {error}") from error
+
+
 def _pattern(text: str) -> str:
     try:
         return pattern_of(text)
@@ -147,6 +158,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "models": Key(_paths, "list of folders"),
     "underlay": Key(_paths, "list of folders"),
     "ament-prefix-path": Key(_flag, "true, false"),
+    "env": Key(_variables, "table: name = text", added=True),
     "tests": Key(_flag, "true, false"),
     "exclude": Key(_exclusions, "list of patterns"),
     "no-assumed": Key(_flag, "true, false"),
@@ -187,6 +199,7 @@ NEVER: Final[Mapping[str, str]] = {
     "write": "it would be written by every run",
     "json": "it is `format`",
     "follow-links": "the file belongs to the sources, and where their links may lead is up to who runs rosward",
+    "env-from-shell": "the file belongs to the sources, and what they learn of the shell is up to who runs rosward",
     **dict.fromkeys(
         ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it is about what runs at the moment"
     ),

@@ -10,9 +10,10 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
-from rosward.findings import INTERNAL_ERROR
+from rosward.findings import INTERNAL_ERROR, UNREAD_ARGUMENT
 from rosward.outputs.safe import printable
 from rosward.source.exclude import PatternError, pattern_of
+from rosward.source.surroundings import SurroundingsError, parse_variable, surroundings
 
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
@@ -27,10 +28,14 @@ MOST_BUDGET: Final = 1_000
 MODES: Final = ("node", "process", "launch")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
 
+_LISTING: Final = ("extract", "extract_policy")
+"""The commands that print the findings themselves; others tell what is wrong with how they are called."""
+
 Commands = argparse._SubParsersAction
 
 
 class _Reading(TypedDict):
+    env: dict[str, str]
     distro: str
     models: list[str]
     tests: bool
@@ -80,6 +85,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="the folders of the environment variable AMENT_PREFIX_PATH are underlays, too",
     )
+    add_environment(parser)
     parser.add_argument("--tests", action="store_true", help="read test files too")
     parser.add_argument(
         "--exclude",
@@ -107,6 +113,42 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--no-config", action="store_true", help="do not read rosward.toml or pyproject.toml of what is analysed"
     )
+
+
+def add_environment(parser: argparse.ArgumentParser) -> None:
+    """In which environment everything is started. Of several values of one name the last one counts."""
+    parser.add_argument(
+        "--env",
+        action="append",
+        type=_variable,
+        default=[],
+        metavar="NAME=VALUE",
+        help="an environment variable of the shell that starts everything; may be repeated",
+    )
+    parser.add_argument(
+        "--env-from-shell",
+        dest="env",
+        action="extend",
+        type=_of_shell,
+        default=[],
+        metavar="NAME[,NAME…]",
+        help="environment variables with the values that they have here and now; may be repeated",
+    )
+
+
+def _variable(text: str) -> tuple[str, str]:
+    try:
+        return parse_variable(text)
+    except SurroundingsError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
+def _of_shell(text: str) -> list[tuple[str, str]]:
+    names = [name.strip() for name in text.split(",")]
+    missing = [name for name in names if name not in os.environ]
+    if missing:
+        raise argparse.ArgumentTypeError(f"not set in this shell: {', '.join(missing)}")
+    return [(name, os.environ[name]) for name in names]
 
 
 def _factor(text: str) -> float:
@@ -198,6 +240,10 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
     except (NothingToReadError, UnknownRequestError) as error:
         raise WrongUseError(str(error)) from error
     note_failures(options, result.findings)
+    if options.command not in _LISTING:
+        for finding in result.findings:
+            if finding.code == UNREAD_ARGUMENT:
+                print(f"rosward: {printable(finding.message)}", file=sys.stderr)  # noqa: T201
     return result
 
 
@@ -211,7 +257,12 @@ def reading(options: argparse.Namespace, request: Request) -> _Reading:
     """What the options ask to read, as `extract` and `launched` are told."""
     from rosward.pipeline import budget_of
 
+    try:
+        surroundings(options.distro, dict(options.env))
+    except SurroundingsError as error:
+        raise WrongUseError(f"--env: {error}") from error
     return {
+        "env": dict(options.env),
         "budget": budget_of(options.budget),
         "distro": options.distro,
         "models": options.models,

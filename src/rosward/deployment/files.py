@@ -36,6 +36,13 @@ class WorkspaceFiles:
         file = self._file(path)
         return None if file is None else file.relative
 
+    def listing(self, path: Value) -> tuple[str, ...]:
+        """The names in the folder at an abstract path; none where they are not all known."""
+        location = location_of(path)
+        if location is None or not location.package:
+            return ()
+        return self._installed.listing(location.package, location.relative) or ()
+
     def text(self, file: str) -> str | None:
         """The text of a file that was found; None where it is too large or no text."""
         found = self._installed.file(file)

@@ -32,7 +32,10 @@ class Performer(Protocol):
         """Set a launch configuration; None removes it."""
 
     def variable(self, name: str) -> Value | None:
-        """An environment variable that launch set (None: it is that of the shell, not known)."""
+        """An environment variable, None where it is not known or not set."""
+
+    def removed(self, name: str) -> bool:
+        """Whether an environment variable is surely not set."""
 
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""

@@ -8,8 +8,12 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
+
+_ARGUMENT: Final = re.compile(r"\w[\w.-]*:=")
+"""How an argument begins: names have dots (`rgb_camera.profile`), and no slash, which those of remap rules have."""
 
 
 class RequestError(ValueError):
@@ -77,7 +81,7 @@ def _split(text: str) -> list[str]:
     """At commas that a `name:=` follows: a value may hold commas itself."""
     parts: list[str] = []
     for part in text.split(","):
-        if parts and (":=" not in part or not part.partition(":=")[0].replace("_", "a").isalnum()):
+        if parts and not _ARGUMENT.match(part):
             parts[-1] += f",{part}"
         else:
             parts.append(part)

@@ -69,7 +69,7 @@ def entry(started: Started, launched: Launched | None) -> LaunchEntry:
         remaps=tuple((shown(a), shown(b)) for a, b in started.remaps),
         parameters=tuple(SetParameter(s.kind, s.name, shown(s.value), s.scope, s.place) for s in started.settings),
         words=tuple(shown(w) for w in (started.command or configuration.words)),
-        environment=tuple((name, shown(configuration.environment[name])) for name in sorted(configuration.environment)),
+        environment=tuple((n, shown(v)) for n, v in sorted(configuration.environment.items()) if v is not None),
         place=started.place,
         trail=started.trail,
         program=_program(launched),

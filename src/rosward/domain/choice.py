@@ -123,7 +123,8 @@ def _join_unknown(left: Unknown, right: Unknown) -> Unknown:
     if left == right:
         return left
     reasons = tuple(dict.fromkeys(left.reasons + right.reasons))[:MAX_REASONS]
-    return Unknown(reasons, left.hint if left.hint == right.hint else "")
+    same = left.hint == right.hint and left.variable == right.variable
+    return Unknown(reasons, left.hint if left.hint == right.hint else "", left.variable if same else "")
 
 
 def reasons_of(value: Value) -> tuple[Reason, ...]:

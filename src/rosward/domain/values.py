@@ -95,18 +95,25 @@ class Text(Value):
 
 @final
 class Unknown(Value):
-    """Any value, and why. `hint` is the Python type where that is known ('str', 'int', 'float', 'bool', 'list', 'dict', …), else ''."""
+    """Any value, and why. `hint` is the Python type where that is known ('str', 'int', 'float', 'bool', 'list', 'dict', …), else ''.
 
-    __slots__ = ("_hash", "hint", "reasons")
+    `variable` is the environment variable that it is the whole value of, as its reader found it; nothing that is computed from it has that.
+    """
 
-    def __init__(self, reasons: tuple[Reason, ...], hint: str = "") -> None:
+    __slots__ = ("_hash", "hint", "reasons", "variable")
+
+    def __init__(self, reasons: tuple[Reason, ...], hint: str = "", variable: str = "") -> None:
+        self.variable = variable
         self.reasons = reasons
         self.hint = hint
         self._hash = hash((tuple([(r.subject, r.place) for r in reasons]), hint))
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
-            other.__class__ is Unknown and self.hint == other.hint and self.reasons == other.reasons
+            other.__class__ is Unknown
+            and self.hint == other.hint
+            and self.reasons == other.reasons
+            and self.variable == other.variable
         )
 
     def __hash__(self) -> int:

@@ -198,7 +198,7 @@ def _same(machine: Interpreter, left: Value, right: Value) -> bool | None:
     if left.__class__ in (Unknown, External, Choice) or right.__class__ in (Unknown, External, Choice):
         return True if left.__class__ is External and left == right else None
     if left.__class__ is Const and right.__class__ is Const:
-        if left.origins or right.origins:
+        if not (_settled(left) and _settled(right)):
             return None
         if left.value.__class__ is not right.value.__class__:
             return False
@@ -232,7 +232,7 @@ def truth(machine: Interpreter, value: Value) -> bool | None:
     """The truth of a value; None where both are possible."""
     cls = value.__class__
     if cls is Const:
-        return None if value.origins and not _settled(value) else bool(value.value)  # type: ignore[attr-defined]
+        return bool(value.value) if _settled(value) else None  # type: ignore[attr-defined]
     if cls in _CALLABLE:
         return True
     if cls is Choice:
@@ -282,7 +282,7 @@ def may(machine: Interpreter, value: Value, test: str, other: Value | None, sens
 
 
 def _equal_constants(left: Value, right: Value) -> bool | None:
-    if left.origins or right.origins:  # type: ignore[attr-defined]
+    if not (_settled(left) and _settled(right)):
         return None
     return bool(left.value == right.value) and (  # type: ignore[attr-defined]
         left.value is not None or right.value is None  # type: ignore[attr-defined]

@@ -28,6 +28,7 @@ from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.effects import EffectLog
 from rosward.models.native import NativeFunction
+from rosward.models.shell import Shell, shell
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 
@@ -47,12 +48,14 @@ class Library:
         sources: Sources,
         natives: Mapping[str, NativeFunction],
         models: tuple[Path, ...] = (),
-        environment: Mapping[str, str] = ROS_2,
+        environment: Shell | None = None,
         *,
         net: bool = True,
     ) -> None:
         self.sources = sources
-        self.environment = environment  # what is set in the environment of every process
+        self.environment = (
+            shell(ROS_2) if environment is None else environment
+        )  # of every process, unless it is given another
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
         self._natives = natives

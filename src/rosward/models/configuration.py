@@ -39,14 +39,14 @@ class Configuration:
     """The start of one process. `words` are what stands behind the program's name: the program's own arguments and those of ROS.
 
     `files` holds, for each `--params-file` word as printed (`*` for holes), its content; None where it is not known, and `missing` says why.
-    `environment` holds the variables that the deployment sets. `component`: the words that launch gives a component in this process, for its
-    own node alone, which does not see those of the process.
+    `environment` holds the variables that the deployment sets, None for those that it removes; others are as in the shell. `component`: the
+    words that launch gives a component in this process, for its own node alone, which does not see those of the process.
     """
 
     words: tuple[Value, ...] = ()
     files: Mapping[str, tuple[Given, ...] | None] = field(default_factory=dict)
     missing: Mapping[str, Reason] = field(default_factory=dict)
-    environment: Mapping[str, Value] = field(default_factory=dict)
+    environment: Mapping[str, Value | None] = field(default_factory=dict)
     component: tuple[Value, ...] | None = None
 
     @property

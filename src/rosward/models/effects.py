@@ -13,6 +13,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, External, Ref, Value
 from rosward.findings import Finding
+from rosward.models.variables import Variables
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
 
@@ -72,6 +73,7 @@ class EffectLog:
     def __init__(self, configuration: Configuration | None = None) -> None:
         self.configuration = configuration
         self.launch: LaunchContext | None = None  # the launch whose Python code this is
+        self.variables = Variables()
         self.nodes: dict[NodeEffect, None] = {}
         self.entities: dict[EntityEffect, None] = {}
         self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each

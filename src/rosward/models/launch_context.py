@@ -35,7 +35,10 @@ class LaunchContext(Protocol):
         """Set a launch configuration; None removes it."""
 
     def variable(self, name: str) -> Value | None:
-        """An environment variable that launch set, None where it is that of the shell."""
+        """An environment variable, None where it is not known or not set."""
+
+    def removed(self, name: str) -> bool:
+        """Whether an environment variable is surely not set."""
 
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""

@@ -223,12 +223,19 @@ def _assign(call: NativeCall, read: Callable[[str], Value | None], write: Callab
 
 
 def _variable(call: NativeCall) -> Value:
-    """The value that launch gave an environment variable, else None."""
+    """The value that an environment variable has in the launch, else None."""
     launch = _launch(call)
     name = call.args[0]
     if launch is None or not isinstance(name, Const):
         return NONE
     return launch.variable(text_of(name)) or NONE
+
+
+def _removed(call: NativeCall) -> Value:
+    """Whether launch has removed an environment variable."""
+    launch = _launch(call)
+    name = call.args[0]
+    return Const(launch is not None and isinstance(name, Const) and launch.removed(text_of(name)))
 
 
 def _set_variable(call: NativeCall) -> Value:
@@ -260,6 +267,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.launch.configurations": _configurations,
     "_rosward.launch.set_configuration": _set_configuration,
     "_rosward.launch.variable": _variable,
+    "_rosward.launch.removed": _removed,
     "_rosward.launch.set_variable": _set_variable,
     "_rosward.launch.share_folder": _folder(Cause.SHARE),
     "_rosward.launch.prefix_folder": _folder(Cause.PREFIX),

@@ -31,6 +31,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
+from rosward.models.host import host
 from rosward.models.native import Machine
 from rosward.models.plain import (
     LOOSE_HINTS,
@@ -46,6 +47,7 @@ from rosward.models.plain import (
     text_of,
     unknown_from,
 )
+from rosward.models.shell import ORIGIN
 
 MAX_DEPTH: Final = 6
 MAX_COMPARED: Final = 2_000
@@ -142,8 +144,13 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
         answers = {equal(machine, a, b, depth) for a in lefts for b in rights}
         return answers.pop() if len(answers) == 1 else None
     if isinstance(left, Const) and isinstance(right, Const):
+        if left.origins or right.origins:
+            _compared_defaults(machine, left, right)
         return bool(left.value == right.value)
     if isinstance(left, Unknown) or isinstance(right, Unknown):
+        if _is_variable(left) or _is_variable(right):
+            differs = host(machine).log.variables.equal(left, right) is False
+            return False if differs else _of_unknown(kind_of(machine, left), kind_of(machine, right))
         return _of_unknown(kind_of(machine, left), kind_of(machine, right))
     if isinstance(left, (Text, Const)) and isinstance(right, (Text, Const)):
         return _texts(left, right)
@@ -156,6 +163,17 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
     ):
         return True if left == right and not isinstance(left, (Partial, Range)) else _never(left, right)
     return left == right
+
+
+def _is_variable(value: Value) -> bool:
+    return isinstance(value, Unknown) and bool(value.variable)
+
+
+def _compared_defaults(machine: Machine, left: Const, right: Const) -> None:
+    """What a default of the environment is compared with is another value that it may have."""
+    for one, other in ((left, right), (right, left)):
+        if any(origin.kind == ORIGIN and not origin.settled for origin in one.origins):
+            host(machine).log.variables.of_default(one.origins, other, machine.place)
 
 
 def _never(left: Value, right: Value) -> bool | None:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lift, options
@@ -292,13 +294,22 @@ def _remove_ros_args(call: NativeCall) -> Value:
 
 
 def _environment(call: NativeCall) -> Value:
-    """`_rosward.environment(name)`: a variable that the deployment sets, or every ROS 2; None where nothing does."""
-    machine, name = host(call.machine), text_of(call.args[0])
+    """`_rosward.environment(name)`: a variable that the deployment sets, or that is known of the shell; None where nothing is known."""
+    machine = host(call.machine)
+    return _own_variables(machine).get(text_of(call.args[0])) or NONE
+
+
+def _is_unset(call: NativeCall) -> Value:
+    """`_rosward.unset(name)`: whether the deployment has removed a variable."""
+    variables, name = _own_variables(host(call.machine)), text_of(call.args[0])
+    return Const(name in variables and variables[name] is None)
+
+
+def _own_variables(machine: Interpreter) -> Mapping[str, Value | None]:
+    """What is known of the environment of the process, before the program changes it."""
     configuration = machine.log.configuration
-    found = configuration.environment.get(name) if configuration is not None else None
-    if found is None and isinstance(call.args[0], Const) and name in machine.library.environment:
-        return Const(machine.library.environment[name])
-    return found if found is not None else NONE
+    shell: Mapping[str, Value | None] = machine.library.environment
+    return shell if configuration is None else ChainMap(dict(configuration.environment), dict(shell))
 
 
 # Plain functions
@@ -333,9 +344,10 @@ def _unknown(call: NativeCall) -> Value:
     label = text_of(call.args[0]).upper().replace(" ", "_")
     cause = Cause[label] if label in Cause.__members__ else Cause.CALL
     subject = call.arg(1, "subject")
-    return call.machine.unknown(
-        cause, text_of(subject, "" if subject is None else readable(subject)), text_of(call.arg(2, "hint"))
-    )
+    name = text_of(subject, "" if subject is None else readable(subject))
+    value = call.machine.unknown(cause, name, text_of(call.arg(2, "hint")))
+    whole = cause is Cause.ENVIRONMENT and value.hint == "str" and isinstance(subject, Const)
+    return Unknown(value.reasons, value.hint, name) if whole else value
 
 
 def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
@@ -413,6 +425,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.create_node": _create_node,
     "_rosward.init": _init,
     "_rosward.environment": _environment,
+    "_rosward.unset": _is_unset,
     "rclpy.utilities.remove_ros_args": _remove_ros_args,
     "_rosward.schedule": _schedule,
     "_rosward.spin": _spin,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final, NamedTuple
 
@@ -33,12 +34,14 @@ KINDS: Final = {
 _SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
 _ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
 _ORDER: Final = {r: n for n, r in enumerate(Resolution)}
+_NO_VARIABLES: Final[Mapping[str, Value]] = {}
 
 
 class Process(NamedTuple):
     """What is known of a process beside its effects: its package and executable, its label, and what every execution does.
 
     `launched_by` is the place in a launch file that starts it; `conditional`: some execution does not start it; `assumed`: nothing does.
+    `shell` are the variables that it finds in its environment, unless it is given others.
     """
 
     package: str | None
@@ -48,6 +51,7 @@ class Process(NamedTuple):
     launched_by: Place | None = None
     conditional: bool = False
     assumed: bool = False
+    shell: Mapping[str, Value] = _NO_VARIABLES
 
 
 def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
@@ -139,7 +143,7 @@ def _node(
         executable=process.executable,
         process=process.label,
         launched_by=process.launched_by,
-        given_enclave=_given_enclave(log, effect),
+        given_enclave=_given_enclave(log, effect, process),
         defined_at=effect.place,
         entities=tuple(entities),
         parameters=tuple(_parameters(log, effect.address)),
@@ -150,10 +154,11 @@ def _node(
     )
 
 
-def _given_enclave(log: EffectLog, effect: NodeEffect) -> str | None:
+def _given_enclave(log: EffectLog, effect: NodeEffect, process: Process) -> str | None:
     """The enclave that the start of the process names: ROS_SECURITY_ENCLAVE_OVERRIDE, else the last --enclave."""
     configuration = log.configuration
-    override = configuration.environment.get("ROS_SECURITY_ENCLAVE_OVERRIDE") if configuration is not None else None
+    own: Mapping[str, Value | None] = configuration.environment if configuration is not None else {}
+    override = {**process.shell, **own}.get("ROS_SECURITY_ENCLAVE_OVERRIDE")
     said = override if override is not None else command_lines(log, effect)[1].enclave
     return None if said is None else pattern(said)
 

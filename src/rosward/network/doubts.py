@@ -19,7 +19,7 @@ _REMEDY: Final = {
     Cause.PARAMETER: "give the parameter a default",
     Cause.ARGUMENT: "give the argument a default",
     Cause.LAUNCH_ARGUMENT: "give it one (--arg NAME:=VALUE)",
-    Cause.ENVIRONMENT: "give the variable a default",
+    Cause.ENVIRONMENT: "give it a value (--env {}=VALUE)",
     Cause.MODULE: "add the package that holds it to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",
     Cause.CALLER: "add the code that makes the call to the analysis",
@@ -29,7 +29,7 @@ _REMEDY: Final = {
 def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> Finding:
     """What is not known, because of what, and the one thing that settles it."""
     because = " because of " + "; ".join(str(r) for r in reasons[:3]) if reasons else ""
-    remedy = next((_REMEDY[r.cause] for r in reasons if r.cause in _REMEDY), "")
+    remedy = next((_REMEDY[r.cause].format(r.subject) for r in reasons if r.cause in _REMEDY), "")
     message = f"{what}{because}: {remedy}" if remedy else f"{what}{because}"
     return Finding(code, message, place, causes_of(reasons, place), remedy=remedy)
 

@@ -33,7 +33,7 @@ _REMEDIES: Final = (
     ("parameter without a value", "give the parameter a default, or a value: --params FILE.yaml, or the launch file"),
     ("command-line argument", "give the argument a default, or analyse the launch file that passes it: --launch FILE"),
     ("launch argument without a value", "--arg NAME:=VALUE"),
-    ("environment variable", "give the variable a default in the source, or set it in the launch file"),
+    ("environment variable", "--env NAME=VALUE, or set it in the launch file"),
     ("module that is not among the sources", "add its package to the PATHs, or describe it in a stub file: --models"),
     ("call that is not modelled", "describe the call in a stub file: --models DIR"),
     ("argument that no caller in the sources gives", "add the code that makes the call to the PATHs"),

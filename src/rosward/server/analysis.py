@@ -64,6 +64,7 @@ def analyse(job: Job, tell: Teller) -> None:
         unknown=settings.unknown,
         tests=settings.tests,
         request=request,
+        env=dict(settings.env),
         enclaves=settings.enclaves,
         progress=tell,
     )
@@ -97,7 +98,7 @@ def analyse(job: Job, tell: Teller) -> None:
         "changed": changed,
         "launch_files": [
             {**file._asdict(), "arguments": [argument._asdict() for argument in file.arguments]}
-            for file in launch_files(root, settings.distro)
+            for file in launch_files(root, settings.distro, dict(settings.env))
         ],
         "left_out": [entry._asdict() for entry in left_out[:_MOST_LEFT_OUT]],
         "left_out_count": len(left_out),

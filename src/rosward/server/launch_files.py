@@ -9,7 +9,7 @@ The files are read, not executed: arguments that a function adds, and those of i
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -23,9 +23,11 @@ from rosward.deployment.python.code import LaunchPython
 from rosward.domain.text import readable
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
+from rosward.models.shell import shell
 from rosward.models.tables import natives
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
+from rosward.source.surroundings import surroundings
 from rosward.source.workspace import SourceFile
 from rosward.sources import SourceTree
 
@@ -54,15 +56,15 @@ class LaunchFile(NamedTuple):
     arguments: tuple[Argument, ...]
 
 
-def launch_files(root: Path, distro: str) -> tuple[LaunchFile, ...]:
-    """The launch files below a folder, or the one that is named."""
-    return with_deep_stack(lambda: _launch_files(root, Distro(distro)))
+def launch_files(root: Path, distro: str, env: Mapping[str, str] | None = None) -> tuple[LaunchFile, ...]:
+    """The launch files below a folder, or the one that is named, as they are in an environment."""
+    return with_deep_stack(lambda: _launch_files(root, Distro(distro), surroundings(distro, env)))
 
 
-def _launch_files(root: Path, distro: Distro) -> tuple[LaunchFile, ...]:
-    workspace = discover([root])
+def _launch_files(root: Path, distro: Distro, variables: Mapping[str, str]) -> tuple[LaunchFile, ...]:
+    workspace = discover([root], environment=variables)
     sources = SourceTree(workspace)
-    library = Library(sources, natives())
+    library = Library(sources, natives(), environment=shell(variables))
     known = sorted(workspace.launch_files, key=lambda f: f.relative)[:_MOST_FILES]
     return tuple(_read(file, library, WorkspaceFiles(sources.files), distro) for file in known)
 
@@ -70,7 +72,7 @@ def _launch_files(root: Path, distro: Distro) -> tuple[LaunchFile, ...]:
 def _read(file: SourceFile, library: Library, files: WorkspaceFiles, distro: Distro) -> LaunchFile:
     findings = Findings()
     python = LaunchPython(library, _SMALL)
-    scene = Scene(files, python, findings, Generated(files, findings), distro)
+    scene = Scene(files, python, findings, Generated(files, findings), distro, library.environment)
     description = Descriptions(files, python, findings).read(file.relative, "any", scene)
     arguments: dict[str, Argument] = {}
     for declared in _declared(description.actions if description is not None else ()):

@@ -14,6 +14,7 @@ from typing import Final, NamedTuple
 
 from rosward.network.checks import UnknownNames
 from rosward.server.places import RefusedError
+from rosward.source.surroundings import SurroundingsError, checked_variable, surroundings
 
 __all__ = ["DISTROS", "ENCLAVES", "Settings", "read_settings"]
 
@@ -35,6 +36,7 @@ class Settings(NamedTuple):
     launch: tuple[str, ...] = ()
     all_launch: bool = False
     arguments: tuple[tuple[str, str], ...] = ()
+    env: tuple[tuple[str, str], ...] = ()
 
     def document(self) -> dict[str, object]:
         """As `read_settings` reads it."""
@@ -42,6 +44,7 @@ class Settings(NamedTuple):
             **self._asdict(),
             "launch": list(self.launch),
             "arguments": dict(self.arguments),
+            "env": dict(self.env),
         }
 
     def words(self) -> str:
@@ -49,6 +52,7 @@ class Settings(NamedTuple):
         parts = [self.distro]
         parts += ["every launch file"] if self.all_launch else list(self.launch)
         parts += [f"{name}:={value}" for name, value in self.arguments]
+        parts += [f"{name}={value}" for name, value in self.env]
         parts += ["wildcards for unknown names"] if self.unknown == "wildcard" else []
         parts += [f"an enclave for each {self.enclaves}"] if self.enclaves in {"node", "process"} else []
         parts += ["enclaves of the launch files"] if self.enclaves == "launch" else []
@@ -74,11 +78,18 @@ def read_settings(document: object) -> Settings:
     tests, all_launch = document.get("tests", False), document.get("all_launch", False)
     if not isinstance(tests, bool) or not isinstance(all_launch, bool):
         raise RefusedError("tests and all_launch are true or false")
-    launch, arguments = _launch(document.get("launch", [])), _arguments(document.get("arguments", {}))
+    launch, arguments = _launch(document.get("launch", [])), _pairs(document.get("arguments", {}), "arguments")
     if arguments and not (launch or all_launch):
         raise RefusedError("launch arguments need a launch file")
     return Settings(
-        str(distro), "wildcard" if unknown == "wildcard" else "deny", enclaves, tests, launch, all_launch, arguments
+        str(distro),
+        "wildcard" if unknown == "wildcard" else "deny",
+        enclaves,
+        tests,
+        launch,
+        all_launch,
+        arguments,
+        _environment(document.get("env", {}), str(distro)),
     )
 
 
@@ -90,10 +101,19 @@ def _launch(value: object) -> tuple[str, ...]:
     return tuple(dict.fromkeys(value))
 
 
-def _arguments(value: object) -> tuple[tuple[str, str], ...]:
+def _environment(value: object, distro: str) -> tuple[tuple[str, str], ...]:
+    pairs = _pairs(value, "environment variables")
+    try:
+        surroundings(distro, dict(checked_variable(*pair) for pair in pairs))
+    except SurroundingsError as error:
+        raise RefusedError(str(error)) from error
+    return pairs
+
+
+def _pairs(value: object, what: str) -> tuple[tuple[str, str], ...]:
     if not isinstance(value, dict) or len(value) > _MOST_ARGUMENTS:
-        raise RefusedError("arguments are names and values")
+        raise RefusedError(f"{what} are names and values")
     pairs = [(name, text) for name, text in value.items() if isinstance(name, str) and isinstance(text, str)]
     if len(pairs) < len(value) or any(not n or max(len(n), len(t)) > _LONGEST for n, t in pairs):
-        raise RefusedError("arguments are names and values")
+        raise RefusedError(f"{what} are names and values")
     return tuple(pairs)

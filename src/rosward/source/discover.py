@@ -11,7 +11,7 @@ package and its executables.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -26,7 +26,7 @@ from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
 from rosward.source.packages import Described, describe, is_build_script
-from rosward.source.setup_py import read_setup_py
+from rosward.source.surroundings import ROS_2
 from rosward.source.text import PYTHON_LIMIT, place_name, read_bytes
 from rosward.source.walk import DESCRIPTIONS, Tree, walk
 from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Target, Workspace
@@ -34,7 +34,6 @@ from rosward.source.workspace import Executable, Package, Skipped, SkipReason, S
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from rosward.source.entry_points import Declared
 
 _LEVELS_ABOVE: Final = 12
 
@@ -46,13 +45,13 @@ def discover(
     include_tests: bool = False,
     exclude: Iterable[Exclusion] = (),
     follow_links: bool = False,
-    read_setup: Callable[[str, str], Declared] = read_setup_py,
+    environment: Mapping[str, str] = ROS_2,
     net: bool = True,
 ) -> Workspace:
     """What the files and folders `paths` hold, and `launch_files`, less what `exclude` means.
 
     Links that lead out of all of these are entered only with `follow_links`.
-    `read_setup` reads a `setup.py` (path, name in findings); `net`: see `guard.py`.
+    `environment` is what build descriptions see of it; `net`: see `guard.py`.
     """
     starts = list(dict.fromkeys(os.path.abspath(path) for path in paths)) or [os.path.abspath(".")]  # noqa: PTH100
     named = {os.path.abspath(path) for path in launch_files}  # noqa: PTH100
@@ -71,7 +70,7 @@ def discover(
     tree.skipped += [(path, SkipReason.BUILD_SCRIPT) for path in sorted(scripts)]
 
     beside = [above for above in around.values() if above is not None]
-    described, failed = _describe_all(tree, beside, root, read_setup, net=net)
+    described, failed = _describe_all(tree, beside, root, environment, net=net)
     owners = _Owners(package for package, _ in described)
     layout = Layout(excluded, boundary)
 
@@ -111,6 +110,7 @@ def discover(
         targets=_targets(described),
         excluded=excluded,
         boundary=boundary,
+        environment=environment,
     )
 
 
@@ -190,7 +190,7 @@ def _is_launch(path: str) -> bool:
 
 
 def _describe_all(
-    tree: Tree, around: list[tuple[str, set[str]]], root: Path, read_setup: Callable[[str, str], Declared], *, net: bool
+    tree: Tree, around: list[tuple[str, set[str]]], root: Path, environment: Mapping[str, str], *, net: bool
 ) -> tuple[list[tuple[Package, Described]], list[Finding]]:
     """The packages below the paths and those `around` them."""
     folders = dict(tree.descriptions)
@@ -201,7 +201,7 @@ def _describe_all(
     for folder, names in sorted(folders.items()):
         place = Place(place_name(os.path.join(folder, min(names, default="")), root))  # noqa: PTH118
         missing = "the package was not read"
-        each = guarded(partial(describe, folder, names, root, read_setup, tree.boundary), place, missing, net=net)
+        each = guarded(partial(describe, folder, names, root, environment, tree.boundary), place, missing, net=net)
         if isinstance(each, Finding):
             failed.append(each)
         elif each is not None:

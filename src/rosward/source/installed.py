@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Final, Protocol, final
 
@@ -62,6 +62,7 @@ class Installed:
     def __init__(self, workspace: Workspace, underlays: Sequence[Path] = ()) -> None:
         self._workspace = workspace
         self._sources = _Sources(workspace, absolute=False)
+        self._environment = workspace.environment
         self._underlays = [Path(os.path.abspath(path)) for path in underlays]  # noqa: PTH100
         self._layers: list[_Layer] | None = None
         self._handed_out: dict[str, SourceFile] = {}
@@ -139,7 +140,7 @@ class Installed:
         if self._sources.has(package):
             return self._sources
         if self._layers is None:
-            self._layers = [_layer(path) for path in self._underlays]
+            self._layers = [_layer(path, self._environment) for path in self._underlays]
         return next((layer for layer in self._layers if layer.has(package)), None)
 
 
@@ -153,10 +154,10 @@ def _normal(relative: str) -> str | None:
     return None if names is None or "\0" in relative or too_long else "/".join(names)
 
 
-def _layer(path: Path) -> _Layer:
+def _layer(path: Path, environment: Mapping[str, str]) -> _Layer:
     if any((path / mark).exists() for mark in _PREFIX_MARKS):
         return _Prefix(path)
-    return _Sources(discover([path]), absolute=True)
+    return _Sources(discover([path], environment=environment), absolute=True)
 
 
 @final

@@ -14,7 +14,7 @@ import ast
 import itertools
 import os.path
 import string
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Final, final
 
 from rosward.source.surroundings import ROS_2
@@ -60,15 +60,22 @@ UNKNOWN: Final = Unknown()
 class Scope:
     """The names that are known so far, and how many more steps may be taken; inner scopes share the steps."""
 
-    __slots__ = ("_fuel", "_names", "_outer", "glob")
+    __slots__ = ("_fuel", "_names", "_outer", "environment", "glob")
 
     def __init__(
-        self, names: dict[str, Any], outer: Scope | None = None, *, glob: Callable[[str, bool], Any] | None = None
+        self,
+        names: dict[str, Any],
+        outer: Scope | None = None,
+        *,
+        glob: Callable[[str, bool], Any] | None = None,
+        environment: Mapping[str, str] = ROS_2,
     ) -> None:
         self._names = names
         self._outer = outer
         self.glob: Callable[[str, bool], Any] | None = outer.glob if outer is not None else glob
         """What `glob.glob(pattern, recursive=…)` gives, where that can be told."""
+        self.environment: Mapping[str, str] = outer.environment if outer is not None else environment
+        """The environment variables that are known."""
         self._fuel: list[int] = outer._fuel if outer is not None else [200_000]
 
     def inner(self) -> Scope:
@@ -132,7 +139,7 @@ def _evaluate(node: ast.expr | None, scope: Scope) -> Any:
         case ast.Subscript(value=value, slice=index):
             base, key = evaluate(value, scope), evaluate(index, scope)
             if _dotted(value) == "os.environ" and isinstance(key, str):
-                return ROS_2.get(key, UNKNOWN)
+                return scope.environment.get(key, UNKNOWN)
             return UNKNOWN if UNKNOWN in (base, key) else base[key]
         case ast.ListComp() | ast.GeneratorExp() | ast.SetComp():
             found: list[Any] = []
@@ -298,7 +305,7 @@ def _call(node: ast.Call, scope: Scope) -> Any:
     if dotted.rpartition(".")[2] == "generate_distutils_setup":
         return keywords  # of catkin_pkg: beside these, what package.xml says, which names no executable
     if dotted in {"os.getenv", "os.environ.get"} and arguments and isinstance(arguments[0], str):
-        return ROS_2.get(arguments[0], UNKNOWN)
+        return scope.environment.get(arguments[0], UNKNOWN)
     if dotted == "int" and len(arguments) == 1 and isinstance(arguments[0], str | int):
         return int(arguments[0])
     if dotted == "str" and len(arguments) == 1 and isinstance(arguments[0], str | int):

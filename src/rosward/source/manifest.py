@@ -11,11 +11,13 @@ rejects: its nodes are real.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final, NamedTuple
 from xml.parsers import expat
 
 from rosward.findings import Finding
 from rosward.source.location import Place
+from rosward.source.surroundings import ROS_2
 from rosward.source.text import read_bytes
 from rosward.source.xml_events import RefusedError, parse
 
@@ -23,7 +25,6 @@ MANIFEST_LIMIT: Final = 1_000_000
 _DEPTH_LIMIT: Final = 50
 _ELEMENT_LIMIT: Final = 2_000  # catkin_pkg compares each dependency with each
 _CONDITION_LIMIT: Final = 200  # characters; catkin_pkg's parser is exponential in nested parentheses
-_CONTEXT: Final = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": "jazzy"}
 
 
 class Manifest(NamedTuple):
@@ -34,10 +35,12 @@ class Manifest(NamedTuple):
     depends: frozenset[str] = frozenset()
 
 
-def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Finding | None]:
+def read_manifest(
+    path: str, file: str, folder_name: str, environment: Mapping[str, str] = ROS_2
+) -> tuple[Manifest, Finding | None]:
     """The manifest at `path`, called `file`, and what is wrong with it.
 
-    `folder_name` stands in for a name that cannot be read.
+    `folder_name` stands in for a name that cannot be read; conditions are evaluated under `environment`.
     """
     data = read_bytes(path, file, MANIFEST_LIMIT)
     if isinstance(data, Finding):
@@ -49,14 +52,14 @@ def read_manifest(path: str, file: str, folder_name: str) -> tuple[Manifest, Fin
         message, line = problem
         return manifest, Finding("RW017", message, Place(file, line))
     try:
-        return _through_catkin_pkg(data), None
+        return _through_catkin_pkg(data, environment), None
     except Exception as error:  # catkin_pkg raises AssertionError, ValueError, InvalidPackage and others
         reason = " ".join(str(error).replace(path, file).split())[:300] or type(error).__name__
         message = f"The ROS tools reject this package.xml, and would not build the package: {reason}"
         return manifest, Finding("RW017", message, Place(file))
 
 
-def _through_catkin_pkg(data: bytes) -> Manifest:
+def _through_catkin_pkg(data: bytes, environment: Mapping[str, str]) -> Manifest:
     import warnings
 
     with warnings.catch_warnings():
@@ -64,7 +67,7 @@ def _through_catkin_pkg(data: bytes) -> Manifest:
         from catkin_pkg.package import parse_package_string
 
         package = parse_package_string(data, warnings=[])
-        package.evaluate_conditions(_CONTEXT)
+        package.evaluate_conditions(dict(environment))
         build_type = str(package.get_build_type())
     needs = [*package.build_depends, *package.build_export_depends, *package.exec_depends]
     depends = frozenset(str(each.name) for each in needs if each.evaluated_condition is not False)

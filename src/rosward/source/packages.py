@@ -19,16 +19,14 @@ from rosward.source.cmake_install import below_share
 from rosward.source.entry_points import Declared, read_pyproject, read_setup_cfg
 from rosward.source.location import Place
 from rosward.source.manifest import Manifest, read_manifest
+from rosward.source.setup_py import read_setup_py
 from rosward.source.text import place_name, read_bytes
 from rosward.source.workspace import Package, Shared
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
+    from collections.abc import Collection, Mapping
 
     from rosward.findings import Finding
-
-    SetupReader = Callable[[str, str], Declared]
-    """Reads the `setup.py` at a path, called as the second argument says in findings."""
 
 
 class Described(NamedTuple):
@@ -41,7 +39,7 @@ class Described(NamedTuple):
 
 
 def describe(
-    folder: str, names: Collection[str], root: Path, read_setup: SetupReader, boundary: Boundary = EVERYWHERE
+    folder: str, names: Collection[str], root: Path, environment: Mapping[str, str], boundary: Boundary = EVERYWHERE
 ) -> Described | None:
     """The package in `folder`, where the files `names` stand; `None` if they do not make one."""
 
@@ -52,13 +50,13 @@ def describe(
     findings: list[Finding] = []
     manifest: Manifest | None = None
     if "package.xml" in names:
-        manifest, problem = read_manifest(*file("package.xml"), os.path.basename(folder))  # noqa: PTH119
+        manifest, problem = read_manifest(*file("package.xml"), os.path.basename(folder), environment)  # noqa: PTH119
         findings += [problem] if problem is not None else []
     elif "setup.py" not in names or not is_build_script(file("setup.py")[0]):
         return None
     declared = Declared()
     if "setup.py" in names:
-        declared |= read_setup(*file("setup.py"))
+        declared |= read_setup_py(*file("setup.py"), environment)
     if "setup.cfg" in names:
         declared |= read_setup_cfg(*file("setup.cfg"))
     if "pyproject.toml" in names:

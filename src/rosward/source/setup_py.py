@@ -22,16 +22,17 @@ from rosward.source.entry_points import DESCRIPTION_LIMIT, Declared, entry_point
 from rosward.source.glob import glob
 from rosward.source.literal import UNKNOWN, Scope, bind, evaluate
 from rosward.source.location import Place
+from rosward.source.surroundings import ROS_2
 from rosward.source.text import decode, read_bytes
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
 _COMMANDS: Final = ("console_scripts", "gui_scripts")
 
 
-def read_setup_py(path: str, file: str) -> Declared:
-    """What the `setup.py` at `path`, called `file`, declares."""
+def read_setup_py(path: str, file: str, environment: Mapping[str, str] = ROS_2) -> Declared:
+    """What the `setup.py` at `path`, called `file`, declares where these environment variables are set."""
     data = read_bytes(path, file, DESCRIPTION_LIMIT)
     source = data if isinstance(data, Finding) else decode(data, file)
     if isinstance(source, Finding):
@@ -45,7 +46,7 @@ def read_setup_py(path: str, file: str) -> Declared:
         message = f"The setup.py is not Python {sys.version_info[0]}: {error}."
         return Declared(findings=(Finding("RW008", message, Place(file, line)),))
     try:
-        return _Script(path, file).read(tree)
+        return _Script(path, file, environment).read(tree)
     except RecursionError:
         return Declared(findings=(Finding("RW008", "The setup.py is nested too deeply.", Place(file)),))
 
@@ -53,10 +54,10 @@ def read_setup_py(path: str, file: str) -> Declared:
 class _Script:
     """One `setup.py` in the course of being read."""
 
-    def __init__(self, path: str, file: str) -> None:
+    def __init__(self, path: str, file: str, environment: Mapping[str, str]) -> None:
         self._file = file
         self._folder = os.path.dirname(path)  # noqa: PTH120
-        self._scope = Scope({"__name__": "__main__"}, glob=self._glob)
+        self._scope = Scope({"__name__": "__main__"}, glob=self._glob, environment=environment)
         self._lines: dict[str, int] = {}
         self._findings: list[Finding] = []
         self._stores: Counter[str] = Counter()

@@ -10,11 +10,13 @@ identity.
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
+from rosward.source.surroundings import ROS_2
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -170,3 +172,5 @@ class Workspace:
     """What is not read, wherever an import or a launch file may lead."""
     boundary: Boundary = EVERYWHERE
     """Where links may lead."""
+    environment: Mapping[str, str] = field(default_factory=lambda: ROS_2)
+    """The environment variables that build descriptions were read with."""

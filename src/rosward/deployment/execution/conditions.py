@@ -15,8 +15,10 @@ from rosward.deployment.execution.yaml_values import is_path, is_same_path, plai
 from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import matches, origins_of
-from rosward.domain.unknown import Origins
+from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import Const, Text, Unknown, Value
+from rosward.models.shell import ORIGIN
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
@@ -30,6 +32,8 @@ class Verdict(NamedTuple):
     true: bool = True
     false: bool = True
     why: str = ""
+    variables: tuple[str, ...] = ()
+    """The environment variables that it depends on, where it depends on nothing else."""
 
     @property
     def open(self) -> bool:
@@ -38,7 +42,7 @@ class Verdict(NamedTuple):
 
     def negated(self) -> Verdict:
         """The verdict on `not`."""
-        return Verdict(self.false, self.true, self.why)
+        return Verdict(self.false, self.true, self.why, self.variables)
 
 
 YES = Verdict(false=False)
@@ -50,7 +54,10 @@ def decide(condition: Condition | None, scene: Scene) -> Verdict:
     if condition is None:
         return YES
     verdict = _verdict(condition, scene)
-    if verdict.open:
+    if verdict.open and verdict.variables:
+        for name in verdict.variables:
+            scene.variables.compared(name, (), condition.place)
+    elif verdict.open:
         message = f"The condition is not known: it depends on {verdict.why}. Both ways are taken."
         scene.findings.tell("RW316", message, condition.place, (verdict.why,) if verdict.why else ())
     return verdict
@@ -80,14 +87,26 @@ def _of_text(text: Value, template: Template, condition: Condition, scene: Scene
             scene.fails(f"the condition is {plain!r}, neither true nor false", condition.place)
             verdicts.append(Verdict(why=f"the text {plain!r}"))
         else:
-            verdicts.append(Verdict(why=_reasons(option)))
+            if isinstance(option, Unknown) and option.variable:
+                scene.variables.is_condition(option.variable)
+            verdicts.append(_not_known(option))
     return _joined(verdicts, template)
 
 
 def _settled(truth: bool, origins: Origins) -> Verdict:
     """A known truth counts unless it comes from a default that somebody may change."""
-    changeable = sorted(f"the {o.kind} '{o.name}'" for o in origins if not o.settled)
-    return Verdict(why=", ".join(changeable)) if changeable else Verdict(truth, not truth)
+    open_ones = sorted(o for o in origins if not o.settled)
+    if not open_ones:
+        return Verdict(truth, not truth)
+    names = tuple(o.name for o in open_ones) if all(o.kind == ORIGIN for o in open_ones) else ()
+    return Verdict(why=", ".join(f"the {o.kind} '{o.name}'" for o in open_ones), variables=names)
+
+
+def _not_known(value: Value) -> Verdict:
+    """Both, because of what keeps a value from being known."""
+    reasons = reasons_of(value)
+    names = [r.subject for r in reasons if r.cause is Cause.ENVIRONMENT]
+    return Verdict(why=_reasons(value), variables=tuple(names) if len(names) == len(reasons) else ())
 
 
 def _of_bool(value: Value) -> Verdict:
@@ -96,7 +115,7 @@ def _of_bool(value: Value) -> Verdict:
         if isinstance(option, Const):
             verdicts.append(_settled(bool(option.value), option.origins))
         else:
-            verdicts.append(Verdict(why=_reasons(option)))
+            verdicts.append(_not_known(option))
     return _joined(verdicts, ())
 
 
@@ -105,7 +124,9 @@ def _joined(verdicts: list[Verdict], template: Template) -> Verdict:
     if not (true and false):
         return Verdict(true, false)
     why = dict.fromkeys(v.why for v in verdicts if v.why)
-    return Verdict(why="; ".join(why) or _names(template))
+    every = [v for v in verdicts if v.open]
+    names = dict.fromkeys(n for v in every for n in v.variables) if all(v.variables for v in every) else {}
+    return Verdict(why="; ".join(why) or _names(template), variables=tuple(names))
 
 
 def _reasons(value: Value) -> str:
@@ -138,19 +159,25 @@ def _comparison(condition: Condition, scene: Scene) -> Verdict:
         verdicts.append(YES if expected is None else NO)
     if held is not None and held.value is not None:
         for value in options(held.value):
-            verdicts += [_same(value, e) for e in options(expected)] if expected is not None else [NO]
+            verdicts += (
+                [_same(value, e, scene, condition.place) for e in options(expected)] if expected is not None else [NO]
+            )
     return _joined(verdicts, (Substitution("var", ((name,),), condition.place),))
 
 
-def _same(left: Value, right: Value) -> Verdict:
+def _same(left: Value, right: Value, scene: Scene, place: Place) -> Verdict:
     if isinstance(left, Const) and isinstance(right, Const):
+        scene.variables.of_default(left.origins, right, place)
+        scene.variables.of_default(right.origins, left, place)
         return _settled(left.value == right.value, left.origins | right.origins)
     same_path = is_same_path(left, right)
     if same_path is not None:
         return _settled(same_path, origins_of(left) | origins_of(right))
+    if scene.variables.equal(left, right) is False:
+        return NO
     for text, other in ((left, right), (right, left)):
         plain = plain_text(other)
         if isinstance(text, Text) and plain is not None:
             if not matches(text, plain) or (is_path(text) and not plain.startswith("/")):
                 return NO
-    return Verdict(why=_reasons(left if not isinstance(left, Const) else right))
+    return _not_known(left if not isinstance(left, Const) else right)

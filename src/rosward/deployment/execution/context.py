@@ -16,6 +16,7 @@ from typing import Final, NamedTuple, final
 
 from rosward.deployment.execution.ros_state import RosState
 from rosward.domain.choice import join, join_all
+from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Unknown, Value
 from rosward.source.location import Place
@@ -48,9 +49,10 @@ class Saved(NamedTuple):
 class Context:
     """The state that actions change. Names are looked up in the innermost scope, which is a copy of those around it."""
 
-    def __init__(self) -> None:
+    def __init__(self, shell: Mapping[str, Value] | None = None) -> None:
+        self._shell = {name: Held(value) for name, value in (shell or {}).items()}
         self._configurations: list[dict[str, Held]] = [{}]
-        self._environment: list[dict[str, Held]] = [{}]
+        self._environment: list[dict[str, Held]] = [dict(self._shell)]
         self.alternatives: tuple[RosState, ...] = (RosState(),)
         self.files: tuple[Value | None, ...] = (None,)
         """The path of the current launch file; several where that depends on something unknown, None outside of any."""
@@ -92,18 +94,22 @@ class Context:
     # Environment
 
     def variable(self, name: str) -> Held | None:
-        """An environment variable that launch set or removed, None where it is that of the shell."""
+        """An environment variable that is known, or that launch removed; None where it is an unknown one of the shell."""
         return self._environment[-1].get(name)
 
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
         self._environment[-1][name] = Held(value)
 
-    def environment(self, place: Place) -> dict[str, Value]:
-        """The variables that launch has set, as a process started now gets them."""
-        found: dict[str, Value] = {}
+    def environment(self, place: Place) -> dict[str, Value | None]:
+        """The variables that are others than in the shell, as a process started now gets them; None where launch has removed one."""
+        found: dict[str, Value | None] = {}
         for name, held in self._environment[-1].items():
-            if held.value is not None:
+            if held == self._shell.get(name):
+                continue
+            if held.value is None and held.sure:
+                found[name] = None
+            elif held.value is not None:
                 unknown = Unknown((Reason(Cause.ENVIRONMENT, name, place),), "str")
                 found[name] = held.value if held.sure else join(held.value, unknown)
         return found
@@ -154,7 +160,15 @@ class Context:
 
     def reset_environment(self) -> None:
         """The environment is that of the shell again."""
-        self._environment[-1] = {}
+        self._environment[-1] = dict(self._shell)
+
+    def replaced_environment(self, place: Place) -> dict[str, Value | None]:
+        """What is left of it for a process that is given another one: that may be made of the variables of the shell, or not."""
+        return {
+            name: Unknown((Reason(Cause.ENVIRONMENT, name, place),), "str")
+            for name, held in self._shell.items()
+            if held.value is not None and any(origin.given for origin in origins_of(held.value))
+        }
 
     # Both ways
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final, final
 
+from rosward.deployment.execution.context import ROS_NAMESPACE
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.nodes import At
@@ -25,8 +26,11 @@ from rosward.domain.text import make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Hole, Value
 from rosward.findings import Finding
+from rosward.models.shell import Shell, shell
+from rosward.models.variables import Variables
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
+from rosward.source.surroundings import surroundings
 
 __all__ = ["Execution", "LaunchFiles"]
 
@@ -45,10 +49,14 @@ class Execution:
         arguments: Mapping[str, Value],
         limit: int = MAX_ACTIONS,
         *,
+        environment: Shell | None = None,
+        variables: Variables | None = None,
         net: bool = True,
     ) -> None:
         self._net = net
+        self._shell = shell(surroundings(distro.value)) if environment is None else environment
         self._limit = limit
+        self._variables = variables
         self._distro = distro
         self._files = files
         self._python = python
@@ -56,11 +64,13 @@ class Execution:
         self._findings = Findings()
         self.unread: tuple[str, ...] = ()
         """The arguments that no launch file declared or read."""
+        self.known: frozenset[str] = frozenset()
+        """Those that some launch file declared or read."""
 
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
         generated = Generated(self._files, self._findings)
-        scene = Scene(self._files, self._python, self._findings, generated, self._distro)
+        scene = Scene(self._files, self._python, self._findings, generated, self._distro, self._shell, self._variables)
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in self._arguments.items())
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))
@@ -68,6 +78,7 @@ class Execution:
         system = System(scene, descriptions, Budget(self._limit, net=self._net))
         system.run(file, path or _in_sources(file), At())
         asked = self._arguments if scene.asked_all else scene.asked
+        self.known = frozenset(name for name in scene.asked if name != ROS_NAMESPACE)
         self.unread = tuple(name for name in self._arguments if name not in asked)
         return tuple(system.started)
 

@@ -149,9 +149,9 @@ def _rules(remaps: Sequence[tuple[Value, Value]]) -> list[Value]:
 
 def environment(
     own: Sequence[tuple[Template, Template]], replaces: bool, scene: Scene, place: Place
-) -> dict[str, Value]:
+) -> dict[str, Value | None]:
     """The variables that a process is given: those that launch has set, and its own."""
-    found = {} if replaces else scene.context.environment(place)
+    found = scene.context.replaced_environment(place) if replaces else scene.context.environment(place)
     for name, value in own:
         performed = scene.text(value)
         for option in options(scene.text(name)):

@@ -16,6 +16,7 @@ from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_
 from rosward.domain.text import matches, origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Unknown, Value
+from rosward.models.variables import Variables
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
@@ -81,24 +82,27 @@ def _negated(option: Value) -> Value:
 
 def _equals(scene: Scene, substitution: Substitution) -> Value:
     left, right = (scene.text(t) for t in substitution.arguments[:2])
-    return equal(left, right)
+    return equal(left, right, scene.variables, substitution.place)
 
 
 def _not_equals(scene: Scene, substitution: Substitution) -> Value:
     return join_all(_negated(option) for option in options(_equals(scene, substitution)))
 
 
-def equal(left: Value, right: Value) -> Value:
+def equal(left: Value, right: Value, variables: Variables, place: Place) -> Value:
     """'true' or 'false' as EqualsSubstitution has it: bools and floats are compared as such."""
 
     def pair(a: Value, b: Value) -> Value:
         if isinstance(a, Const) and isinstance(b, Const):
+            variables.of_default(a.origins, b, place)
+            variables.of_default(b.origins, a, place)
             same = _same(str(a.value), str(b.value))
             return Const("true" if same else "false", a.origins | b.origins)
         same_path = is_same_path(a, b)
         if same_path is not None:
             return Const("true" if same_path else "false", origins_of(a) | origins_of(b))
-        if _differ(a, b) or _differ(b, a):
+        other = variables.equal(a, b) is False and not (_is_number_or_bool(a) or _is_number_or_bool(b))
+        if other or _differ(a, b) or _differ(b, a):
             return Const("false", origins_of(a) | origins_of(b))
         return Unknown(reasons_of(a) + reasons_of(b), "str")
 
@@ -111,7 +115,13 @@ def _differ(text: Value, const: Value) -> bool:
         return False
     if is_path(text) and not const.value.startswith("/"):
         return True
-    return const.value.lower() not in _WORDS and _float(const.value) is None and not matches(text, const.value)
+    return not _is_number_or_bool(const) and not matches(text, const.value)
+
+
+def _is_number_or_bool(value: Value) -> bool:
+    """Whether a text is compared as what it stands for: others that look different may be equal."""
+    text = value.value if isinstance(value, Const) else None
+    return isinstance(text, str) and (text.lower() in _WORDS or _float(text) is not None)
 
 
 def _same(left: str, right: str) -> bool:

@@ -2,7 +2,7 @@
 """Substitutions that look something up, or compute a text: var, env, param, anon, eval, command, for-var, index, string-join, python.
 
 $(var id)            the launch configuration; one that is not set fails
-$(env HOME)          unknown, unless launch set it; a default is one value of many: conditions on it take both ways
+$(env HOME)          unknown, unless it is given or launch set it; a default is one value of many: conditions on it take both ways
 $(anon talker)       Text('talker_', hole), the same each time
 """
 
@@ -17,7 +17,7 @@ from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_
 from rosward.domain.text import concat, make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
-from rosward.source.surroundings import surroundings
+from rosward.models.shell import ORIGIN
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene
@@ -76,9 +76,6 @@ def _variable(scene: Scene, name: Value, substitution: Substitution) -> Value:
     plain = plain_text(name)
     shown = readable(name)
     held = scene.context.variable(shown) if plain is not None else None
-    given = surroundings(scene.distro.value).get(shown) if held is None else None
-    if given is not None:
-        return Const(given)
     if held is not None and held.sure and held.value is not None:
         return held.value
     if held is not None and held.sure:  # launch removed it
@@ -86,9 +83,10 @@ def _variable(scene: Scene, name: Value, substitution: Substitution) -> Value:
             scene.fails(f"the environment variable '{shown}' is not set", substitution.place)
         return default or Unknown((Reason(Cause.ENVIRONMENT, shown, substitution.place),), "str")
     if default is None:
-        shell: Value = Unknown((Reason(Cause.ENVIRONMENT, shown, substitution.place),), "str")
+        reasons = (Reason(Cause.ENVIRONMENT, shown, substitution.place),)
+        shell: Value = Unknown(reasons, "str", shown if plain is not None else "")
     else:
-        shell = with_origin(default, Origin("environment variable", shown))
+        shell = with_origin(default, Origin(ORIGIN, shown))
     return shell if held is None or held.value is None else join(held.value, shell)
 
 

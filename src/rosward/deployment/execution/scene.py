@@ -22,6 +22,8 @@ from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.findings import Finding
+from rosward.models.shell import Shell
+from rosward.models.variables import Variables
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
@@ -85,14 +87,23 @@ class Scene:
     """The point of execution. It is the `Performer` that Python code of launch files asks."""
 
     def __init__(
-        self, files: LaunchFiles, python: PythonCode, findings: Findings, generated: Generated, distro: Distro
+        self,
+        files: LaunchFiles,
+        python: PythonCode,
+        findings: Findings,
+        generated: Generated,
+        distro: Distro,
+        shell: Shell | None = None,
+        variables: Variables | None = None,
     ) -> None:
         self.files = files
         self.distro = distro
         self.python = python
         self.findings = findings
         self.generated = generated
-        self.context = Context()
+        self.shell = shell
+        self.variables = variables or Variables()
+        self.context = Context(shell)
         self.turn: Mapping[str, Value] = {}
         """The variables of the loop whose body is executed."""
         self.asked: set[str] = set()
@@ -133,9 +144,14 @@ class Scene:
         self.context.set(name, value)
 
     def variable(self, name: str) -> Value | None:
-        """An environment variable that launch set (None: it is that of the shell, not known)."""
+        """An environment variable, None where it is not known or not set."""
         held = self.context.variable(name)
         return None if held is None else held.value
+
+    def removed(self, name: str) -> bool:
+        """Whether an environment variable is surely not set."""
+        held = self.context.variable(name)
+        return held is not None and held.value is None and held.sure
 
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""

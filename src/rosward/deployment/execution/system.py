@@ -190,7 +190,10 @@ class System:
         file = self._descriptions.find(path, place)
         if file is None:
             return
-        scene = Scene(self.scene.files, self.scene.python, self.scene.findings, self.scene.generated, self.scene.distro)
+        outer = self.scene
+        scene = Scene(
+            outer.files, outer.python, outer.findings, outer.generated, outer.distro, outer.shell, outer.variables
+        )
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in launch.arguments.items())
         for name, value in self.scene.context.environment(place).items():
             scene.set_variable(name, value)

@@ -47,6 +47,7 @@ from rosward.findings import Finding
 from rosward.frontends.python_module import lower_module
 from rosward.ir.ops import Op
 from rosward.models.effects import EffectLog
+from rosward.models.variables import Variables
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -67,9 +68,10 @@ _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"
 class LaunchPython:
     """Implements `performer.PythonCode` for one launched system."""
 
-    def __init__(self, library: Library, budget: Budget | None = None) -> None:
+    def __init__(self, library: Library, budget: Budget | None = None, variables: Variables | None = None) -> None:
         self._budget = budget or Budget()
         self._log = EffectLog()
+        self._log.variables = variables or Variables()
         self._machine = Interpreter(library, self._budget, self._log)
         self._objects = Objects(self._machine)
         self._read = Actions(self._objects)

@@ -109,8 +109,12 @@ class PerformedContext:
         self.performer.set_configuration(name, value)
 
     def variable(self, name: str) -> Value | None:
-        """An environment variable that launch set, None where it is that of the shell."""
+        """An environment variable, None where it is not known or not set."""
         return self.performer.variable(name)
+
+    def removed(self, name: str) -> bool:
+        """Whether an environment variable is surely not set."""
+        return self.performer.removed(name)
 
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""

@@ -1,49 +1,59 @@
 # SPDX-License-Identifier: Apache-2.0
 """`os`: the environment, paths, and programs that are started (also models/std_process.py)."""
-from _rosward import default, either, environment, reads_only, spins, unknown
-from _rosward.launch import set_variable, variable
+from _rosward import default, either, environment, reads_only, spins, unknown, unset
+from _rosward.launch import removed, set_variable, variable
 from os import path as path
 
 reads_only(__name__)
 
+_GONE = False  # no variable is
+
 class _Environ:
-    """`os.environ`: unknown until the deployment or the program itself sets a variable."""
+    """`os.environ`: unknown until the user, the deployment or the program itself sets a variable."""
     def __init__(self):
         self._set = {}
+    def _known(self, key):
+        """What the variable is, `_GONE` where it is not set, None where that is not known."""
+        launched = variable(key)
+        if launched is not None:
+            return launched
+        if removed(key):
+            return _GONE
+        if key in self._set:
+            return self._set[key]
+        return _GONE if unset(key) else environment(key)
     def __getitem__(self, key):
-        launched = variable(key)
-        if launched is not None:
-            return launched
-        if key in self._set:
-            return self._set[key]
-        given = environment(key)
-        return unknown('environment', key, 'str') if given is None else given
+        known = self._known(key)
+        if known is _GONE:
+            raise KeyError(key)
+        return unknown('environment', key, 'str') if known is None else known
     def get(self, key, default=None):
-        launched = variable(key)
-        if launched is not None:
-            return launched
-        if key in self._set:
-            return self._set[key]
-        given = environment(key)
-        return _read(key, default) if given is None else given
+        known = self._known(key)
+        if known is _GONE:
+            return default
+        return _read(key, default) if known is None else known
     def setdefault(self, key, default=None):
         value = self.get(key, default)
         self._set[key] = value
         return value
     def pop(self, key, *default):
-        return self.get(key, *default)
+        value = self.get(key, *default)
+        self._remove(key)
+        return value
+    def _remove(self, key):
+        self._set[key] = _GONE
+        set_variable(key, None)
     def __setitem__(self, key, value):
         self._set[key] = value
         set_variable(key, value)
     def __delitem__(self, key):
-        self._set.pop(key, None)
-        set_variable(key, None)
+        self._remove(key)
     def __contains__(self, key):
-        if key in self._set or environment(key) is not None:
-            return True
-        return unknown('environment', key, 'bool')
+        known = self._known(key)
+        return unknown('environment', key, 'bool') if known is None else known is not _GONE
     def update(self, *args, **kwargs):
-        self._set.update(*args, **kwargs)
+        for key, value in dict(*args, **kwargs).items():
+            self[key] = value
     def copy(self):
         return self
     def __iter__(self):
@@ -53,7 +63,7 @@ class _Environ:
     def values(self):
         return unknown('environment', 'os.environ', 'list')
     def items(self):
-        return [(unknown('environment', 'os.environ', 'str'), unknown('environment', 'os.environ', 'str'))]
+        return [(unknown('live', 'os.environ', 'str'), unknown('live', 'os.environ', 'str'))]
 
 def _read(key, value):
     if value is None:

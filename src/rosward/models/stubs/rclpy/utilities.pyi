@@ -4,7 +4,9 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import native, reads_only, unknown
+import os
+
+from _rosward import native, reads_only
 
 from rclpy.context import Context
 
@@ -31,7 +33,7 @@ def try_shutdown(*, context=None):
 
 
 def get_rmw_implementation_identifier():
-    return unknown("environment", "RMW_IMPLEMENTATION")
+    return os.environ["RMW_IMPLEMENTATION"]
 
 
 @reads_only

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The environment in which everything is started, as values.
+
+shell({'ROS_VERSION': '2', 'ROBOT': 'r1'})     '2' as in every ROS 2; 'r1' because it was given: a name made of it is bound
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rosward.domain.unknown import Origin
+from rosward.domain.values import Const
+from rosward.source.surroundings import OF_DISTRO, usual
+
+ORIGIN = "environment variable"
+"""The kind of the origins of values that come from the environment."""
+
+Shell = Mapping[str, Const]
+
+
+def shell(variables: Mapping[str, str]) -> Shell:
+    """The value of each variable, with where it comes from."""
+    found = {name: _value(name, text) for name, text in variables.items()}
+    for name, text in usual(variables["ROS_DISTRO"]).items() if "ROS_DISTRO" in variables else ():
+        found.setdefault(name, Const(text, frozenset({Origin(ORIGIN, name)})))
+    return found
+
+
+def _value(name: str, text: str) -> Const:
+    if name in OF_DISTRO:
+        return Const(text)
+    return Const(text, frozenset({Origin(ORIGIN, name, settled=True, given=True)}))
