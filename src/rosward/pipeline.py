@@ -7,13 +7,15 @@ result.network.nodes
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
 from rosward.deep_stack import with_deep_stack
+from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, UnknownRequestError
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Severity
@@ -30,6 +32,7 @@ from rosward.reduction.size import size_findings
 from rosward.ros.distro import Distro
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
+from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
 __all__ = ["NothingToReadError", "Progress", "Result", "UnknownRequestError", "extract"]
@@ -115,7 +118,7 @@ def extract(
         EnclaveMode(enclaves) if enclaves is not None else EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
     )
     tell = progress or silent
-    return with_deep_stack(
+    result = with_deep_stack(
         lambda: _extract(
             read_sources(
                 paths,
@@ -136,6 +139,26 @@ def extract(
             assumed=assumed,
         )
     )
+    asked = asked_of(
+        request,
+        result.root,
+        paths,
+        models,
+        underlays,
+        exclude,
+        unknown=unknown,
+        tests=tests,
+        follow_links=follow_links,
+        enclaves=_shown(mode, assigned, result.root),
+        assumed=assumed,
+        budget=(budget or Budget()).factor,
+    )
+    return replace(result, network=replace(result.network, asked=asked))
+
+
+def _shown(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:
+    """How enclaves were chosen: the mode, or the file that assigns them."""
+    return place_name(os.path.abspath(assigned.file), root) if assigned.file else mode.value  # noqa: PTH100
 
 
 class _Enclaves(NamedTuple):

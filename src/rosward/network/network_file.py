@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which nodes does an earlier `network.json` say that there are?
 
-    {"schema_version": 1, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
+    {"schema_version": 2, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
       ->  the nodes as `rosward.extract` gave them, and the findings
 
+Files of version 1 are read, too: they do not say what was asked.
 Why a name is not known is not in the file, only where; and a node is one of some runs only where all that it has itself is. That it is
 assumed, its process says.
 """
@@ -14,6 +15,7 @@ from collections.abc import Iterator
 from typing import Final, NamedTuple
 
 from rosward.findings import RULES, Finding
+from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked
 from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Qos, Resolution, is_assumed_label
 from rosward.source.json_fields import Fields, UnreadableError, json_document
 from rosward.source.location import Place
@@ -21,15 +23,17 @@ from rosward.source.location import Place
 __all__ = ["NetworkRead", "qos_of", "read_network"]
 
 _MOST: Final = 200_000
+_VERSIONS: Final = (1, 2)
 _RESOLUTIONS: Final = {r.value: r for r in Resolution}
 
 
 class NetworkRead(NamedTuple):
-    """What is in a file. `distro` is that of the extraction."""
+    """What is in a file. `distro` is that of the extraction, `asked` the rest of the question."""
 
     distro: str
     nodes: tuple[Node, ...]
     findings: tuple[Finding, ...]
+    asked: Asked = NOT_TOLD
 
 
 def read_network(path: str) -> NetworkRead:
@@ -37,14 +41,33 @@ def read_network(path: str) -> NetworkRead:
     document = json_document(path)
     try:
         top = Fields(document, "the document")
-        top.version()
+        version = top.version(*_VERSIONS)
         return NetworkRead(
             distro=top.text("distro"),
             nodes=tuple(_node(fields) for fields in top.objects("nodes", _MOST)),
             findings=tuple(f for fields in top.objects("diagnostics", _MOST) for f in _findings(fields)),
+            asked=_asked(top.inner("asked")) if version > 1 else NOT_TOLD,
         )
     except UnreadableError as error:
         raise UnreadableError(f"{path}: no network.json of rosward: {error}") from error
+
+
+def _asked(fields: Fields) -> Asked:
+    options = fields.inner("options")
+    return Asked(
+        paths=tuple(fields.texts("paths", _MOST)),
+        launch=tuple(
+            LaunchAsked(each.text("file"), tuple(each.texts_by_name("arguments", _MOST).items()))
+            for each in fields.objects("launch", _MOST)
+        ),
+        all_launch=fields.flag("all_launch", False),
+        arguments=tuple(fields.texts_by_name("arguments", _MOST).items()),
+        nodes=tuple(fields.texts("nodes", _MOST)),
+        parameter_files=tuple(fields.texts("parameter_files", _MOST)),
+        environment=tuple(fields.texts_by_name("environment", _MOST).items()),
+        options=tuple((name, options.option(name, _MOST)) for name in options.names()),
+        models=fields.text("models"),
+    )
 
 
 def _node(fields: Fields) -> Node:
