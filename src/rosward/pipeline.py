@@ -26,6 +26,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.connect import apart, connect, with_findings
 from rosward.network.contexts import EnclaveMode, each_its_own, with_enclaves
 from rosward.network.graph import Network
+from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
 from rosward.reading import EVERYTHING, NothingToReadError, Progress, SourcePath, SourcesRead, read_sources, silent
 from rosward.reduction.size import size_findings
@@ -197,12 +198,13 @@ def _network(
     read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, wanted: _Enclaves
 ) -> Network:
     steps = Steps(net=read.budget.net)
+    named = labelled(gathered.nodes)
     placed = steps(
-        lambda: with_enclaves(gathered.nodes, wanted.mode, wanted.assigned),
+        lambda: with_enclaves(named, wanted.mode, wanted.assigned),
         None,
         "the enclaves are not those that were asked for: each node has one of its own",
     )
-    nodes, conflicts = placed or (each_its_own(gathered.nodes), [])
+    nodes, conflicts = placed or (each_its_own(named), [])
     nothing: list[Finding] = []
     too_large = steps(lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large is not told")
     findings.update(dict.fromkeys((*conflicts, *too_large)))

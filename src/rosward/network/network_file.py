@@ -4,7 +4,7 @@
     {"schema_version": 2, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
       ->  the nodes as `rosward.extract` gave them, and the findings
 
-Files of version 1 are read, too: they do not say what was asked.
+Files of version 1 are read, too: they do not say what was asked, and of interfaces what findings say.
 Why a name is not known is not in the file, only where; and a node is one of some runs only where all that it has itself is. That it is
 assumed, its process says.
 """
@@ -12,11 +12,12 @@ assumed, its process says.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.findings import RULES, Finding
 from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked
-from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Qos, Resolution, is_assumed_label
+from rosward.ros.entities import ENTITY_LISTS, Entity, Interface, Node, Qos, Resolution, is_assumed_label
 from rosward.source.json_fields import Fields, UnreadableError, json_document
 from rosward.source.location import Place
 
@@ -25,6 +26,7 @@ __all__ = ["NetworkRead", "qos_of", "read_network"]
 _MOST: Final = 200_000
 _VERSIONS: Final = (1, 2)
 _RESOLUTIONS: Final = {r.value: r for r in Resolution}
+_INTERFACES: Final = {i.value: i for i in Interface}
 
 
 class NetworkRead(NamedTuple):
@@ -42,10 +44,13 @@ def read_network(path: str) -> NetworkRead:
     try:
         top = Fields(document, "the document")
         version = top.version(*_VERSIONS)
+        distro = top.text("distro")
+        nodes = tuple(_node(fields, version) for fields in top.objects("nodes", _MOST))
+        findings = tuple(f for fields in top.objects("diagnostics", _MOST) for f in _findings(fields))
         return NetworkRead(
-            distro=top.text("distro"),
-            nodes=tuple(_node(fields) for fields in top.objects("nodes", _MOST)),
-            findings=tuple(f for fields in top.objects("diagnostics", _MOST) for f in _findings(fields)),
+            distro=distro,
+            nodes=nodes if version > 1 else tuple(_as_found(node, findings) for node in nodes),
+            findings=findings,
             asked=_asked(top.inner("asked")) if version > 1 else NOT_TOLD,
         )
     except UnreadableError as error:
@@ -70,12 +75,30 @@ def _asked(fields: Fields) -> Asked:
     )
 
 
-def _node(fields: Fields) -> Node:
+def _as_found(node: Node, findings: tuple[Finding, ...]) -> Node:
+    """A node of version 1 with what its findings say of its interface. One that a launch file makes, and no source, is declared."""
+    at = {(p.file, p.line) for p in (node.defined_at, node.launched_by) if p is not None}
+    lacks = tuple(f.message for f in findings if f.code == "RW314" and (f.place.file, f.place.line) in at)
+    if lacks:
+        partial = all("not wholly known" in message for message in lacks)
+        return replace(node, interface=Interface.PARTIAL if partial else Interface.UNKNOWN, lacks=lacks)
+    return replace(node, interface=Interface.DECLARED) if node.defined_at == node.launched_by else node
+
+
+def _interface(fields: Fields) -> Interface:
+    found = _INTERFACES.get(fields.text("interface"))
+    if found is None:
+        raise UnreadableError(f"{fields.where}.interface is none that there is")
+    return found
+
+
+def _node(fields: Fields, version: int) -> Node:
     defined = fields.inner("defined_at")
     entities = tuple(_entities(fields))
     own = [e for e in entities if not e.system]
     launched = fields.inner("launched_by") if "launched_by" in fields else None
     executable, process = fields.text_or_none("executable"), fields.text("process")
+    label = fields.text("label") if version > 1 else fields.text("fqn")
     assumed = executable is None and is_assumed_label(process)
     return Node(
         namespace=fields.text("namespace"),
@@ -91,6 +114,9 @@ def _node(fields: Fields) -> Node:
         # a node of which the file does not say it itself
         conditional=assumed or (bool(own) and all(e.conditional for e in own)),
         assumed=assumed,
+        interface=_interface(fields) if version > 1 else Interface.ANALYSED,
+        lacks=tuple(fields.texts("lacks", _MOST)) if version > 1 else (),
+        label=None if label == fields.text("fqn") else label,
     )
 
 

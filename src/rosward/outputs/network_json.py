@@ -57,9 +57,12 @@ def _asked(asked: Asked) -> dict[str, object]:
 def _node(node: Node) -> dict[str, object]:
     return {
         "fqn": node.fqn,
+        "label": node.shown,
         "namespace": node.namespace,
         "name": node.name,
         "resolution": node.resolution.value,
+        "interface": node.interface.value,
+        "lacks": list(node.lacks),
         "enclave": node.enclave,
         "package": node.package,
         "executable": node.executable,

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Final
 
 from rosward.network.graph import Network
-from rosward.outputs.dot import Drawing, drawing
+from rosward.outputs.dot import UNKNOWN_FILL, Drawing, drawing
 from rosward.outputs.safe import xml_text
 
 __all__ = ["graph_svg"]
@@ -34,6 +34,11 @@ _MOST_STEPS: Final = 60_000
 """Layers that edges cross: above them drawing takes long, and shows a black spot."""
 
 _SECONDS: Final = 600
+_HATCHED: Final = '<ellipse fill="url(#unknown-interface)"'
+_HATCH: Final = (
+    '<defs><pattern id="unknown-interface" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">'
+    '<rect width="7" height="7" fill="#f4f4f1"/><rect width="2" height="7" fill="#dcdcd6"/></pattern></defs>'
+)
 _PROLOGUE: Final = re.compile(r"\A.*?(?=<svg\b)", re.DOTALL)
 
 
@@ -54,7 +59,16 @@ def graph_svg(network: Network, system: bool = False, types: bool = False, *, li
     except (OSError, subprocess.CalledProcessError):
         return _message(f"{_PROGRAM} could not draw this graph", drawn)
     svg = _PROLOGUE.sub("", done.stdout.decode(errors="replace"))
-    return svg if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
+    return _hatched(svg) if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
+
+
+def _hatched(svg: str) -> str:
+    """The drawing with nodes of unknown interface hatched: a fill that Graphviz does not have."""
+    plain = f'<ellipse fill="{UNKNOWN_FILL}"'
+    if plain not in svg:
+        return svg
+    head, end, body = svg.partition(">")
+    return f"{head}{end}\n{_HATCH}{body.replace(plain, _HATCHED)}"
 
 
 def _program() -> str | None:

@@ -66,7 +66,7 @@ rosward.graph = (() => {
     const frames = wanted.frames.map((one) => ({ group: "nodes", data: { id: one.key, label: one.label, parent: one.parent || undefined }, classes: "frame", grabbable: true }));
     const shapes = wanted.shapes.map((one) => ({
       group: "nodes", position: { ...answer.places.get(one.key) }, data: { id: one.key, ref: one.ref, label: one.label, width: one.width, height: one.height, parent: one.parent || undefined },
-      classes: classes("shape", one.kind, one.doubtful && "doubtful", one.hub && "hub", one.system && "system", one.assumed && "assumed", one.severity),
+      classes: classes("shape", one.kind, one.doubtful && "doubtful", one.hub && "hub", one.system && "system", one.assumed && "assumed", one.unknown && "unknown", one.severity),
     }));
     const edges = wanted.edges.map((one) => ({
       group: "edges", data: { id: one.key, source: one.source, target: one.target }, classes: classes(one.kind, one.dashed && "dashed", answer.ways.has(one.key) && "routed"),
