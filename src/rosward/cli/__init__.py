@@ -14,7 +14,20 @@ import sys
 from collections.abc import Sequence
 
 from rosward._version import __version__
-from rosward.cli import audit, check, diff, enclaves, explain, extract, launch_tree, listing, nodl, serve, snapshot
+from rosward.cli import (
+    audit,
+    check,
+    declare,
+    diff,
+    enclaves,
+    explain,
+    extract,
+    launch_tree,
+    listing,
+    nodl,
+    serve,
+    snapshot,
+)
 from rosward.cli.configuration import apply, leave_open
 from rosward.cli.parser import CommandParser
 from rosward.cli.shared import COMPLETE, INTERNAL, INTERRUPTED, told
@@ -63,7 +76,20 @@ def command_line() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rosward {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for command in (extract, listing, explain, check, diff, enclaves, launch_tree, nodl, snapshot, audit, serve):
+    for command in (
+        extract,
+        listing,
+        explain,
+        declare,
+        check,
+        diff,
+        enclaves,
+        launch_tree,
+        nodl,
+        snapshot,
+        audit,
+        serve,
+    ):
         command.add(commands)
     leave_open(parser)
     parser.set_defaults(commands=tuple(commands.choices))
