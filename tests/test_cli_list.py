@@ -47,8 +47,8 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         (
             "nodes",
             [
-                "node     package  executable  assumed  enclave  entities  defined",
-                "/talker  -        -           -        /talker  1         talker.py:6",
+                "node     package  executable  interface  assumed  enclave  entities  defined",
+                "/talker  -        -           analysed   -        /talker  1         talker.py:6",
             ],
         ),
         ("services", ["no services"]),

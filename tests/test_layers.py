@@ -40,6 +40,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "policies": frozenset({"policies", "network", "ros"}) | _TEXT,
     "reduction": frozenset({"reduction", "policies", "network", "ros"}) | _TEXT,
     "running": frozenset({"running", "policies", "network", "ros"}) | _TEXT,
+    "declaring": frozenset({"declaring", "running", "policies", "network", "ros"}) | _TEXT,
     "revisions": frozenset({"revisions"}),
     "differences": frozenset({"differences", "policies", "network", "ros"}) | _TEXT,
     "outputs": frozenset(
@@ -63,6 +64,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "cli": frozenset(
         {
             "cli",
+            "declaring",
             "network",
             "deployment",
             "differences",

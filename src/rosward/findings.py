@@ -248,7 +248,7 @@ _TABLE: Final = (
         "RW314",
         "node of unknown interface",
         _E,
-        "Add its Python source to the analysis, or declare its interface in a file of the folder given by --models.",
+        "Declare what it has: `rosward declare PACKAGE/EXECUTABLE` begins the file, by hand, from a running robot or from its source (--from).",
     ),
     Rule(
         "RW315",

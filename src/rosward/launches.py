@@ -35,7 +35,7 @@ from rosward.plan import Plan
 from rosward.processes import Entry, Run, run
 from rosward.reading import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
 from rosward.ros.distro import Distro
-from rosward.ros.entities import Node
+from rosward.ros.entities import Interface, Node
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.workspace import Workspace
@@ -181,13 +181,10 @@ class _Runs:
         started = program.started
         place = started.place if started.place.file else None
         process = Process(
-            program.package,
-            program.executable,
-            program.process,
-            done,
-            place,
-            program.conditional,
+            *(program.package, program.executable, program.process, done, place, program.conditional),
             shell=self._outset.library.environment,
+            interface=_interface(program),
+            lacks=(program.unknown,) if program.unknown is not None else (),
         )
         nodes, doubts = collect(log, process, self._outset.distro)
         line = read_words(Series(program.configuration.own), program.configuration)
@@ -234,6 +231,12 @@ class _Runs:
         if found is None:
             found = self._runs[key] = run(self._outset.library, entry, self._outset.budget, configuration)
         return found
+
+
+def _interface(program: Launched) -> Interface:
+    if program.unknown is not None:
+        return Interface.UNKNOWN
+    return Interface.DECLARED if program.program is not None else Interface.ANALYSED
 
 
 def _of_packages(sources: SourceTree, workspace: Workspace, packages: set[str]) -> list[Finding]:

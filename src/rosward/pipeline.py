@@ -7,14 +7,16 @@ result.network.nodes
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from rosward.deep_stack import with_deep_stack
+from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Severity
@@ -25,12 +27,14 @@ from rosward.network.checks import UnknownNames
 from rosward.network.connect import apart, connect, with_findings
 from rosward.network.contexts import EnclaveMode, each_its_own, with_enclaves
 from rosward.network.graph import Network
+from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
 from rosward.reading import EVERYTHING, NothingToReadError, Progress, SourcePath, SourcesRead, read_sources, silent
 from rosward.reduction.size import size_findings
 from rosward.ros.distro import Distro
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
+from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
 __all__ = ["NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
@@ -129,7 +133,7 @@ def extract(
         EnclaveMode(enclaves) if enclaves is not None else EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
     )
     tell = progress or silent
-    return with_deep_stack(
+    result = with_deep_stack(
         lambda: _extract(
             read_sources(
                 paths,
@@ -151,6 +155,27 @@ def extract(
             assumed=assumed,
         )
     )
+    asked = asked_of(
+        request,
+        result.root,
+        paths,
+        models,
+        underlays,
+        exclude,
+        env or {},
+        unknown=unknown,
+        tests=tests,
+        follow_links=follow_links,
+        enclaves=_shown(mode, assigned, result.root),
+        assumed=assumed,
+        budget=(budget or Budget()).factor,
+    )
+    return replace(result, network=replace(result.network, asked=asked))
+
+
+def _shown(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:
+    """How enclaves were chosen: the mode, or the file that assigns them."""
+    return place_name(os.path.abspath(assigned.file), root) if assigned.file else mode.value  # noqa: PTH100
 
 
 class _Enclaves(NamedTuple):
@@ -189,12 +214,13 @@ def _network(
     read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, wanted: _Enclaves
 ) -> Network:
     steps = Steps(net=read.budget.net)
+    named = labelled(gathered.nodes)
     placed = steps(
-        lambda: with_enclaves(gathered.nodes, wanted.mode, wanted.assigned),
+        lambda: with_enclaves(named, wanted.mode, wanted.assigned),
         None,
         "the enclaves are not those that were asked for: each node has one of its own",
     )
-    nodes, conflicts = placed or (each_its_own(gathered.nodes), [])
+    nodes, conflicts = placed or (each_its_own(named), [])
     nothing: list[Finding] = []
     too_large = steps(lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large is not told")
     findings.update(dict.fromkeys((*conflicts, *too_large)))

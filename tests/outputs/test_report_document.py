@@ -66,6 +66,8 @@ def test_a_whole_document() -> None:
             "reasons": [],
             "conditional": False,
             "assumed": False,
+            "interface": "analysed",
+            "lacks": [],
             "place": {"file": "src/demo/demo/talker.py", "line": 7},
             "launched_by": None,
             "includes": [],

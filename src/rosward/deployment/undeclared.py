@@ -42,6 +42,13 @@ def undeclared(launched: Launched) -> EffectLog:
     )
     log.nodes[effect] = None
     what = "component" if component else "node"
-    message = f"the interface of the {what} {label} is not known: {launched.unknown}"
+    message = f"the interface of the {what} {label} is not known: {launched.unknown}{_remedy(launched)}"
     log.findings[Finding("RW314", message, place, (launched.cause,) if launched.cause else ())] = None
     return log
+
+
+def _remedy(launched: Launched) -> str:
+    """What to type, where something can be declared at all."""
+    if launched.package is None or launched.executable is None:
+        return ""
+    return f"; `rosward declare {launched.package}/{launched.executable}` begins a declaration of it"

@@ -18,6 +18,7 @@ from rosward.differences.of_nodes import snapshot_of
 from rosward.differences.snapshot import EntityLine, Snapshot
 from rosward.findings import Finding
 from rosward.guard import Steps
+from rosward.network.asked import asked_differently
 from rosward.network.network_file import read_network
 from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
@@ -55,7 +56,7 @@ class Change(Generic[_Line]):
 
 
 class Differences(NamedTuple):
-    """All changes. Of two policies, nodes are profiles, and there are no entities. `notes` say what was not compared."""
+    """All changes. Of two policies, nodes are profiles, and there are no entities. `notes` say what was not compared, or asked otherwise."""
 
     nodes: Change[str]
     entities: Change[EntityLine]
@@ -85,7 +86,8 @@ def read_snapshot(path: str) -> Snapshot:
     if isinstance(data, Finding):
         raise UnreadableError(f"{path}: {data.message}")
     if not data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
-        return snapshot_of(read_network(path).nodes, path)
+        read = read_network(path)
+        return snapshot_of(read.nodes, path)._replace(asked=read.asked)
     policy = read_policy([path])
     if policy.findings:
         raise UnreadableError("; ".join(f"{f.place}: {f.message}" for f in policy.findings[:3]))
@@ -104,6 +106,7 @@ def compare(old: Snapshot, new: Snapshot, *, net: bool = True) -> Differences:
             _NO_CHANGE,
             "the rights are not compared",
         ),
+        tuple(asked_differently(old.asked, new.asked)),
     )
     return found.failing(steps.findings)
 

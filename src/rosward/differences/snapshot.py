@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from rosward.network.asked import NOT_TOLD, Asked
 from rosward.policies.records import Policy
 
 __all__ = ["EntityLine", "Snapshot"]
@@ -28,9 +29,10 @@ class EntityLine(NamedTuple):
 
 
 class Snapshot(NamedTuple):
-    """One state. A policy has profiles for nodes, and no entities; `kind` is network or policy."""
+    """One state. A policy has profiles for nodes, and no entities; `kind` is network or policy; `asked` is what the network answers."""
 
     kind: str
     nodes: frozenset[str]
     entities: frozenset[EntityLine]
     policy: Policy
+    asked: Asked = NOT_TOLD

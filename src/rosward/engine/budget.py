@@ -55,6 +55,11 @@ class Budget(NamedTuple):
 
     net: bool = True
 
+    @property
+    def factor(self) -> float:
+        """How many times the usual steps it has."""
+        return self.steps / Budget().steps
+
 
 class LimitReachedError(Exception):
     """A limit of the budget was reached; `what` says which, in words, `place` where in the user's code."""

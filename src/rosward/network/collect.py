@@ -20,7 +20,7 @@ from rosward.network.doubts import invalid_name, unknown_name, unknown_node, unk
 from rosward.network.implicit import Identity
 from rosward.ros import names
 from rosward.ros.distro import Distro, service_event_topic
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
+from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution
 from rosward.source.location import Place
 
 KINDS: Final = {
@@ -42,6 +42,7 @@ class Process(NamedTuple):
 
     `launched_by` is the place in a launch file that starts it; `conditional`: some execution does not start it; `assumed`: nothing does.
     `shell` are the variables that it finds in its environment, unless it is given others.
+    `interface` is what is known of its program, were it wholly known; `lacks`: why not, beside what its findings say.
     """
 
     package: str | None
@@ -52,6 +53,14 @@ class Process(NamedTuple):
     conditional: bool = False
     assumed: bool = False
     shell: Mapping[str, Value] = _NO_VARIABLES
+    interface: Interface = Interface.ANALYSED
+    lacks: tuple[str, ...] = ()
+
+
+_MAY_HAVE_MORE: Final = frozenset(
+    {"RW106", "RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW212", "RW299", "RW314"}
+)
+"""What is found in a program that may have more than was found."""
 
 
 def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
@@ -64,7 +73,18 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
             node = _node(log, effect, identity, process, distro, own)
             findings.update(dict.fromkeys(f._replace(nodes=(node.fqn,)) for f in own))
             nodes.append(node)
-    return _merged(nodes), list(findings)
+    lacks = tuple(f"{f.code}: {f.message}" for f in log.findings if f.code in _MAY_HAVE_MORE)
+    return [_with_interface(n, process, lacks) for n in _merged(nodes)], list(findings)
+
+
+def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Node:
+    """The node with what is known of all that it has: in part, where the program or a name of its own says that there may be more."""
+    interface, given = process.interface, process.lacks
+    if interface is Interface.UNKNOWN:
+        return replace(node, interface=interface, lacks=given)
+    nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
+    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is not known" for kind in nameless))
+    return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
 
 
 def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[Identity]:

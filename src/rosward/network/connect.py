@@ -161,8 +161,8 @@ def _meetings(nodes: tuple[Node, ...], sender: EntityKind, receiver: EntityKind)
         _Meeting(
             name,
             tuple(sorted({e.type for _, e in ends[name] if e.type is not None})),
-            tuple(sorted({node.fqn for node, e in ends[name] if e.kind is sender})),
-            tuple(sorted({node.fqn for node, e in ends[name] if e.kind is receiver})),
+            tuple(sorted({node.shown for node, e in ends[name] if e.kind is sender})),
+            tuple(sorted({node.shown for node, e in ends[name] if e.kind is receiver})),
             all(e.system for _, e in ends[name]),
         )
         for name in sorted(ends)

@@ -12,8 +12,10 @@ or the last --enclave among its arguments. What the user assigns comes before al
 from __future__ import annotations
 
 import enum
-from collections.abc import Collection, Iterable, Iterator
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import Final
 
 from rosward.findings import Finding
 from rosward.holes import Holed, literal, shown
@@ -21,6 +23,8 @@ from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.launch_tree import CONTAINER
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
+
+_FORBIDDEN: Final = re.compile(r"[^A-Za-z0-9_]")
 
 
 class EnclaveMode(enum.Enum):
@@ -44,6 +48,9 @@ def with_enclaves(
     for node in nodes:
         processes.setdefault(node.process, []).append(node)
     taken = _spoken_for(processes.values()) | assigned.paths
+    if mode is EnclaveMode.NODE:
+        taken |= {n.fqn for members in processes.values() for n in members}
+    own = _of_nameless([n for members in processes.values() for n in members], taken)
     placed: list[Node] = []
     findings: list[Finding] = assigned.unused(processes)
     for members in processes.values():
@@ -59,9 +66,9 @@ def with_enclaves(
         elif mode is EnclaveMode.LAUNCH:
             placed += [replace(n, enclave="/") for n in members]
         elif mode is EnclaveMode.NODE:
-            placed += [replace(n, enclave=n.given_enclave or n.fqn) for n in members]
-        elif (own := _own_name(members)) is not None:
-            placed += [replace(n, enclave=own) for n in members]
+            placed += [replace(n, enclave=n.given_enclave or own.get(n.label or "", n.fqn)) for n in members]
+        elif (name := _own_name(members, own)) is not None:
+            placed += [replace(n, enclave=name) for n in members]
         else:
             enclave = _shared(members, taken)
             taken.add(enclave)
@@ -71,25 +78,41 @@ def with_enclaves(
 
 def each_its_own(nodes: Iterable[Node]) -> list[Node]:
     """What stands in for enclaves that cannot be chosen: each node in one of its own, which allows nothing to the others of its process."""
-    return [replace(n, enclave=n.given_enclave or n.fqn) for n in nodes]
+    listed = list(nodes)
+    own = _of_nameless(listed, {n.fqn for n in listed})
+    return [replace(n, enclave=n.given_enclave or own.get(n.label or "", n.fqn)) for n in listed]
+
+
+def _of_nameless(nodes: Iterable[Node], taken: set[str]) -> dict[str, str]:
+    """An enclave for each node of unknown name, by its label: its namespace, then its executable."""
+    found: dict[str, str] = {}
+    for node in sorted((n for n in nodes if n.label is not None), key=lambda n: n.label or ""):
+        label = node.label or ""
+        last = _FORBIDDEN.sub("_", label.partition("#")[0].rpartition(":" if node.assumed else "/")[2])
+        wanted = str(fully_qualified(Holed(node.namespace), literal(f"_{last}" if last[:1].isdigit() else last)))
+        found[label] = _free(wanted, taken)
+        taken.add(found[label])
+    return found
 
 
 def _spoken_for(processes: Collection[list[Node]]) -> set[str]:
     """The enclaves that starts name, and those of processes that bear a node's name: one that is made up never meets them."""
     named = {n.given_enclave for members in processes for n in members if n.given_enclave is not None}
-    return {*named, *(own for members in processes if (own := _own_name(members)) is not None)}
+    alone = [own for members in processes if not members[0].label and (own := _own_name(members, {})) is not None]
+    return {*named, *alone}
 
 
-def _own_name(members: list[Node]) -> str | None:
+def _own_name(members: list[Node], nameless: Mapping[str, str]) -> str | None:
     """The node by whose name everybody knows a process: its only one, or the container that loads the others."""
     label = members[0].process.partition("#")[0]
     if label.startswith(CONTAINER):
         return label.removeprefix(CONTAINER)
-    own = {n.fqn for n in members if f"{n.package}/{n.executable}" == label}
+    names = {n.shown: nameless.get(n.label or "", n.fqn) for n in members}
+    own = {names[n.shown] for n in members if f"{n.package}/{n.executable}" == label}
     several = len({(n.package, n.executable) for n in members}) > 1
-    for names in ({n.fqn for n in members}, own if several else set()):
-        if len(names) == 1:
-            return names.pop()
+    for found in (set(names.values()), own if several else set()):
+        if len(found) == 1:
+            return found.pop()
     return None
 
 
@@ -113,7 +136,7 @@ def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list
     ]
     if len(given) > 1:
         found.append(Finding("RW308", f"process {process} is given several enclaves: {', '.join(given)}", place))
-    if given and mode is EnclaveMode.NODE and len({n.fqn for n in members}) > 1:
+    if given and mode is EnclaveMode.NODE and len({n.shown for n in members}) > 1:
         found.append(
             Finding(
                 "RW308", f"process {process} runs in {given[-1]}, which its {len(members)} nodes have to share", place
@@ -127,6 +150,10 @@ def _shared(members: list[Node], taken: set[str]) -> str:
     first = members[0]
     label = first.process.rpartition(":" if first.assumed else "/")[2].replace("#", "_")
     wanted = str(fully_qualified(Holed(first.namespace), literal(label)))
+    return _free(wanted, taken)
+
+
+def _free(wanted: str, taken: set[str]) -> str:
     enclave, number = wanted, 2
     while enclave in taken:
         enclave, number = f"{wanted}_{number}", number + 1

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rosward.findings import Finding
+from rosward.network.asked import NOT_TOLD, Asked
 from rosward.ros.entities import Node
 
 
@@ -44,7 +45,7 @@ class Action:
 
 @dataclass(frozen=True, slots=True)
 class Network:
-    """What the analysis says of a system. `files` and `lines` count the source that was read."""
+    """What the analysis says of a system. `files` and `lines` count the source that was read; `asked` is the question."""
 
     distro: str
     nodes: tuple[Node, ...]
@@ -55,3 +56,4 @@ class Network:
     files: int = 0
     lines: int = 0
     processes: int = 0
+    asked: Asked = NOT_TOLD

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which nodes does an earlier `network.json` say that there are?
 
-    {"schema_version": 1, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
+    {"schema_version": 2, "nodes": [{"fqn": "/talker", …, "publishers": [{"name": "/chatter", …}]}], "diagnostics": […]}
       ->  the nodes as `rosward.extract` gave them, and the findings
 
+Files of version 1 are read, too: they do not say what was asked, and of interfaces what findings say.
 Why a name is not known is not in the file, only where; and a node is one of some runs only where all that it has itself is. That it is
 assumed, its process says.
 """
@@ -11,25 +12,30 @@ assumed, its process says.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.findings import RULES, Finding
-from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Qos, Resolution, is_assumed_label
+from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked
+from rosward.ros.entities import ENTITY_LISTS, Entity, Interface, Node, Qos, Resolution, is_assumed_label
 from rosward.source.json_fields import Fields, UnreadableError, json_document
 from rosward.source.location import Place
 
 __all__ = ["NetworkRead", "qos_of", "read_network"]
 
 _MOST: Final = 200_000
+_VERSIONS: Final = (1, 2)
 _RESOLUTIONS: Final = {r.value: r for r in Resolution}
+_INTERFACES: Final = {i.value: i for i in Interface}
 
 
 class NetworkRead(NamedTuple):
-    """What is in a file. `distro` is that of the extraction."""
+    """What is in a file. `distro` is that of the extraction, `asked` the rest of the question."""
 
     distro: str
     nodes: tuple[Node, ...]
     findings: tuple[Finding, ...]
+    asked: Asked = NOT_TOLD
 
 
 def read_network(path: str) -> NetworkRead:
@@ -37,22 +43,62 @@ def read_network(path: str) -> NetworkRead:
     document = json_document(path)
     try:
         top = Fields(document, "the document")
-        top.version()
+        version = top.version(*_VERSIONS)
+        distro = top.text("distro")
+        nodes = tuple(_node(fields, version) for fields in top.objects("nodes", _MOST))
+        findings = tuple(f for fields in top.objects("diagnostics", _MOST) for f in _findings(fields))
         return NetworkRead(
-            distro=top.text("distro"),
-            nodes=tuple(_node(fields) for fields in top.objects("nodes", _MOST)),
-            findings=tuple(f for fields in top.objects("diagnostics", _MOST) for f in _findings(fields)),
+            distro=distro,
+            nodes=nodes if version > 1 else tuple(_as_found(node, findings) for node in nodes),
+            findings=findings,
+            asked=_asked(top.inner("asked")) if version > 1 else NOT_TOLD,
         )
     except UnreadableError as error:
         raise UnreadableError(f"{path}: no network.json of rosward: {error}") from error
 
 
-def _node(fields: Fields) -> Node:
+def _asked(fields: Fields) -> Asked:
+    options = fields.inner("options")
+    return Asked(
+        paths=tuple(fields.texts("paths", _MOST)),
+        launch=tuple(
+            LaunchAsked(each.text("file"), tuple(each.texts_by_name("arguments", _MOST).items()))
+            for each in fields.objects("launch", _MOST)
+        ),
+        all_launch=fields.flag("all_launch", False),
+        arguments=tuple(fields.texts_by_name("arguments", _MOST).items()),
+        nodes=tuple(fields.texts("nodes", _MOST)),
+        parameter_files=tuple(fields.texts("parameter_files", _MOST)),
+        environment=tuple(fields.texts_by_name("environment", _MOST).items()),
+        options=tuple((name, options.option(name, _MOST)) for name in options.names()),
+        models=fields.text("models"),
+    )
+
+
+def _as_found(node: Node, findings: tuple[Finding, ...]) -> Node:
+    """A node of version 1 with what its findings say of its interface. One that a launch file makes, and no source, is declared."""
+    at = {(p.file, p.line) for p in (node.defined_at, node.launched_by) if p is not None}
+    lacks = tuple(f.message for f in findings if f.code == "RW314" and (f.place.file, f.place.line) in at)
+    if lacks:
+        partial = all("not wholly known" in message for message in lacks)
+        return replace(node, interface=Interface.PARTIAL if partial else Interface.UNKNOWN, lacks=lacks)
+    return replace(node, interface=Interface.DECLARED) if node.defined_at == node.launched_by else node
+
+
+def _interface(fields: Fields) -> Interface:
+    found = _INTERFACES.get(fields.text("interface"))
+    if found is None:
+        raise UnreadableError(f"{fields.where}.interface is none that there is")
+    return found
+
+
+def _node(fields: Fields, version: int) -> Node:
     defined = fields.inner("defined_at")
     entities = tuple(_entities(fields))
     own = [e for e in entities if not e.system]
     launched = fields.inner("launched_by") if "launched_by" in fields else None
     executable, process = fields.text_or_none("executable"), fields.text("process")
+    label = fields.text("label") if version > 1 else fields.text("fqn")
     assumed = executable is None and is_assumed_label(process)
     return Node(
         namespace=fields.text("namespace"),
@@ -68,6 +114,9 @@ def _node(fields: Fields) -> Node:
         # a node of which the file does not say it itself
         conditional=assumed or (bool(own) and all(e.conditional for e in own)),
         assumed=assumed,
+        interface=_interface(fields) if version > 1 else Interface.ANALYSED,
+        lacks=tuple(fields.texts("lacks", _MOST)) if version > 1 else (),
+        label=None if label == fields.text("fqn") else label,
     )
 
 

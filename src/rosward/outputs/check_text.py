@@ -56,6 +56,8 @@ def _verdict(found: Checked) -> str:
         f"{number} {word}" for number, word in ((found.ignored, "ignored"), (found.known, "in the baseline")) if number
     ]
     said = ", ".join(part for part in parts if part)
+    if said and not new and not _new(found.unread):
+        said = f"No difference as far as the code is known: {said}"
     if said:
         return f"{', '.join([said, *aside])}."
     if found.known:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from rosward.findings import Severity
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.one_cause import by_cause
-from rosward.ros.entities import Resolution
+from rosward.ros.entities import Interface, Resolution
 
 __all__ = ["Count", "Counts", "counts_of", "several", "some"]
 
@@ -24,7 +24,8 @@ class Count(NamedTuple):
 class Counts(NamedTuple):
     """The numbers of one network. `assumed` are the nodes that nothing starts.
 
-    `names` counts the names that the user's own code gives: endpoints, not nodes. `severities` counts causes: what is there for one is one."""
+    `names` counts the names that the user's own code gives: endpoints, not nodes; `interfaces` the nodes by what is known of them;
+    `severities` causes: what is there for one is one."""
 
     nodes: int
     assumed: int
@@ -33,6 +34,7 @@ class Counts(NamedTuple):
     actions: Count
     names: dict[Resolution, int]
     severities: dict[Severity, int]
+    interfaces: dict[Interface, int]
 
 
 def counts_of(network: Network) -> Counts:
@@ -47,6 +49,7 @@ def counts_of(network: Network) -> Counts:
         actions=_count(network.actions),
         names={resolution: sum(e.resolution is resolution for e in own) for resolution in Resolution},
         severities={severity: weights.count(severity) for severity in Severity},
+        interfaces={each: sum(node.interface is each for node in network.nodes) for each in Interface},
     )
 
 

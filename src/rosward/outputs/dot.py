@@ -8,7 +8,8 @@ others for colour-blind eyes. Namespaces of nodes are clusters, and a name in a 
 namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not wholly known. What
 nearly everyone talks to (`/tf`) would pull all of the drawing into one knot: it gets a double outline and is drawn
 beside each of its nodes. What only the client library makes is hidden unless asked for. `class` attributes let a page
-restyle the drawing. A dashed outline in the colour of nodes is a node that is assumed: nothing starts it.
+restyle the drawing. A dashed outline in the colour of nodes is a node that is assumed: nothing starts it. A node of
+unknown interface is grey, and hatched in SVG, and says what it is: it is no node that does nothing.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
-from rosward.outputs.dot_language import HEADER, LOOKS, TOWARDS_NODE, Drawing, label_of, quoted
+from rosward.outputs.dot_language import HEADER, LOOKS, TOWARDS_NODE, UNKNOWN, Drawing, label_of, quoted
 from rosward.outputs.layers import steps_between_layers
-from rosward.ros.entities import Entity, Node, Resolution
+from rosward.ros.entities import Entity, Interface, Node, Resolution
 
 __all__ = ["drawing", "graph_dot"]
 
@@ -46,6 +47,8 @@ class _Vertex(NamedTuple):
     tooltip: str
     link: str | None
     assumed: bool = False
+    unknown: str = ""
+    """What is said of a node of unknown interface."""
 
 
 def graph_dot(network: Network, system: bool = False, types: bool = False) -> str:
@@ -81,12 +84,12 @@ def _ends(network: Network, system: bool) -> list[_End]:
     shown = [(node, entity) for node in network.nodes for entity in node.entities if system or not entity.system]
     users: dict[str, set[str]] = {}
     for node, entity in shown:
-        users.setdefault(_meeting_key(node, entity), set()).add(node.fqn)
+        users.setdefault(_meeting_key(node, entity), set()).add(node.shown)
     ends = []
     for node, entity in shown:
         key = _meeting_key(node, entity)
         hub = len(users[key]) > _HUB
-        ends.append(_End(node, entity, f"{key} at {node.fqn}" if hub else key, hub))
+        ends.append(_End(node, entity, f"{key} at {node.shown}" if hub else key, hub))
     return ends
 
 
@@ -94,7 +97,7 @@ def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vert
     drawn: dict[str, _Vertex] = {}
     for number, node in enumerate(network.nodes):
         link = f"#node-{number}" if links else None
-        tooltip = _tooltip(node.fqn, node.reasons)
+        tooltip = _tooltip(node.shown, node.lacks if node.interface is Interface.UNKNOWN else node.reasons)
         key = _node_key(node)
         if node.assumed:
             tooltip += " (assumed: nothing starts it)"
@@ -102,8 +105,11 @@ def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vert
         if known is None or (
             known.assumed and not node.assumed
         ):  # where something starts a node of the name, that counts
-            wild = "*" in node.fqn
-            drawn[key] = _Vertex(key, "node", node.fqn, node.fqn, (), wild, False, tooltip, link, node.assumed)
+            wild = "*" in node.shown
+            unknown = _unknown(node)
+            drawn[key] = _Vertex(
+                *(key, "node", node.shown, node.fqn, (), wild, False, tooltip, link, node.assumed), unknown=unknown
+            )
     types: dict[str, set[str]] = {}
     for node, entity, key, hub in ends:
         types.setdefault(key, set()).update({entity.type} if entity.type else ())
@@ -111,6 +117,13 @@ def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vert
         home = node.fqn if hub else entity.name
         drawn.setdefault(key, _Vertex(key, look, entity.name, home, (), "*" in entity.name, hub, tooltip, None))
     return [drawn[key]._replace(types=tuple(sorted(types.get(key, ())))) for key in sorted(drawn)]
+
+
+def _unknown(node: Node) -> str:
+    """What stands in a node of unknown interface, ''  in any other."""
+    if node.interface is not Interface.UNKNOWN:
+        return ""
+    return "C++, unknown" if any("C++" in reason for reason in node.lacks) else "unknown"
 
 
 def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
@@ -124,13 +137,15 @@ def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
 
 
 def _node_key(node: Node) -> str:
-    return f"node {node.fqn}"
+    return f"node {node.shown}"
 
 
 def _meeting_key(node: Node, entity: Entity) -> str:
     """Two names of which nothing is known are not one name, so each node has its own."""
     word = entity.kind.meeting
-    return f"{word} {entity.name} of {node.fqn}" if entity.resolution is Resolution.UNKNOWN else f"{word} {entity.name}"
+    return (
+        f"{word} {entity.name} of {node.shown}" if entity.resolution is Resolution.UNKNOWN else f"{word} {entity.name}"
+    )
 
 
 def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]:
@@ -179,19 +194,22 @@ def _relative(name: str, space: str) -> str:
 
 
 def _vertex(vertex: _Vertex, space: str, types: bool) -> str:
-    look = LOOKS[vertex.look]
+    look = UNKNOWN if vertex.unknown else LOOKS[vertex.look]
     label = [_relative(vertex.name, space)]
     if vertex.doubtful:
         label[0] += " ?"
     if types:
         label += vertex.types
+    if vertex.unknown:
+        label.append(vertex.unknown)
     attributes = [
         f"label={label_of(label)}",
         f"shape={look.shape}",
         f'fillcolor="{look.fill}"',
         f'color="{_DOUBT if vertex.doubtful else look.line}"',
         f"tooltip={quoted(vertex.tooltip)}",
-        f'class="ros-{vertex.look}{" doubtful" if vertex.doubtful else ""}{" assumed" if vertex.assumed else ""}"',
+        f'class="ros-{vertex.look}{" doubtful" if vertex.doubtful else ""}{" assumed" if vertex.assumed else ""}'
+        f'{" unknown-interface" if vertex.unknown else ""}"',
     ]
     if vertex.hub:
         attributes.append("peripheries=2")

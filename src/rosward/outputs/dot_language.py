@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 from rosward.outputs.safe import encodable, printable
 from rosward.ros.entities import EntityKind
 
-__all__ = ["HEADER", "LOOKS", "TOWARDS_NODE", "Drawing", "Look", "escaped", "label_of", "quoted"]
+__all__ = ["HEADER", "LOOKS", "TOWARDS_NODE", "UNKNOWN", "Drawing", "Look", "escaped", "label_of", "quoted"]
 
 
 class Look(NamedTuple):
@@ -26,6 +26,8 @@ LOOKS: Final = {
     "service": Look("hexagon", "#d5f0e6", "#00805c"),
     "action": Look("folder", "#f6e2ee", "#a8457e"),
 }
+UNKNOWN: Final = Look("ellipse", "#e4e4e0", "#6b6b65")
+"""A node of unknown interface."""
 HEADER: Final = (
     "graph [rankdir=LR, ranksep=0.7, nodesep=0.16, fontname=Arial, fontsize=12, compound=true, bgcolor=white, pad=0.2]",
     'node [fontname=Arial, fontsize=11, style=filled, penwidth=1.2, margin="0.1,0.04", height=0.3]',

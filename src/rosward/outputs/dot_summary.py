@@ -15,9 +15,9 @@ from functools import partial
 from typing import Final
 
 from rosward.network.graph import Network
-from rosward.outputs.dot_language import HEADER, LOOKS, TOWARDS_NODE, Drawing, label_of, quoted
+from rosward.outputs.dot_language import HEADER, LOOKS, TOWARDS_NODE, UNKNOWN, Drawing, label_of, quoted
 from rosward.outputs.layers import steps_between_layers
-from rosward.ros.entities import Node, Resolution
+from rosward.ros.entities import Interface, Node, Resolution
 
 __all__ = ["summaries"]
 
@@ -46,17 +46,17 @@ def _views(network: Network) -> Iterator[tuple[str, Callable[[Node], str]]]:
 
 
 def _one_each(node: Node) -> str:
-    return node.fqn
+    return node.shown
 
 
 def _namespace(node: Node, depth: int) -> str:
     """The first parts of its namespace; what is in none stands for itself."""
-    return node.fqn if node.namespace == "/" else "/".join(node.namespace.split("/")[: depth + 1]) + "/"
+    return node.shown if node.namespace == "/" else "/".join(node.namespace.split("/")[: depth + 1]) + "/"
 
 
 def _drawing(network: Network, group_of: Callable[[Node], str], how: str, direction: str, system: bool) -> Drawing:
     groups = Counter(group_of(node) for node in network.nodes)
-    alone = {group_of(node): node.fqn for node in network.nodes if groups[group_of(node)] == 1}
+    alone = {group_of(node): node for node in network.nodes if groups[group_of(node)] == 1}
     edges, crowds = _edges(network, group_of, system)
     lines = [_shape(group, number, alone) for group, number in sorted(groups.items())]
     lines += [_edge(*ends, looks) for ends, looks in sorted(edges.items())]
@@ -90,11 +90,14 @@ def _edges(
     return edges, crowds
 
 
-def _shape(group: str, number: int, alone: Mapping[str, str]) -> str:
+def _shape(group: str, number: int, alone: Mapping[str, Node]) -> str:
     if number == 1:
-        look = LOOKS["node"]
+        node = alone[group]
+        known = node.interface is not Interface.UNKNOWN
+        look = LOOKS["node"] if known else UNKNOWN
         looks = f'shape={look.shape}, fillcolor="{look.fill}", color="{look.line}", class="ros-node"'
-        return f"{quoted(group)} [label={label_of([_shortened(alone[group])])}, {looks}]"
+        label = [_shortened(node.shown), *([] if known else ["unknown"])]
+        return f"{quoted(group)} [label={label_of(label)}, {looks}]"
     looks = f'shape=box, style="rounded,filled", peripheries=2, fillcolor="#e8ebef", color="{_GREY}", class="ros-group"'
     return f"{quoted(group)} [label={label_of([_shortened(group), f'{number} nodes'])}, {looks}]"
 

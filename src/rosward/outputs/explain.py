@@ -44,6 +44,12 @@ _RESOLUTIONS: Final = {
     "default": "default: holds where nobody sets it otherwise",
     "bound": "bound: it is set from outside",
 }
+_INTERFACES: Final = {
+    "analysed": "analysed: its source was interpreted",
+    "declared": "declared: a file says what it has",
+    "partial": "known in part: it may have more than this",
+    "unknown": "unknown: nothing but what every node has",
+}
 _IGNORING: Final = {"error": ", and its code in `accepted` of the configuration"}
 """Lines of a list that are shown."""
 
@@ -239,6 +245,8 @@ def _node(node: NodeTold) -> Iterator[str]:
     yield from _excerpt("created", node.created)
     yield _row("started", _started(node.start))
     yield _row("enclave", node.enclave)
+    yield _row("interface", _INTERFACES.get(node.interface, node.interface))
+    yield from (_row("lacks", reason) for reason in node.lacks[:_SHOWN])
     if node.missing:
         yield _row("name", node.resolution)
         yield from (_row("missing", reason) for reason in node.missing)

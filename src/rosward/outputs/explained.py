@@ -17,7 +17,7 @@ from rosward.network.launch_tree import LaunchSystem
 from rosward.outputs.excerpts import Excerpt, Excerpts
 from rosward.outputs.provenance import PolicyLine, Rights, Source, Start, Starts, remap_rules, remedies, sources
 from rosward.outputs.subjects import Meeting, Subjects, close_matches, is_at, subjects
-from rosward.ros.entities import Entity, Node, Qos, Resolution
+from rosward.ros.entities import Entity, Interface, Node, Qos, Resolution
 from rosward.source.location import Place
 
 __all__ = [
@@ -121,6 +121,8 @@ class NodeTold(NamedTuple):
     missing: tuple[str, ...]
     remedies: tuple[str, ...]
     doubts: tuple[DoubtTold, ...]
+    interface: str = Interface.ANALYSED.value
+    lacks: tuple[str, ...] = ()
 
 
 class EnclaveTold(NamedTuple):
@@ -224,7 +226,7 @@ class _Teller:
             kind=entity.kind.value,
             name=entity.name,
             type=entity.type,
-            node=node.fqn,
+            node=node.shown,
             node_at=node.defined_at,
             system=entity.system,
             conditional=entity.conditional,
@@ -247,7 +249,9 @@ class _Teller:
         places |= {node.launched_by} if node.launched_by else set()
         at = {(place.file, place.line) for place in places}
         return NodeTold(
-            name=node.fqn,
+            name=node.shown,
+            interface=node.interface.value,
+            lacks=node.lacks,
             resolution=node.resolution.value,
             created=self._excerpts.around(node.defined_at),
             start=self._starts.of(node),
@@ -267,7 +271,7 @@ class _Teller:
 
     def _enclave(self, path: str) -> EnclaveTold:
         paths = enclave_paths(self._network.nodes)
-        nodes = tuple(sorted({n.fqn for n in self._network.nodes if paths[n.enclave] == path}))
+        nodes = tuple(sorted({n.shown for n in self._network.nodes if paths[n.enclave] == path}))
         return EnclaveTold(path, nodes, tuple(self._rights.by_enclave.get(path, ())))
 
     def _doubts(self, findings: list[Finding]) -> tuple[DoubtTold, ...]:

@@ -53,7 +53,7 @@ class Omission(NamedTuple):
 
 
 class Profile(NamedTuple):
-    """The rights of a node by its full name; several nodes of one full name in one enclave are one profile."""
+    """The rights of a node by its full name; several nodes of one full name in one enclave are one profile. One of unknown name is no other."""
 
     namespace: str
     name: str
@@ -93,11 +93,11 @@ def enclave_named(
 
 
 def _profiles(nodes: list[Node], unknown: UnknownNames, widened: Sequence[Widened]) -> Iterator[Profile]:
-    members: dict[tuple[str, str], list[Node]] = {}
+    members: dict[tuple[str, str, str], list[Node]] = {}
     for node in nodes:
-        members.setdefault((node.namespace, node.name), []).append(node)
-    for namespace, name in sorted(members, key=lambda key: key[0] + key[1]):
-        same = members[namespace, name]
+        members.setdefault((node.namespace, node.name, node.label or ""), []).append(node)
+    for namespace, name, label in sorted(members, key=lambda key: (key[0] + key[1], key[2])):
+        same = members[namespace, name, label]
         entities = [entity for node in same for entity in node.entities]
         grants, omissions = _rights(entities, unknown)
         yield Profile(namespace, name, tuple(same), tuple(_in_order(_widen(grants, widened))), omissions)

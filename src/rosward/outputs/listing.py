@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What there is of one kind, as a plain table: one line each, for the eyes, for grep and for awk.
 
-node                 package        executable   assumed  enclave              entities
-/porter/base_driver  delivery_base  base_driver  -        /porter/base_driver  4
+node                 package        executable   interface  assumed  enclave              entities
+/porter/base_driver  delivery_base  base_driver  analysed   -        /porter/base_driver  4
 """
 
 from __future__ import annotations
@@ -63,15 +63,16 @@ def _nodes(network: Network, system: bool) -> list[Row]:
     paths = enclave_paths(network.nodes)
     return [
         {
-            "node": node.fqn,
+            "node": node.shown,
             "package": node.package,
             "executable": node.executable,
+            "interface": node.interface.value,
             "assumed": node.assumed,
             "enclave": paths[node.enclave],
             "entities": sum(system or not e.system for e in node.entities),
             "defined": str(node.defined_at),
         }
-        for node in sorted(network.nodes, key=lambda n: (n.fqn, n.package or "", n.process))
+        for node in sorted(network.nodes, key=lambda n: (n.shown, n.package or "", n.process))
     ]
 
 
@@ -111,7 +112,7 @@ def _packages(network: Network, system: bool) -> list[Row]:
 
 def _parameters(network: Network, _system: bool) -> list[Row]:
     return [
-        {"parameter": p.name, "node": n.fqn, "type": p.type, "value": _plain(p), "declared": _declared(p)}
+        {"parameter": p.name, "node": n.shown, "type": p.type, "value": _plain(p), "declared": _declared(p)}
         for n in sorted(network.nodes, key=lambda n: n.fqn)
         for p in sorted(n.parameters, key=lambda p: p.name)
     ]

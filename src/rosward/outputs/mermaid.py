@@ -5,7 +5,7 @@
 
 Nodes are rounded, topics boxes, services hexagons, actions slanted, in the colours of `dot.py`; namespaces of nodes are subgraphs. A dashed
 edge exists in some executions only, a dashed outline is a node that is assumed,
-and a red one a name that is not wholly known. Shapes have numbers for their identity and
+and a red one a name that is not wholly known. A node of unknown interface is grey. Shapes have numbers for their identity and
 names stand in quoted labels as entities, so that no name is read as part of the drawing. Viewers refuse a text of more than 50 000
 characters or 500 edges: what is more than that is left out, and the drawing says so.
 """
@@ -17,7 +17,7 @@ from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
 from rosward.outputs.safe import encodable, printable
-from rosward.ros.entities import Entity, EntityKind, Node, Resolution
+from rosward.ros.entities import Entity, EntityKind, Interface, Node, Resolution
 
 __all__ = ["fenced", "graph_mermaid"]
 
@@ -33,6 +33,7 @@ _LOOKS: Final = {
     "action": ('[/"', '"/]', "fill:#f6e2ee,stroke:#a8457e,color:#111"),
 }
 _DOUBT: Final = "stroke:#c44200,stroke-width:2px,stroke-dasharray:5 3"
+_UNKNOWN: Final = "fill:#e4e4e0,stroke:#6b6b65,stroke-dasharray:2 2"
 _ASSUMED: Final = "stroke-dasharray:5 3"
 _TOWARDS_NODE: Final = (EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER, EntityKind.ACTION_SERVER)
 _PLAIN: Final = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/ .")
@@ -70,9 +71,9 @@ def fenced(text: str) -> str:
 
 
 def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) -> str:
-    nodes = {node.fqn: node for node in network.nodes}
+    nodes = {node.shown: node for node in network.nodes}
     chosen = dict(sorted(nodes.items())[:most_nodes])
-    every = _edges((node for node in network.nodes if node.fqn in chosen), system=system)
+    every = _edges((node for node in network.nodes if node.shown in chosen), system=system)
     edges = dict(sorted(every.items())[:most_edges])
     spaces = {node.namespace for node in chosen.values()} | {"/"}
     shapes = {_Key("node", name): _Shape("node", name, node.namespace) for name, node in chosen.items()}
@@ -84,8 +85,9 @@ def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) 
     lines += _told(len(nodes) - len(chosen), len(every) - len(edges))
     lines += _subgraphs("/", shapes, ids, spaces)
     lines += _arrows(edges, ids)
-    started = {node.fqn for node in network.nodes if not node.assumed}
-    lines += _styles(shapes, ids, started)
+    started = {node.shown for node in network.nodes if not node.assumed}
+    unknown = {name for name, node in chosen.items() if node.interface is Interface.UNKNOWN}
+    lines += _styles(shapes, ids, started, unknown)
     return "\n".join(lines) + "\n"
 
 
@@ -102,14 +104,14 @@ def _edges(nodes: Iterable[Node], *, system: bool) -> dict[tuple[_Key, _Key], bo
     for node in nodes:
         for entity in node.entities:
             if system or not entity.system:
-                own, other = _Key("node", node.fqn), _meeting(node, entity)
+                own, other = _Key("node", node.shown), _meeting(node, entity)
                 pair = (other, own) if entity.kind in _TOWARDS_NODE else (own, other)
                 edges[pair] = edges.get(pair, True) and entity.conditional
     return edges
 
 
 def _meeting(node: Node, entity: Entity) -> _Key:
-    apart = node.fqn if entity.resolution is Resolution.UNKNOWN else ""
+    apart = node.shown if entity.resolution is Resolution.UNKNOWN else ""
     return _Key(entity.kind.meeting, entity.name, apart)
 
 
@@ -159,7 +161,7 @@ def _arrows(edges: dict[tuple[_Key, _Key], bool], ids: dict[_Key, str]) -> Itera
         yield f"  {ids[tail]} {'-.->' if conditional else '-->'} {ids[head]}"
 
 
-def _styles(shapes: dict[_Key, _Shape], ids: dict[_Key, str], started: set[str]) -> Iterator[str]:
+def _styles(shapes: dict[_Key, _Shape], ids: dict[_Key, str], started: set[str], unknown: set[str]) -> Iterator[str]:
     for look, (_, _, style) in _LOOKS.items():
         members = [ids[key] for key in sorted(shapes) if key.look == look]
         if members:
@@ -169,6 +171,10 @@ def _styles(shapes: dict[_Key, _Shape], ids: dict[_Key, str], started: set[str])
     if assumed:
         yield f"  classDef rosAssumed {_ASSUMED}"
         yield f"  class {','.join(assumed)} rosAssumed"
+    of_unknown = [ids[key] for key in sorted(shapes) if key.look == "node" and key.name in unknown]
+    if of_unknown:
+        yield f"  classDef rosUnknown {_UNKNOWN}"
+        yield f"  class {','.join(of_unknown)} rosUnknown"
     doubtful = [ids[key] for key in sorted(shapes) if "*" in key.name]
     if doubtful:
         yield f"  classDef rosDoubt {_DOUBT}"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The network as JSON, for programs and for `git diff`: version 1, schema in `schemas/network.schema.json`.
+"""The network as JSON, for programs and for `git diff`: version 2, schema in `schemas/network.schema.json`.
 
-    {"schema_version": 1, "generator": {…}, "distro": "jazzy", "nodes": [{"fqn": "/talker", …}], "topics": […], …}
+    {"schema_version": 2, "generator": {…}, "distro": "jazzy", "asked": {…}, "nodes": [{"fqn": "/talker", …}], "topics": […], …}
 
 Keys have a fixed order, lists are sorted, and nothing depends on machine, time or the order of the file system.
 """
@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward._version import __version__
+from rosward.network.asked import Asked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.outputs.json_text import json_text
 from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Parameter
@@ -20,7 +21,7 @@ from rosward.source.location import Place
 
 __all__ = ["SCHEMA_VERSION", "network_json"]
 
-SCHEMA_VERSION: Final = 1
+SCHEMA_VERSION: Final = 2
 
 
 def network_json(network: Network) -> str:
@@ -29,6 +30,7 @@ def network_json(network: Network) -> str:
         "schema_version": SCHEMA_VERSION,
         "generator": {"name": "rosward", "version": __version__},
         "distro": network.distro,
+        "asked": _asked(network.asked),
         "nodes": [_node(node) for node in network.nodes],
         "topics": [_topic(topic) for topic in network.topics],
         "services": [_offer(service) for service in network.services],
@@ -38,12 +40,29 @@ def network_json(network: Network) -> str:
     return json_text(document)
 
 
+def _asked(asked: Asked) -> dict[str, object]:
+    return {
+        "paths": list(asked.paths),
+        "launch": [{"file": launch.file, "arguments": dict(launch.arguments)} for launch in asked.launch],
+        "all_launch": asked.all_launch,
+        "arguments": dict(asked.arguments),
+        "nodes": list(asked.nodes),
+        "parameter_files": list(asked.parameter_files),
+        "environment": dict(asked.environment),
+        "options": {name: list(value) if isinstance(value, tuple) else value for name, value in asked.options},
+        "models": asked.models,
+    }
+
+
 def _node(node: Node) -> dict[str, object]:
     return {
         "fqn": node.fqn,
+        "label": node.shown,
         "namespace": node.namespace,
         "name": node.name,
         "resolution": node.resolution.value,
+        "interface": node.interface.value,
+        "lacks": list(node.lacks),
         "enclave": node.enclave,
         "package": node.package,
         "executable": node.executable,

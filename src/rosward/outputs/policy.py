@@ -23,7 +23,7 @@ from rosward.network.graph import Network
 from rosward.outputs.grants import NOT_WIDENED, Enclave, Grant, Omission, Profile, enclave_named, enclaves
 from rosward.outputs.safe import xml_attribute, xml_comment, xml_text
 from rosward.reduction.widened import Widened, Widenings
-from rosward.ros.entities import Entity, EntityKind, Resolution
+from rosward.ros.entities import Entity, EntityKind, Interface, Resolution
 
 __all__ = ["VERBS", "Line", "policies", "policy_lines", "policy_xml"]
 
@@ -122,6 +122,11 @@ def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
 
 
 def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
+    for node in profile.nodes:
+        if node.label is not None:
+            yield f"The node of {node.label}, whose name is not known"
+        if node.interface is Interface.UNKNOWN:
+            yield f"Of unknown interface, so it may do no more than every node does: {'; '.join(node.lacks)}"
     if enclave.path != enclave.found:
         yield (
             f"The enclave was found as {enclave.found}, which no enclave can be called: "

@@ -40,8 +40,8 @@ def starts_text(network: Network) -> str:
 
 
 def _nodes(members: list[Node], enclave: str) -> str:
-    names = sorted({node.fqn for node in members})
-    return "" if names == [enclave] else f" (nodes {printable(', '.join(names))})"
+    names = sorted({node.shown for node in members})
+    return "" if names in ([enclave], [members[0].process]) else f" (nodes {printable(', '.join(names))})"
 
 
 def _starter(members: list[Node]) -> Node:

@@ -4,6 +4,7 @@
     /porter/battery                        the topic of that name
     battery                                every topic, service, action and node whose full name ends in /battery
     RW101                                  the findings of that code
+    delivery_base/base_driver              the nodes of that executable, whatever they are called
     base_driver.py:31                      what is created, started or doubted in that line
 
 A full name is taken before an end of one. A full name also means the names with a hole that it may be: `/left/scan` that of `/*/scan`.
@@ -59,7 +60,8 @@ def subjects(network: Network, query: str) -> Subjects:
         if found != Subjects():
             return found
     end = "/" + query.strip("/")
-    return _named(network, lambda name: name.endswith(end)) if end != "/" else Subjects()
+    found = _named(network, lambda name: name.endswith(end)) if end != "/" else Subjects()
+    return found if found != Subjects() else Subjects(nodes=tuple(n for n in network.nodes if _program(n) == end[1:]))
 
 
 def is_at(file: str, line: int, place: tuple[str, int]) -> bool:
@@ -80,17 +82,21 @@ def close_matches(network: Network, query: str) -> tuple[str, ...]:
 
 def _all_names(network: Network) -> list[str]:
     own = {e.name for n in network.nodes for e in n.entities if not e.system}
-    return sorted(own | {n.fqn for n in network.nodes} | {n.enclave for n in network.nodes})[:20_000]
+    return sorted(own | {n.shown for n in network.nodes} | {n.enclave for n in network.nodes})[:20_000]
 
 
 def _named(network: Network, fits: Callable[[str], bool]) -> Subjects:
     ends = [(n, e) for n in network.nodes for e in n.entities if fits(e.name)]
     own = {(e.kind.meeting, e.name) for _, e in ends if not e.system}
     meetings = _meetings((n, e) for n, e in ends if not own or (e.kind.meeting, e.name) in own)
-    nodes = tuple(n for n in network.nodes if fits(n.fqn))
+    nodes = tuple(n for n in network.nodes if fits(n.fqn) or (n.label is not None and fits(f"/{n.label}")))
     paths = enclave_paths(network.nodes)
     places = () if nodes else tuple(dict.fromkeys(p for f, p in sorted(paths.items()) if fits(f) or fits(p)))
     return Subjects(meetings, nodes, places)
+
+
+def _program(node: Node) -> str:
+    return f"{node.package}/{node.executable}"
 
 
 def _meetings(ends: Iterable[tuple[Node, Entity]]) -> tuple[Meeting, ...]:

@@ -22,7 +22,7 @@ from typing import Final
 
 from rosward.network.graph import Network
 from rosward.outputs.dot import drawing
-from rosward.outputs.dot_language import Drawing
+from rosward.outputs.dot_language import UNKNOWN, Drawing
 from rosward.outputs.dot_summary import summaries
 from rosward.outputs.safe import xml_text
 
@@ -41,6 +41,11 @@ _HIGHEST: Final = 1700
 
 _SECONDS: Final = 600
 _SIZE: Final = re.compile(r'<svg width="(?P<width>[\d.]+)pt" height="(?P<height>[\d.]+)pt"')
+_HATCHED: Final = '<ellipse fill="url(#unknown-interface)"'
+_HATCH: Final = (
+    '<defs><pattern id="unknown-interface" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">'
+    '<rect width="7" height="7" fill="#f4f4f1"/><rect width="2" height="7" fill="#dcdcd6"/></pattern></defs>'
+)
 _PROLOGUE: Final = re.compile(r"\A.*?(?=<svg\b)", re.DOTALL)
 
 
@@ -73,7 +78,16 @@ def _picture(drawn: Drawing) -> str:
     except (OSError, subprocess.CalledProcessError):
         return _message(f"{_PROGRAM} could not draw this graph", drawn)
     svg = _PROLOGUE.sub("", done.stdout.decode(errors="replace"))
-    return svg if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
+    return _hatched(svg) if svg.startswith("<svg") else _message(f"{_PROGRAM} could not draw this graph", drawn)
+
+
+def _hatched(svg: str) -> str:
+    """The drawing with nodes of unknown interface hatched: a fill that Graphviz does not have."""
+    plain = f'<ellipse fill="{UNKNOWN.fill}"'
+    if plain not in svg:
+        return svg
+    head, end, body = svg.partition(">")
+    return f"{head}{end}\n{_HATCH}{body.replace(plain, _HATCHED)}"
 
 
 def _program() -> str | None:

@@ -25,7 +25,7 @@ from rosward.outputs.counts import Count, Counts, counts_of
 from rosward.outputs.doubts import Doubts, doubts
 from rosward.outputs.safe import printable
 from rosward.review.judge import Reviewed
-from rosward.ros.entities import Resolution
+from rosward.ros.entities import Interface, Resolution
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -38,6 +38,7 @@ _SHOWN: Final = 5
 """How many findings of one rule are shown when not verbose."""
 
 _COLOURS: Final = {Severity.ERROR: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
+_KNOWLEDGE: Final = {Interface.PARTIAL: "yellow", Interface.UNKNOWN: "bold red"}
 _SURENESS: Final = {Resolution.PATTERN: "yellow", Resolution.UNKNOWN: "bold red"}
 
 
@@ -76,6 +77,8 @@ def summary(
     console.print()
     _print(console, ("  ", ""), *_things(counts))
     _print(console, ("  ", ""), *_names(counts))
+    if counts.nodes > counts.interfaces[Interface.ANALYSED]:
+        _print(console, ("  ", ""), *_interfaces(counts))
     if counts.assumed:
         assumed = _several(counts.assumed, "node is", "nodes are")
         _print(console, (f"  {assumed} assumed: nothing starts {'it' if counts.assumed == 1 else 'them'}", "yellow"))
@@ -125,6 +128,21 @@ def _names(counts: Counts) -> list[tuple[str, str]]:
     for resolution, number in counts.names.items():
         if number:
             parts += [(separator, ""), (f"{number:,} {resolution.value}", _SURENESS.get(resolution, ""))]
+            separator = ", "
+    return parts
+
+
+_WORDS: Final = {Interface.PARTIAL: "partly known"}
+
+
+def _interfaces(counts: Counts) -> list[tuple[str, str]]:
+    """How much is known of the nodes; not told where each was analysed."""
+    parts = [(_several(counts.nodes, "node"), "")]
+    separator = ": "
+    for interface, number in counts.interfaces.items():
+        if number:
+            colour = _KNOWLEDGE.get(interface, "")
+            parts += [(separator, ""), (f"{number:,} {_WORDS.get(interface, interface.value)}", colour)]
             separator = ", "
     return parts
 

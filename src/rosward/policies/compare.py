@@ -4,7 +4,9 @@
     needed publisher /chatter, no rule for it         ->  RW401, at talker.py:7
     a rule for /debug, which no code of the enclave uses  ->  RW402, at policy.xml:12
 
-A right counts as used as soon as a name that is only known in part may be its name, so nothing is called superfluous that may be used.
+Of a name that is not known at all nothing is lacking: that it is not known is told of the sources (RW101, RW105, RW314). So a policy that was
+written from the sources lacks nothing and has nothing too much. A right counts as used as soon as a name that is only known in part may be its
+name, so nothing is called superfluous that may be used.
 A rule with a pattern is told where it also allows names that nobody uses.
 """
 
@@ -25,6 +27,7 @@ from rosward.source.location import Place
 __all__ = ["Discrepancy", "Related", "compare"]
 
 _MOST_PLACES: Final = 5
+_ROS_PREFIXES: Final = ("rt/", "rq/", "rr/")
 
 
 class Related(NamedTuple):
@@ -86,15 +89,15 @@ def _candidates(wanted: EnclaveNeeds, by_path: dict[str, EnclavePolicy]) -> list
 def _without_enclave(wanted: EnclaveNeeds) -> Discrepancy:
     node = wanted.nodes[0]
     processes = ", ".join(sorted({n.process for n in wanted.nodes}))
-    message = (
-        f"the policy has no enclave {wanted.path}, in which {processes} runs ({_several(n.fqn for n in wanted.nodes)})"
-    )
+    message = f"the policy has no enclave {wanted.path}, in which {processes} runs ({_several(n.shown for n in wanted.nodes)})"
     return Discrepancy(wanted.path, "", Finding("RW405", message, node.launched_by or node.defined_at))
 
 
 def _lacking(enclave: EnclavePolicy, wanted: EnclaveNeeds) -> Iterator[Discrepancy]:
     judge = Judge(enclave)
     for need in wanted.needs:
+        if not need.known or (enclave.adds_discovery and not _has_a_rule(need)):
+            continue
         judged = [(right, judge(right)) for right in need.rights]
         short = [(right, said) for right, said in judged if said.verdict is not Verdict.ALLOWED]
         if short:
@@ -109,6 +112,11 @@ def _lacking(enclave: EnclavePolicy, wanted: EnclaveNeeds) -> Iterator[Discrepan
             message = f"{right} is not allowed, which every process needs that runs on DDS"
             finding = Finding("RW401", message, enclave.place)
             yield Discrepancy(enclave.path, str(right), finding, in_policy=True, related=tuple(_nodes(wanted)))
+
+
+def _has_a_rule(need: Need) -> bool:
+    """Whether policy.xml can express it: it has no words for topics outside the ROS name space (RW305)."""
+    return any(right.name.startswith(_ROS_PREFIXES) for right in need.rights)
 
 
 def _told(need: Need, short: list[tuple[Right, Judgement]]) -> str:
@@ -132,7 +140,7 @@ def _denials(short: list[tuple[Right, Judgement]]) -> list[PolicyRule]:
 def _nodes(wanted: EnclaveNeeds) -> list[Related]:
     """Where the nodes of an enclave are in the sources."""
     return [
-        Related(f"node {node.fqn} runs in this enclave", node.defined_at, in_policy=False)
+        Related(f"node {node.shown} runs in this enclave", node.defined_at, in_policy=False)
         for node in wanted.nodes[:_MOST_PLACES]
     ]
 

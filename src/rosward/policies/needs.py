@@ -32,6 +32,8 @@ class Need(NamedTuple):
     nodes: tuple[str, ...]
     places: tuple[Place, ...]
     conditional: bool
+    known: bool = True
+    """Whether a rule can name it: else the analysis says so (RW101, RW305), and no policy can be held against it."""
 
     def __str__(self) -> str:
         return f"{self.kind.value} {self.name}"
@@ -74,9 +76,10 @@ def _need(kind: EntityKind, name: str, prefixed: bool, users: list[tuple[Node, E
         kind,
         name,
         rights_of(kind, name) if prefixed else (Right(direction, name),),
-        tuple(sorted({node.fqn for node, _ in users})),
+        tuple(sorted({node.shown for node, _ in users})),
         tuple(sorted({place for node, e in users for place in (e.created_at or (node.defined_at,))})),
         all(e.conditional for _, e in users),
+        any(e.resolution is not Resolution.UNKNOWN for _, e in users) and _NAME.fullmatch(name) is not None,
     )
 
 

@@ -17,6 +17,7 @@ __all__ = [
     "ENTITY_LISTS",
     "Entity",
     "EntityKind",
+    "Interface",
     "Node",
     "Parameter",
     "Qos",
@@ -62,6 +63,19 @@ class Resolution(enum.Enum):
     DEFAULT = "default"
     BOUND = "bound"
     PATTERN = "pattern"
+    UNKNOWN = "unknown"
+
+
+class Interface(enum.Enum):
+    """What is known of all that a node has, from the surest to the least.
+
+    An analysed node was interpreted from its source, a declared one is what a file says of it. In part: it was, and something says that
+    it may have more. Of an unknown one there is what every node has.
+    """
+
+    ANALYSED = "analysed"
+    DECLARED = "declared"
+    PARTIAL = "partial"
     UNKNOWN = "unknown"
 
 
@@ -124,7 +138,8 @@ class Node:
 
     `enclave` is where it runs; `given_enclave` is the one that its launch file, arguments or environment name, None where they name none.
     `conditional`: some execution does not have it. `assumed`: it is what a class makes that nothing in the sources instantiates, so no
-    execution is known that has it; it is conditional, too, and `process` names the class.
+    execution is known that has it; it is conditional, too, and `process` names the class. `lacks` says why its interface is known in part,
+    or not at all. `label` is what tells a node of unknown name from others: PACKAGE/EXECUTABLE, None where its name is known.
     """
 
     namespace: str
@@ -143,6 +158,14 @@ class Node:
     conditional: bool = False
     assumed: bool = False
     causes: tuple[str, ...] = ()
+    interface: Interface = Interface.ANALYSED
+    lacks: tuple[str, ...] = ()
+    label: str | None = None
+
+    @property
+    def shown(self) -> str:
+        """What the node is called where people read it: its full name, or its label where nobody knows its name. No two nodes share a label."""
+        return self.label or self.fqn
 
     @property
     def fqn(self) -> str:

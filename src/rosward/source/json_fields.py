@@ -19,7 +19,6 @@ __all__ = ["Fields", "UnreadableError", "json_document"]
 
 _LARGEST: Final = 64_000_000
 _LONGEST: Final = 1_000
-_SCHEMA_VERSION: Final = 1
 
 
 class UnreadableError(Exception):
@@ -92,11 +91,30 @@ class Fields:
             raise UnreadableError(f"{self.where}.{key} is no integer")
         return found
 
-    def version(self) -> None:
-        """Refuse a document of another version."""
+    def version(self, *known: int) -> int:
+        """The version of the document; one that is not known is refused. Without `known` that is the first."""
         found = self._value.get("schema_version")
-        if found != _SCHEMA_VERSION or isinstance(found, bool):
-            raise UnreadableError(f"schema_version is not {_SCHEMA_VERSION}")
+        if isinstance(found, bool) or not isinstance(found, int) or found not in (known or (1,)):
+            raise UnreadableError(f"schema_version is not {' or '.join(map(str, known or (1,)))}")
+        return found
+
+    def texts_by_name(self, key: str, most: int) -> dict[str, str]:
+        """An object of texts."""
+        inner = self.inner(key)
+        if len(inner._value) > most:
+            raise UnreadableError(f"{inner.where} has more than {most:,} items")
+        return {name: inner.long_text(name) for name in inner._value}
+
+    def names(self) -> list[str]:
+        """The names of its fields."""
+        return list(self._value)
+
+    def option(self, key: str, most: int) -> bool | float | str | tuple[str, ...] | None:
+        """A value as options have it."""
+        found = self._value.get(key)
+        if found is None or isinstance(found, (bool, int, float)):
+            return found
+        return tuple(self.texts(key, most)) if isinstance(found, list) else self.long_text(key)
 
     def objects(self, key: str, most: int) -> list[Fields]:
         """A list of objects."""

@@ -56,6 +56,11 @@ def place_name(path: str | Path, root: str | Path) -> str:
     else:
         with contextlib.suppress(ValueError):  # another drive, or a NUL in the name
             text = os.path.relpath(text, base)
+    return readable_path(text)
+
+
+def readable_path(text: str) -> str:
+    """A path with `/`, and free of what cannot be printed."""
     if os.sep != "/":
         text = text.replace(os.sep, "/")
     if text.isascii() and text.isprintable():

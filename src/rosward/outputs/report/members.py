@@ -24,7 +24,7 @@ def node_row(member: Member, start: Start, rights: Rights, findings: Mapping[str
     node = member.node
     return {
         "id": member.id,
-        "fqn": node.fqn,
+        "fqn": node.shown,
         "namespace": node.namespace,
         "name": node.name,
         "package": node.package,
@@ -35,6 +35,8 @@ def node_row(member: Member, start: Start, rights: Rights, findings: Mapping[str
         "reasons": list(node.reasons),
         "conditional": node.conditional,
         "assumed": node.assumed,
+        "interface": node.interface.value,
+        "lacks": list(node.lacks),
         "place": place_row(node.defined_at),
         "launched_by": place_row(node.launched_by) if node.launched_by is not None else None,
         "includes": place_rows(start.includes),

@@ -45,6 +45,7 @@ rosward.elements = (() => {
     drawing.shapes.set(key, {
       key, ref: thing.id, kind: model.kindOf(thing), name: model.nameOf(thing), hub: false, parent: parent || null,
       doubtful: model.doubtful(thing) || model.nameOf(thing).includes("*"), severity: model.severityOf(thing.id), system: thing.system === true, assumed: thing.assumed === true,
+      unknown: thing.interface !== "unknown" ? "" : thing.lacks.some((why) => why.includes("C++")) ? "C++, unknown" : "unknown",
     });
   }
 
@@ -144,9 +145,10 @@ rosward.elements = (() => {
       const seen = names.relative(shape.name, within(shape.parent));
       const lines = [names.shortened(names.visible(seen), 38) + (shape.doubtful ? " ?" : "")];
       if (shape.inside) lines.push(shape.inside);
+      if (shape.unknown) lines.push(shape.unknown);
       shape.label = plain(lines.join("\n"));
       shape.width = Math.ceil(Math.max(...lines.map((line) => measure.measureText(line).width)) + ROOM[shape.kind]);
-      shape.height = shape.kind === "node" ? 34 : shape.kind === "group" ? 46 : 28;
+      shape.height = shape.kind === "node" ? (shape.unknown ? 46 : 34) : shape.kind === "group" ? 46 : 28;
     }
     for (const frame of all.values()) {
       frame.label = plain(names.shortened(names.visible(names.relative(frame.name, within(frame.parent))), 60));

@@ -79,7 +79,7 @@ rosward.graph = (() => {
     const frames = wanted.frames.map((one) => ({ group: "nodes", data: { id: one.key, name: one.label, label: one.label, labelWidth: one.labelWidth, wide: answer.ways.size === 0, size: 12, parent: one.parent || undefined }, classes: "frame", grabbable: true }));
     const shapes = wanted.shapes.map((one) => ({
       group: "nodes", position: { ...answer.places.get(one.key) }, data: { id: one.key, ref: one.ref, label: one.label, width: one.width, height: one.height, parent: one.parent || undefined },
-      classes: classes("shape", one.kind, one.doubtful && "doubtful", one.hub && "hub", one.system && "system", one.assumed && "assumed", one.severity),
+      classes: classes("shape", one.kind, one.doubtful && "doubtful", one.hub && "hub", one.system && "system", one.assumed && "assumed", one.unknown && "unknown", one.severity),
     }));
     const behind = wanted.edges.length > wanted.shapes.length ? "behind" : ""; // so many that they would hide what they join
     const opacity = Math.max(0.1, Math.min(0.35, 20 / wanted.edges.length));

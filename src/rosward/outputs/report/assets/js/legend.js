@@ -15,6 +15,7 @@ rosward.legend = (() => {
       ...KINDS.map((kind) => [some(shapes, (one) => one.kind === kind), icon(kind), kind]),
       [some(shapes, (one) => one.kind === "group"), icon("group"), "closed frame (a click opens it)"],
       [some(shapes, (one) => one.assumed), sample("assumed"), "assumed: nothing starts it"],
+      [some(shapes, (one) => one.unknown), sample("unknown"), "interface not known"],
       [some(shapes, (one) => one.doubtful), sample("doubtful"), "name not wholly known"],
       [some(edges, (one) => one.dashed && one.kind !== "maybe"), sample("dashed"), "conditional, or name not known"],
       [some(edges, (one) => one.kind === "maybe"), sample("maybe"), "may be the same"],

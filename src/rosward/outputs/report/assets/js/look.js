@@ -7,6 +7,7 @@ rosward.look = (() => {
   const FONT = `600 12px ${FAMILY}`; // of the widest labels, those of nodes
   const BADGE = 10; // as far as badges reach over the outline
   const PADDING = 16; // between a frame and what is in it; the layouts leave as much
+  const STRIPES = 24;
   const SHAPES = {
     node: { shape: "ellipse" },
     topic: { shape: "rectangle" },
@@ -27,6 +28,15 @@ rosward.look = (() => {
   function badge(severity) {
     const drawing = BADGES[severity].replaceAll("FILL", colour(severity)).replaceAll("PAGE", colour("page"));
     return "data:image/svg+xml;utf8," + encodeURIComponent(`<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40" viewBox="0 0 20 20">${drawing}</svg>`);
+  }
+
+  /** A fill of stripes: a gradient whose colours change at once. */
+  function hatched(...colours) {
+    const stripes = Array.from({ length: STRIPES }, (_, at) => [colours[at % 2], (100 * at) / STRIPES, (100 * (at + 1)) / STRIPES]);
+    return {
+      "background-fill": "linear-gradient", "background-gradient-direction": "to-bottom-right",
+      "background-gradient-stop-colors": stripes.flatMap(([one]) => [one, one]), "background-gradient-stop-positions": stripes.flatMap(([, from, to]) => [`${from}%`, `${to}%`]),
+    };
   }
 
   /** The style sheet of the graph, in the colours of the moment. */
@@ -56,6 +66,7 @@ rosward.look = (() => {
       { selector: "node.system", style: { "background-opacity": 0.45 } },
       { selector: "node.hub", style: { "border-style": "double", "border-width": 4 } },
       { selector: "node.assumed", style: { "border-style": "dashed", "border-width": 2 } },
+      { selector: "node.unknown", style: { ...hatched(colour("unknown"), colour("frame-line")), "border-color": colour("group-line") } },
       { selector: "node.doubtful", style: { "border-style": "dashed", "border-width": 2, "border-color": colour("doubt") } },
       ...badges,
       { selector: "node.frame", style: {

@@ -5,6 +5,7 @@ rosward.panel = (() => {
   const { model, state, route, dom, parts, entity, names } = rosward;
   const { el, icon, named } = dom;
   const box = document.getElementById("panel");
+  const INTERFACES = { declared: "declared", partial: "known in part", unknown: "interface not known" };
   const KINDS = [["publisher", "Publishes"], ["subscription", "Subscribes to"], ["service server", "Serves"], ["service client", "Calls"], ["action server", "Executes actions"], ["action client", "Sends goals to"]];
   const SIDES = { topic: [["publisher", "Publishers"], ["subscription", "Subscriptions"]], service: [["service server", "Servers"], ["service client", "Clients"]], action: [["action server", "Servers"], ["action client", "Clients"]] };
 
@@ -50,6 +51,7 @@ rosward.panel = (() => {
     const enclave = model.enclaves.get(one.enclave);
     return el("div", { class: "content" },
       head("node", named(one.fqn), one.resolution === "exact" ? null : parts.resolution(one),
+        one.interface === "analysed" ? null : el("span", { class: "tag sometimes", title: one.lacks.join("\n") }, INTERFACES[one.interface]),
         one.assumed ? el("span", { class: "tag sometimes", title: "Nothing in the sources starts it" }, "assumed") : null),
       actions(one),
       findings(one.id, own),
@@ -59,7 +61,8 @@ rosward.panel = (() => {
         ["enclave", enclave && el("a", { href: route.toEnclave(enclave) }, named(enclave.path))],
       ]),
       KINDS.map(([kind, title]) => group(title, own.filter((each) => each.kind === kind), "node")),
-      own.length ? null : el("p", { class: "dim" }, "It makes no publisher, subscription, service or action of its own."),
+      one.interface === "unknown" ? el("p", { class: "dim" }, `What it makes is not known: ${one.lacks.join("; ")}.`)
+        : own.length ? null : el("p", { class: "dim" }, "It makes no publisher, subscription, service or action of its own."),
       parameters(one.parameters),
       system.length ? el("details", { class: "system" }, el("summary", {}, `${system.length} made by the client library`), system.map((each) => entity.row(each, "node"))) : null,
       el("h3", {}, "Where it comes from"),

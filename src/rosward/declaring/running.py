@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does a running node say of its program? A snapshot of rosward, or a text of `ros2 node info`.
+
+    /front/lidar with a publisher of /front/scan, a server of /front/lidar/restart, and what every node has
+      ->  Sketch("lidar", (publishers scan, service_servers ~/restart))
+
+The names are those of one start, behind its remap rules: they are right for that start.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.declaring.sketch import Seen, Sketch, is_usable
+from rosward.ros.distro import ClientLibrary, Distro, implicit_entities
+from rosward.ros.entities import ENTITY_LISTS, Entity, Qos
+from rosward.running.graph import LiveGraph, LiveNode
+from rosward.running.tools import tool_of
+
+__all__ = ["NotRunningError", "node_of", "sketch_of"]
+
+_LISTS: Final = {kind: key for key, kind in ENTITY_LISTS.items()}
+_LIFECYCLE: Final = "change_state"
+
+
+class NotRunningError(Exception):
+    """None, or several, of the running nodes may be the program; the message says which there are."""
+
+
+def node_of(graph: LiveGraph, executable: str, wanted: str | None) -> LiveNode:
+    """The node of a program: the one that is named, else the only one, else the one that is called as the executable is."""
+    nodes = [node for node in graph.nodes if tool_of(node.name) is None]
+    if wanted is not None:
+        nodes = [n for n in graph.nodes if n.name == "/" + wanted.strip("/")]
+    elif len(nodes) > 1:
+        stem = executable.rpartition("::")[2].lower()
+        names = {stem, stem.removesuffix("_node"), f"{stem}_node"}
+        nodes = [n for n in nodes if n.name.rpartition("/")[2].lower() in names]
+    if len(nodes) == 1:
+        return nodes[0]
+    there = ", ".join(sorted(n.name for n in nodes or graph.nodes)[:12])
+    raise NotRunningError(f"which node is it? Name one by --node: {there or 'there is none'}")
+
+
+def sketch_of(node: LiveNode, source: str) -> Sketch:
+    """What a running node has beside what every node has."""
+    lifecycle = any(e.name == f"{node.name}/{_LIFECYCLE}" for e in node.entities)
+    made = {(e.kind, e.name) for library in ClientLibrary for e in _made(node.name, library, lifecycle=lifecycle)}
+    own = [e for e in node.entities if (e.kind, e.name) not in made and e.ros_prefix]
+    seen = [Seen(_LISTS[e.kind], _relative(e.name, node.name), e.type, _qos(e.qos), e.name) for e in own]
+    usable = tuple(each for each in seen if is_usable(each))
+    told = [
+        f"{each.kind}: {each.at} of type {each.type or 'unknown'} has no form here"
+        for each in seen
+        if each not in usable
+    ]
+    told += [
+        f"{e.kind.value} {e.name} has no rt before its name on DDS: no policy can grant it"
+        for e in node.entities
+        if not e.ros_prefix
+    ]
+    return Sketch(
+        node=node.name.rpartition("/")[2],
+        lifecycle=lifecycle,
+        entities=usable,
+        told=(
+            *told,
+            "names are as they ran: write scan in place of /scan for what moves with the namespace of the node",
+        ),
+        open=f"as it ran ({source}), which another run may differ from",
+    )
+
+
+def _made(name: str, library: ClientLibrary, *, lifecycle: bool) -> tuple[Entity, ...]:
+    return implicit_entities(
+        Distro.ROLLING,
+        node_fqn=name,
+        logger_service=True,
+        use_sim_time=True,
+        lifecycle=lifecycle,
+        client_library=library,
+    )
+
+
+def _relative(name: str, node: str) -> str:
+    """A name as the program may have given it: below its node, below its namespace, else the whole."""
+    if name.startswith(f"{node}/"):
+        return f"~{name[len(node) :]}"
+    space = node.rpartition("/")[0]
+    return name[len(space) + 1 :] if space and name.startswith(f"{space}/") else name
+
+
+def _qos(profiles: tuple[Qos, ...]) -> Qos | None:
+    return profiles[0] if len(set(profiles)) == 1 else None
