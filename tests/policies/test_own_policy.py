@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from outputs.networks import entity, node
 
@@ -87,13 +87,11 @@ def differences(network: Network, text: str) -> list[str]:
 
 
 @given(systems(), st.sampled_from(("deny", "wildcard")))
-@settings(max_examples=150, deadline=None)
 def test_its_own_policy_has_no_difference(network: Network, unknown: UnknownNames) -> None:
     assert differences(network, policy_xml(network, unknown=unknown)) == []
 
 
 @given(systems(), st.sampled_from(("deny", "wildcard")))
-@settings(max_examples=80, deadline=None)
 def test_nor_have_the_permissions(network: Network, unknown: UnknownNames) -> None:
     with tempfile.TemporaryDirectory() as folder:
         files = []
@@ -105,7 +103,6 @@ def test_nor_have_the_permissions(network: Network, unknown: UnknownNames) -> No
 
 
 @given(systems())
-@settings(max_examples=150, deadline=None)
 def test_who_is_not_known_is_nobody_else(network: Network) -> None:
     unknown = [n for n in network.nodes if n.interface is Interface.UNKNOWN and "*" in n.fqn]
     assert len({n.shown for n in unknown}) == len(unknown)
@@ -115,7 +112,6 @@ def test_who_is_not_known_is_nobody_else(network: Network) -> None:
 
 
 @given(systems())
-@settings(max_examples=100, deadline=None)
 def test_without_a_reason_it_shares_no_enclave(network: Network) -> None:
     """What shares an enclave with a nameless node shares its process, or was started in that enclave, or all share `/`."""
     given = {n.process for n in network.nodes if n.given_enclave}

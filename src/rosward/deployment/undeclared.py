@@ -42,8 +42,9 @@ def undeclared(launched: Launched) -> EffectLog:
     )
     log.nodes[effect] = None
     what = "component" if component else "node"
-    message = f"the interface of the {what} {label} is not known: {launched.unknown}{_remedy(launched)}"
-    log.findings[Finding("RW314", message, place, (launched.cause,) if launched.cause else ())] = None
+    remedy = _remedy(launched)
+    message = f"the interface of the {what} {label} is not known: {launched.unknown}{remedy}"
+    log.findings[Finding("RW314", message, place, (launched.cause,) if launched.cause else (), remedy=remedy)] = None
     return log
 
 

@@ -100,16 +100,13 @@ def on_path(
     others = {f.file: f for f in reached.possible if f.file != itself and (sure is None or f.file != sure.file)}
     if sure is None and len(others) == 1:
         return tuple(others.values())
+    files = sorted({*others, *([sure.file] if sure is not None and sure.file else ())})
     if len(others) > _ALTERNATIVES:
-        machine.report(
-            "RW203",
-            f"sys.path holds a folder that is not known: {name} may be any of {len(others)} files"
-            f" ({named_few(sorted(others))}); none of them is followed",
-        )
+        said = f"{name} may be any of {len(files)} files ({named_few(files)}); none of them is followed"
+        machine.report("RW203", f"sys.path holds a folder that is not known: {said}")
         surest = sure or otherwise
         return (None if surest is None or surest.guess else surest,)
     if others and reached.open:
-        files = sorted({*others, *([sure.file] if sure is not None and sure.file else ())})
         machine.report("RW203", f"sys.path holds a folder that is not known: {name} may be {' or '.join(files)}")
     return (*others.values(), *((sure,) if sure is not None or not others else ()))
 
