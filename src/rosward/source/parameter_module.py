@@ -81,6 +81,20 @@ class ParamListener:
 """
 
 
+_ENTRIES: Final = """\
+def __getattr__(self, name):
+    if name not in self.entries_:
+        raise AttributeError(name)
+    return self.entries_[name]
+def add_entry(self, name):
+    if name not in self.entries_:
+        self.entries_[name] = {made}
+    return self.entries_[name]
+def get_entry(self, name):
+    return getattr(self, name)
+"""
+
+
 class ParameterModule(NamedTuple):
     """The text of a module, and for each of its lines the line of the description."""
 
@@ -94,9 +108,9 @@ def parameter_module(text: str, file: str, validation: str = "") -> ParameterMod
     out = _Text(library.line)
     out.add(
         0,
-        "import rclpy\nimport rclpy.logging\nimport rclpy.parameter\nimport generate_parameter_library_py.python_validators\n"
+        "import rclpy\nimport rclpy.logging\nimport rclpy.parameter\nimport generate_parameter_library_py._generated as generated\n"
         "from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult\nfrom rclpy.clock import Clock\n"
-        "from rclpy.exceptions import InvalidParameterValueException\nfrom rclpy.time import Time",
+        "from rclpy.time import Time",
     )
     if validation:
         out.add(0, f"import {validation} as custom_validators")
@@ -108,9 +122,8 @@ def parameter_module(text: str, file: str, validation: str = "") -> ParameterMod
     out.add(1, _LISTENER.format(name=library.name))
     fixed = [p for p in library.parameters if MAP not in p.name]
     mapped = [_mapped(p, fixed, file) for p in library.parameters if MAP in p.name]
-    _declare(fixed, out)
-    _declare_mapped(mapped, out)
-    _get(library, fixed, mapped, out)
+    _declare(fixed, mapped, out)
+    _get(library, mapped, out)
     return ParameterModule("\n".join(out.text) + "\n", tuple(out.lines))
 
 
@@ -130,33 +143,29 @@ class _Text:
 
 
 def _params(library: Library, out: _Text) -> None:
-    """The class of what a listener gives, and that of each group; one of which there are several is made by name."""
-    places = {"": library.line, **dict(library.groups)}
-    for path, line in places.items():
+    """The class of what a listener gives, and that of each group; all is given when one is made, so that nothing is there before its value."""
+    for path, line in {"": library.line, **dict(library.groups)}.items():
+        fields = [p for p in library.parameters if _above(p.name) == path]
+        inner = [group for group, _ in library.groups if _above(group) == path]
+        names = [f"{p.parts[-1]}={_constant(p.default)}" for p in fields]
+        names += [f"{_last(group)}=None" for group in inner if MAP not in _last(group)]
         out.add(1, f"class {_class(path)}:", line)
-        out.add(2, "def __init__(self):", line)
-        if not path:
-            out.add(3, "self.stamp_ = Time()", line)
-        out.add(3, "pass", line)
-        for parameter in library.parameters:
-            if _above(parameter.name) == path:
-                out.add(3, f"self.{parameter.parts[-1]} = {_constant(parameter.default)}", parameter.line)
-        entries = ""
-        for inner, place in library.groups:
-            if _above(inner) == path:
-                name = inner.rpartition(".")[2]
-                if MAP in name:
-                    entries = inner  # of several, Python keeps the last
-                else:
-                    out.add(3, f"self.{name} = {library.name}.{_class(inner)}()", place)
-        if entries:
-            out.add(
-                2,
-                "def add_entry(self, name):\n    if not hasattr(self, name):\n"
-                f"        setattr(self, name, {library.name}.{_class(entries)}())\n    return getattr(self, name)\n"
-                "def get_entry(self, name):\n    return getattr(self, name)",
-                places[entries],
-            )
+        out.add(2, f"def __init__({', '.join(['self', *names])}):", line)
+        out.add(3, "pass" if path else "self.stamp_ = Time()", line)
+        for parameter in fields:
+            out.add(3, f"self.{parameter.parts[-1]} = {parameter.parts[-1]}", parameter.line)
+        for group in inner:
+            name, made = _last(group), f"{library.name}.{_class(group)}()"
+            if MAP not in name:
+                out.add(3, f"self.{name} = {made} if {name} is None else {name}", line)
+        entries = [group for group in inner if MAP in _last(group)]
+        if entries:  # of several, Python keeps the last
+            out.add(3, "self.entries_ = {}", line)
+            out.add(2, _ENTRIES.format(made=f"{library.name}.{_class(entries[-1])}()"), line)
+
+
+def _last(path: str) -> str:
+    return path.rpartition(".")[2]
 
 
 def _above(path: str) -> str:
@@ -169,10 +178,12 @@ def _class(path: str) -> str:
 
 
 class _Mapped(NamedTuple):
-    """A parameter of which there is one for each entry: the group that has the entries, the lists of their names, and its path in an entry."""
+    """A parameter of which there is one for each entry: the group that has the entries, the groups that one is made of
+    for each, the lists of their names, and its path in an entry."""
 
     parameter: Described
     group: str
+    maps: tuple[str, ...]
     keys: tuple[str, ...]
     field: str
 
@@ -193,63 +204,89 @@ def _mapped(parameter: Described, fixed: list[Described], file: str) -> _Mapped:
         if name is None:
             raise Malformed(f"no list of texts {key} says which entries there are", _at(parameter, file))
         keys.append(name)
-    return _Mapped(parameter, ".".join(group), tuple(keys), ".".join(parameter.parts[maps[-1] + 1 :]))
+    paths = tuple(".".join(parameter.parts[: index + 1]) for index in maps)
+    return _Mapped(parameter, ".".join(group), paths, tuple(keys), ".".join(parameter.parts[maps[-1] + 1 :]))
 
 
 def _at(parameter: Described, file: str) -> Place:
     return Place(file, parameter.line)
 
 
-def _declare(fixed: list[Described], out: _Text) -> None:
+def _declare(fixed: list[Described], mapped: list[_Mapped], out: _Text) -> None:
     out.add(2, "def declare_params(self):")
-    for parameter in fixed:
-        out.add(3, f"name = self.prefix_ + {parameter.name!r}", parameter.line)
-        _declared(parameter, 3, out)
-    for parameter in fixed:
-        if parameter.checks:
-            out.add(3, f"name = self.prefix_ + {parameter.name!r}", parameter.line)
-            _checked(parameter, 3, out)
+    for write in (_declared, _checked):
+        for parameter in fixed:
+            out.add(3, f"name = {_name('', [], parameter.name)}", parameter.line)
+            write(parameter, 3, out)
     out.add(3, "self.refresh_dynamic_parameters()\nself.update_internal_params(self.get_params())")
-
-
-def _declare_mapped(mapped: list[_Mapped], out: _Text) -> None:
-    out.add(2, "def refresh_dynamic_parameters(self):\n    updated_params = self.get_params()")
+    out.add(2, "def refresh_dynamic_parameters(self):\n    pass")
     for each in mapped:
-        depth = _loops(each, out)
+        for number, key in enumerate(each.keys):
+            out.add(3 + number, _loop(key, number), each.parameter.line)
+        depth = 3 + len(each.keys)
+        keys = [f"key_{number}" for number in range(len(each.keys))]
+        out.add(depth, f"name = {_name(each.group, keys, each.field)}", each.parameter.line)
         _declared(each.parameter, depth, out)
         _checked(each.parameter, depth, out)
 
 
-def _get(library: Library, fixed: list[Described], mapped: list[_Mapped], out: _Text) -> None:
+def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
+    """`get_params`: objects for all groups, from the innermost, of what the node has now."""
+    lists = {path: key for each in mapped for path, key in zip(each.maps, each.keys, strict=True)}
     out.add(
         2,
-        "def get_params(self):\n    if self.by_hand_ is not None:\n"
-        "        return generate_parameter_library_py.python_validators.params(self.by_hand_)\n"
-        f"    updated_params = {library.name}.Params()\n    updated_params.stamp_ = self.params_.stamp_",
+        "def get_params(self):\n    if self.by_hand_ is not None:\n        return generated.set_by_hand(self.by_hand_)",
     )
-    for parameter in fixed:
-        read = f"self.node_.get_parameter(self.prefix_ + {parameter.name!r}).value"
-        out.add(3, f"updated_params.{parameter.name} = {read}", parameter.line)
-    for each in mapped:
-        depth = _loops(each, out)
-        line = each.parameter.line
-        out.add(depth, "if self.node_.has_parameter(name):", line)
-        entry = "updated_params" + (f".{each.group}" if each.group else "")
-        entry += "".join(f".add_entry(key_{number})" for number in range(len(each.keys)))
-        out.add(depth + 1, f"{entry}.{each.field} = self.node_.get_parameter(name).value", line)
-    out.add(3, "return updated_params")
+    _build(library, "", lists, ("", []), out)
+    out.add(3, "params_.stamp_ = self.params_.stamp_\nreturn params_")
 
 
-def _loops(each: _Mapped, out: _Text) -> int:
-    """Go through all entries, with the name of the parameter; how deep the text stands now."""
-    line = each.parameter.line
-    for number, key in enumerate(each.keys):
-        out.add(3 + number, f"for key_{number} in updated_params.{key}:", line)
-    depth = 3 + len(each.keys)
-    keys = ' + "." + '.join(f"key_{number}" for number in range(len(each.keys)))
-    group = f"{each.group}." if each.group else ""
-    out.add(depth, f"name = self.prefix_ + {group!r} + {keys} + {'.' + each.field!r}", line)
-    return depth
+def _build(library: Library, path: str, lists: dict[str, str], entry: tuple[str, list[str]], out: _Text) -> None:
+    """The object of a group; `entry` are the group with entries that it is in, and the variables with their names."""
+    group, keys = entry
+    depth = 3 + len(keys)
+    given = []
+    inner = [each for each in library.groups if _above(each[0]) == path]
+    for below, _ in inner:
+        if MAP not in _last(below):
+            _build(library, below, lists, entry, out)
+            given.append(f"{_last(below)}={_variable(below)}")
+    for parameter in library.parameters:
+        if _above(parameter.name) == path:
+            field = parameter.name
+            if keys:
+                field = ".".join(parameter.parts[(group.count(".") + 1 if group else 0) + len(keys) :])
+            name = _name(group, keys, field)
+            value = f"self.node_.get_parameter({name}).value"
+            if keys:
+                value += f" if self.node_.has_parameter({name}) else {_constant(parameter.default)}"
+            variable = _variable(parameter.name)
+            out.add(depth, f"{variable} = {value}", parameter.line)
+            given.append(f"{parameter.parts[-1]}={variable}")
+    line = dict(library.groups).get(path, library.line)
+    out.add(depth, f"{_variable(path)} = {library.name}.{_class(path)}({', '.join(given)})", line)
+    for below, place in inner:
+        if below in lists:
+            key = f"key_{len(keys)}"
+            out.add(depth, _loop(lists[below], len(keys)), place)
+            _build(library, below, lists, (group if keys else path, [*keys, key]), out)
+            out.add(depth + 1, f"{_variable(path)}.entries_[{key}] = {_variable(below)}", place)
+
+
+def _variable(path: str) -> str:
+    return f"params_{path.replace('.', '__')}"
+
+
+def _name(group: str, keys: list[str], field: str) -> str:
+    """The Python that gives the name of a parameter: of one in an entry by variables."""
+    if not keys:
+        return f"self.prefix_ + {field!r}"
+    parts = ["self.prefix_", *([repr(f"{group}.")] if group else []), ' + "." + '.join(keys), repr(f".{field}")]
+    return " + ".join(parts)
+
+
+def _loop(key: str, number: int) -> str:
+    return f"for key_{number} in self.node_.get_parameter(self.prefix_ + {key!r}).value:"
 
 
 def _declared(parameter: Described, depth: int, out: _Text) -> None:
@@ -264,9 +301,8 @@ def _checked(parameter: Described, depth: int, out: _Text) -> None:
     """Raise where a value is wrong."""
     if parameter.checks:
         out.add(depth, "param = self.node_.get_parameter(name)\nvalue = param.value", parameter.line)
-    for condition in map(_wrong, parameter.checks):
-        out.add(depth, f"if {condition}:", parameter.line)
-        out.add(depth + 1, f"raise InvalidParameterValueException(name, value, {'not valid'!r})", parameter.line)
+    for check in parameter.checks:
+        out.add(depth, f"generated.check(not ({_wrong(check)}), name, {check.name!r})", parameter.line)
 
 
 def _wrong(check: Check) -> str:
