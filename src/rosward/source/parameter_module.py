@@ -13,6 +13,7 @@ knows the line of the description that it comes from.
 from __future__ import annotations
 
 import math
+from itertools import groupby
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
@@ -216,18 +217,28 @@ def _declare(fixed: list[Described], mapped: list[_Mapped], out: _Text) -> None:
     out.add(2, "def declare_params(self):")
     for write in (_declared, _checked):
         for parameter in fixed:
-            out.add(3, f"name = {_name('', [], parameter.name)}", parameter.line)
-            write(parameter, 3, out)
+            if parameter.checks or write is _declared:
+                out.add(3, f"name = {_name('', [], parameter.name)}", parameter.line)
+                write(parameter, 3, out)
     out.add(3, "self.refresh_dynamic_parameters()\nself.update_internal_params(self.get_params())")
     out.add(2, "def refresh_dynamic_parameters(self):\n    pass")
-    for each in mapped:
-        for number, key in enumerate(each.keys):
-            out.add(3 + number, _loop(key, number), each.parameter.line)
-        depth = 3 + len(each.keys)
-        keys = [f"key_{number}" for number in range(len(each.keys))]
-        out.add(depth, f"name = {_name(each.group, keys, each.field)}", each.parameter.line)
-        _declared(each.parameter, depth, out)
-        _checked(each.parameter, depth, out)
+    _read_lists(mapped, out)
+    for (group, lists), several in groupby(mapped, key=lambda each: (each.group, each.keys)):
+        entries = list(several)
+        for number, key in enumerate(lists):
+            out.add(3 + number, _loop(key, number), entries[0].parameter.line)
+        depth = 3 + len(lists)
+        keys = [f"key_{number}" for number in range(len(lists))]
+        for each in entries:
+            out.add(depth, f"name = {_name(group, keys, each.field)}", each.parameter.line)
+            _declared(each.parameter, depth, out)
+            _checked(each.parameter, depth, out)
+
+
+def _read_lists(mapped: list[_Mapped], out: _Text) -> None:
+    """The lists that say which entries there are."""
+    for key, line in {key: each.parameter.line for each in mapped for key in each.keys}.items():
+        out.add(3, f"{_variable(key)} = generated.value(self.node_, self.prefix_ + {key!r})", line)
 
 
 def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
@@ -237,6 +248,7 @@ def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
         2,
         "def get_params(self):\n    if self.by_hand_ is not None:\n        return generated.set_by_hand(self.by_hand_)",
     )
+    _read_lists(mapped, out)
     _build(library, "", lists, ("", []), out)
     out.add(3, "params_.stamp_ = self.params_.stamp_\nreturn params_")
 
@@ -257,7 +269,7 @@ def _build(library: Library, path: str, lists: dict[str, str], entry: tuple[str,
             if keys:
                 field = ".".join(parameter.parts[(group.count(".") + 1 if group else 0) + len(keys) :])
             name = _name(group, keys, field)
-            value = f"self.node_.get_parameter({name}).value"
+            value = f"generated.value(self.node_, {name})"
             if keys:
                 value += f" if self.node_.has_parameter({name}) else {_constant(parameter.default)}"
             variable = _variable(parameter.name)
@@ -286,7 +298,7 @@ def _name(group: str, keys: list[str], field: str) -> str:
 
 
 def _loop(key: str, number: int) -> str:
-    return f"for key_{number} in self.node_.get_parameter(self.prefix_ + {key!r}).value:"
+    return f"for key_{number} in {_variable(key)}:"
 
 
 def _declared(parameter: Described, depth: int, out: _Text) -> None:
@@ -299,8 +311,10 @@ def _declared(parameter: Described, depth: int, out: _Text) -> None:
 
 def _checked(parameter: Described, depth: int, out: _Text) -> None:
     """Raise where a value is wrong."""
+    if any(check.own for check in parameter.checks):
+        out.add(depth, "param = self.node_.get_parameter(name)", parameter.line)
     if parameter.checks:
-        out.add(depth, "param = self.node_.get_parameter(name)\nvalue = param.value", parameter.line)
+        out.add(depth, "value = generated.value(self.node_, name)", parameter.line)
     for check in parameter.checks:
         out.add(depth, f"generated.check(not ({_wrong(check)}), name, {check.name!r})", parameter.line)
 
