@@ -101,7 +101,12 @@ class SourceTree:
             message = f"The parameters of this module are not read: {problem.message}."
             self.findings[Finding("RW008", message, problem.place)] = None
             return None
-        return lower_module(made.text, file, made.lines)
+        try:
+            return lower_module(made.text, file, made.lines)
+        except FrontendError:
+            message = "The parameters of this module are not read: they are nested deeper than Python allows."
+            self.findings[Finding("RW008", message, Place(file, 1))] = None
+            return None
 
     def find(self, name: str, level: int, importer: str) -> Found | None:
         """The module of a name as written in the file `importer`."""

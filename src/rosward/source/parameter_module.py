@@ -84,13 +84,13 @@ class ParamListener:
 
 _ENTRIES: Final = """\
 def __getattr__(self, name):
-    if name not in self.entries_:
+    if name not in self._rosward_entries:
         raise AttributeError(name)
-    return self.entries_[name]
+    return self._rosward_entries[name]
 def add_entry(self, name):
-    if name not in self.entries_:
-        self.entries_[name] = {made}
-    return self.entries_[name]
+    if name not in self._rosward_entries:
+        self._rosward_entries[name] = {made}
+    return self._rosward_entries[name]
 def get_entry(self, name):
     return getattr(self, name)
 """
@@ -109,7 +109,7 @@ def parameter_module(text: str, file: str, validation: str = "") -> ParameterMod
     out = _Text(library.line)
     out.add(
         0,
-        "import rclpy\nimport rclpy.logging\nimport rclpy.parameter\nimport generate_parameter_library_py._generated as generated\n"
+        "import rclpy\nimport rclpy.logging\nimport rclpy.parameter\nimport generate_parameter_library_py._generated as _rosward_generated\n"
         "from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult\nfrom rclpy.clock import Clock\n"
         "from rclpy.time import Time",
     )
@@ -148,20 +148,20 @@ def _params(library: Library, out: _Text) -> None:
     for path, line in {"": library.line, **dict(library.groups)}.items():
         fields = [p for p in library.parameters if _above(p.name) == path]
         inner = [group for group, _ in library.groups if _above(group) == path]
-        names = [f"{p.parts[-1]}={_constant(p.default)}" for p in fields]
-        names += [f"{_last(group)}=None" for group in inner if MAP not in _last(group)]
+        names = [f"given_{p.parts[-1]}={_constant(p.default)}" for p in fields]
+        names += [f"given_{_last(group)}=None" for group in inner if MAP not in _last(group)]
         out.add(1, f"class {_class(path)}:", line)
         out.add(2, f"def __init__({', '.join(['self', *names])}):", line)
         out.add(3, "pass" if path else "self.stamp_ = Time()", line)
         for parameter in fields:
-            out.add(3, f"self.{parameter.parts[-1]} = {parameter.parts[-1]}", parameter.line)
+            out.add(3, f"self.{parameter.parts[-1]} = given_{parameter.parts[-1]}", parameter.line)
         for group in inner:
             name, made = _last(group), f"{library.name}.{_class(group)}()"
             if MAP not in name:
-                out.add(3, f"self.{name} = {made} if {name} is None else {name}", line)
+                out.add(3, f"self.{name} = {made} if given_{name} is None else given_{name}", line)
         entries = [group for group in inner if MAP in _last(group)]
         if entries:  # of several, Python keeps the last
-            out.add(3, "self.entries_ = {}", line)
+            out.add(3, "self._rosward_entries = {}", line)
             out.add(2, _ENTRIES.format(made=f"{library.name}.{_class(entries[-1])}()"), line)
 
 
@@ -174,8 +174,8 @@ def _above(path: str) -> str:
 
 
 def _class(path: str) -> str:
-    """The name of the class for a group; no two have one, since no name of a group has a dot."""
-    return "Params" if not path else "Params_" + path.replace("_", "_1").replace(".", "_0")
+    """The name of the class for a group."""
+    return "Params" if not path else f"Params_{_flat(path)}"
 
 
 class _Mapped(NamedTuple):
@@ -238,7 +238,7 @@ def _declare(fixed: list[Described], mapped: list[_Mapped], out: _Text) -> None:
 def _read_lists(mapped: list[_Mapped], out: _Text) -> None:
     """The lists that say which entries there are."""
     for key, line in {key: each.parameter.line for each in mapped for key in each.keys}.items():
-        out.add(3, f"{_variable(key)} = generated.value(self.node_, self.prefix_ + {key!r})", line)
+        out.add(3, f"{_variable(key)} = _rosward_generated.value(self.node_, self.prefix_ + {key!r})", line)
 
 
 def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
@@ -246,7 +246,7 @@ def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
     lists = {path: key for each in mapped for path, key in zip(each.maps, each.keys, strict=True)}
     out.add(
         2,
-        "def get_params(self):\n    if self.by_hand_ is not None:\n        return generated.set_by_hand(self.by_hand_)",
+        "def get_params(self):\n    if self.by_hand_ is not None:\n        return _rosward_generated.set_by_hand(self.by_hand_)",
     )
     _read_lists(mapped, out)
     _build(library, "", lists, ("", []), out)
@@ -262,19 +262,19 @@ def _build(library: Library, path: str, lists: dict[str, str], entry: tuple[str,
     for below, _ in inner:
         if MAP not in _last(below):
             _build(library, below, lists, entry, out)
-            given.append(f"{_last(below)}={_variable(below)}")
+            given.append(f"given_{_last(below)}={_variable(below)}")
     for parameter in library.parameters:
         if _above(parameter.name) == path:
             field = parameter.name
             if keys:
                 field = ".".join(parameter.parts[(group.count(".") + 1 if group else 0) + len(keys) :])
             name = _name(group, keys, field)
-            value = f"generated.value(self.node_, {name})"
+            value = f"_rosward_generated.value(self.node_, {name})"
             if keys:
                 value += f" if self.node_.has_parameter({name}) else {_constant(parameter.default)}"
             variable = _variable(parameter.name)
             out.add(depth, f"{variable} = {value}", parameter.line)
-            given.append(f"{parameter.parts[-1]}={variable}")
+            given.append(f"given_{parameter.parts[-1]}={variable}")
     line = dict(library.groups).get(path, library.line)
     out.add(depth, f"{_variable(path)} = {library.name}.{_class(path)}({', '.join(given)})", line)
     for below, place in inner:
@@ -282,11 +282,16 @@ def _build(library: Library, path: str, lists: dict[str, str], entry: tuple[str,
             key = f"key_{len(keys)}"
             out.add(depth, _loop(lists[below], len(keys)), place)
             _build(library, below, lists, (group if keys else path, [*keys, key]), out)
-            out.add(depth + 1, f"{_variable(path)}.entries_[{key}] = {_variable(below)}", place)
+            out.add(depth + 1, f"{_variable(path)}._rosward_entries[{key}] = {_variable(below)}", place)
 
 
 def _variable(path: str) -> str:
-    return f"params_{path.replace('.', '__')}"
+    return f"params_{_flat(path)}"
+
+
+def _flat(path: str) -> str:
+    """A path as a part of a name; no two have one."""
+    return path.replace("_", "_1").replace(".", "_0")
 
 
 def _name(group: str, keys: list[str], field: str) -> str:
@@ -314,9 +319,9 @@ def _checked(parameter: Described, depth: int, out: _Text) -> None:
     if any(check.own for check in parameter.checks):
         out.add(depth, "param = self.node_.get_parameter(name)", parameter.line)
     if parameter.checks:
-        out.add(depth, "value = generated.value(self.node_, name)", parameter.line)
+        out.add(depth, "value = _rosward_generated.value(self.node_, name)", parameter.line)
     for check in parameter.checks:
-        out.add(depth, f"generated.check(not ({_wrong(check)}), name, {check.name!r})", parameter.line)
+        out.add(depth, f"_rosward_generated.check(not ({_wrong(check)}), name, {check.name!r})", parameter.line)
 
 
 def _wrong(check: Check) -> str:

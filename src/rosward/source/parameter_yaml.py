@@ -37,6 +37,7 @@ _ARITY: Final = MappingProxyType(
 )  # fmt: skip
 _MOST: Final = 5_000
 _LONGEST: Final = 1_000
+_LARGEST: Final = 1 << 63
 _OWN_NAME: Final = "custom_validators::"
 
 
@@ -115,12 +116,15 @@ def _read(item: Item, above: str, groups: list[tuple[str, int]], found: list[Des
 
 
 def _identifier(name: str, place: Place) -> None:
-    if not name.isidentifier() or keyword.iskeyword(name):
-        raise Malformed(f"{name[:100]!r} is no name in Python", place)
+    hidden = name.startswith("__") and not name.startswith(MAP) and not name.endswith("__")
+    if not name.isidentifier() or keyword.iskeyword(name) or hidden:
+        raise Malformed(f"{name[:100]!r} is no name that the module can have", place)
 
 
 def _parameter(name: str, item: Item) -> Described | None:
     inside = item.mapping(_KEYS)
+    if MAP in name.rpartition(".")[2]:
+        raise Malformed(f"parameter {name} is named like a group of entries", item.named)
     if "type" not in inside:
         raise Malformed(f"parameter {name} has no type", item.named)
     declared = inside["type"].text()
@@ -143,11 +147,19 @@ def _parameter(name: str, item: Item) -> Described | None:
 def _default(item: Item, base: str, *, array: bool) -> Constant:
     if array:
         return [_default(each, base, array=False) for each in item.items()]
-    value = item.scalar()
+    value = _scalar(item)
     if not isinstance(value, _TYPES[base]) or (base != "bool" and isinstance(value, bool)):
         raise Malformed(f"a value of type {base} is expected here", item.place)
     if base == "double":
         return float(value)
+    return value
+
+
+def _scalar(item: Item) -> Constant:
+    """A scalar as the generated module has it."""
+    value = item.scalar()
+    if isinstance(value, int) and not -_LARGEST <= value < _LARGEST:
+        raise Malformed("no parameter holds a number as large as this", item.place)
     return _as_generated(value, item.place) if isinstance(value, str) else value
 
 
@@ -183,5 +195,4 @@ def _checks(item: Item) -> list[Check]:
 def _argument(item: Item) -> Constant:
     if isinstance(item.value, list):
         return [_argument(each) for each in item.value]
-    value = item.scalar()
-    return _as_generated(value, item.place) if isinstance(value, str) else value
+    return _scalar(item)
