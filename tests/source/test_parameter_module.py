@@ -78,7 +78,7 @@ def test_a_description_is_read_with_its_lines() -> None:
         ("r: &r\n  a: *r", 2, "aliases are not read"),
         ("a: &a [x]\nb: &b [*a, *a]\nc: [*b, *b]", 2, "aliases are not read"),
         ("r: " + "{a: " * 200 + "1" + "}" * 200, 1, "nested too deep"),
-        ("r:\n" + "".join(f"  p{n}: {{type: int}}\n" for n in range(6_000)), 5_003, "more than is read"),
+        ("r:\n" + "".join(f"  p{n}: {{type: int}}\n" for n in range(2_000)), 1_503, "more than is read"),
         ("r: " + "x" * LARGEST, 0, "too large"),
         ("r:\n  a: {type: int}\n  a: {type: int}", 3, "stands here twice"),
     ],

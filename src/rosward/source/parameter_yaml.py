@@ -35,7 +35,7 @@ _ARITY: Final = MappingProxyType(
         "size_lt": 1, "element_bounds": 2, "lower_element_bounds": 1, "upper_element_bounds": 1, "bounds": 2,
     }
 )  # fmt: skip
-_MOST: Final = 5_000
+_MOST: Final = 1_500
 _LONGEST: Final = 1_000
 _LARGEST: Final = 1 << 63
 _OWN_NAME: Final = "custom_validators::"
