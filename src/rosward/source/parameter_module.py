@@ -74,6 +74,9 @@ class ParamListener:
     def update_internal_params(self, updated_params):
         self.params_ = updated_params
     def update(self, parameters):
+        for param in parameters:
+            if not self._rosward_accepts(param):
+                return SetParametersResult(successful=False)
         self.params_ = self.get_params()
         self.params_.stamp_ = self.clock_.now()
         if self.user_callback:
@@ -125,6 +128,7 @@ def parameter_module(text: str, file: str, validation: str = "") -> ParameterMod
     mapped = [_mapped(p, fixed, file) for p in library.parameters if MAP in p.name]
     _declare(fixed, mapped, out)
     _get(library, mapped, out)
+    _accepts(library, out)
     return ParameterModule("\n".join(out.text) + "\n", tuple(out.lines))
 
 
@@ -322,6 +326,18 @@ def _checked(parameter: Described, depth: int, out: _Text) -> None:
         out.add(depth, "value = _rosward_generated.value(self.node_, name)", parameter.line)
     for check in parameter.checks:
         out.add(depth, f"_rosward_generated.check(not ({_wrong(check)}), name, {check.name!r})", parameter.line)
+
+
+def _accepts(library: Library, out: _Text) -> None:
+    """What functions of the package say of a new value: all are asked that may be, since they may do anything."""
+    out.add(2, "def _rosward_accepts(self, param):")
+    for parameter in library.parameters:
+        start = parameter.name.partition(MAP)[0]
+        for check in parameter.checks:
+            if check.own:
+                mine = f"param.name.startswith(self.prefix_ + {start!r})"
+                out.add(3, f"if {mine} and {_wrong(check)}:\n    return False", parameter.line)
+    out.add(3, "return True")
 
 
 def _wrong(check: Check) -> str:
