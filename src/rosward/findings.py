@@ -47,7 +47,7 @@ _TABLE: Final = (
         "RW008",
         "package description cannot be read",
         _E,
-        "Correct the setup.py, setup.cfg, pyproject.toml or CMakeLists.txt: executables that it names may be missing.",
+        "Correct the setup.py, setup.cfg, pyproject.toml or CMakeLists.txt: executables and modules that it names may be missing.",
     ),
     Rule(
         "RW009",

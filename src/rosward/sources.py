@@ -16,8 +16,10 @@ from rosward.source.imports import ImportResolver, Resolution
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
-from rosward.source.text import read_source
+from rosward.source.parameter_module import parameter_module
+from rosward.source.text import place_name, read_bytes, read_source
 from rosward.source.workspace import SourceFile, Workspace
+from rosward.source.yaml_nodes import LARGEST, Malformed
 
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
 
@@ -37,6 +39,12 @@ class SourceTree:
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
         self._files: dict[str, SourceFile] = {f.relative: f for f in (*workspace.launch_files, *workspace.files)}
+        self._generated = {
+            place_name(made.source, workspace.root): made.validation
+            for package in workspace.packages
+            for made in package.generated
+        }
+        """Descriptions of which the build makes modules, and the module of their validators."""
         self._launch = {f.relative for f in workspace.launch_files}
         self._packages = {p.name for p in workspace.packages} | {
             (f.module or "").partition(".")[0] for f in workspace.files
@@ -64,6 +72,8 @@ class SourceTree:
         return found
 
     def _lower(self, path: Path, file: str) -> Module | None:
+        if file in self._generated:
+            return self._generate(path, file)
         text = read_source(path, self.workspace.root)
         if isinstance(text, Finding):
             self.findings[text] = None
@@ -79,6 +89,25 @@ class SourceTree:
             self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
             return None
 
+    def _generate(self, path: Path, file: str) -> Module | None:
+        """The module that the build makes of the description in a file."""
+        data = read_bytes(path, file, LARGEST)
+        if isinstance(data, Finding):
+            self.findings[data] = None
+            return None
+        try:
+            made = parameter_module(data.decode("utf-8-sig", "replace"), file, self._generated[file])
+        except Malformed as problem:
+            message = f"The parameters of this module are not read: {problem.message}."
+            self.findings[Finding("RW008", message, problem.place)] = None
+            return None
+        try:
+            return lower_module(made.text, file, made.lines)
+        except FrontendError:
+            message = "The parameters of this module are not read: they are nested deeper than Python allows."
+            self.findings[Finding("RW008", message, Place(file, 1))] = None
+            return None
+
     def find(self, name: str, level: int, importer: str) -> Found | None:
         """The module of a name as written in the file `importer`."""
         source = self._files.get(importer)
@@ -89,12 +118,17 @@ class SourceTree:
             return self._launch_file(name, source) if importer in self._launch and level == 0 else None
         return self._found(found)
 
-    def _found(self, found: Resolution) -> Found:
-        """A file that is imported under another name than its own is a module apart from that of its own name."""
+    def _found(self, found: Resolution) -> Found | None:
+        """A file that is imported under another name than its own is a module apart from that of its own name.
+
+        A module that the build makes is there only if what it is made of is understood.
+        """
         if found.file is None:
             return Found(found.name, found.name, "", guess=found.guess)
         file = found.file.relative
         self._files.setdefault(file, found.file)
+        if file in self._generated and self.module(file) is None:
+            return None
         key = file if found.name == found.file.module else f"{found.name} in {file}"
         return Found(found.name, key, file, guess=found.guess)
 
@@ -105,7 +139,8 @@ class SourceTree:
 
     def named(self, name: str) -> tuple[tuple[str, Found], ...]:
         """All files that a name may mean, each with the folder from which it would be imported."""
-        return tuple((folder, self._found(found)) for folder, found in self._resolver.named(name))
+        named = [(folder, self._found(found)) for folder, found in self._resolver.named(name)]
+        return tuple((folder, found) for folder, found in named if found is not None)
 
     def is_of(self, file: str, package: str) -> bool:
         """Whether a file belongs to the ROS package of that name."""

@@ -48,7 +48,7 @@ def complaint(body: str, head: str = HEAD) -> str:
         ("executables: {a: {same_as: b}}", "same_as names no other executable"),
         ("interfaces: {x: {include: [y]}}", "no interface is called y"),
         ("interfaces: {x: {include: [y]}, y: {include: [x]}}", "includes itself"),
-        ("executables: &x {a: *x}", "aliases are not used here"),
+        ("executables: &x {a: *x}", "aliases are not read"),
         ("executables: {a: {node: a, node: b}}", "'node' stands here twice"),
         ("executables: [", "no YAML"),
         ("executables: " + "[" * 120 + "]" * 120, "nested too deep"),

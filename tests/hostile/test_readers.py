@@ -242,6 +242,35 @@ def test_parameter_files(tmp_path: Path, text: str) -> None:
     sound(apart(lambda: nodes(ws, params=(str(file),)), seconds=SECONDS))
 
 
+_KEYS: Final = "  k: {type: string_array, default_value: [" + ", ".join(f"k{i}" for i in range(100)) + "]}\n"
+DESCRIPTIONS: Final = [
+    "bad:\n  p: " + BOMB,
+    "bad: " + "[" * 50_000,
+    "bad: " + "{a: " * 20_000,
+    "bad:\n" + "".join(f"{' ' * n}g{n}:\n" for n in range(1, 90)) + " " * 90 + "p: {type: int}",
+    "bad:\n" + "".join(f"  p{i}: {{type: string, default_value: {i}}}\n" for i in range(6_000)),
+    "bad:\n" + "".join(f"  p{i}: {{type: string, default_value: x}}\n" for i in range(1_400)),
+    "bad:\n" + _KEYS + "".join("  " * n + "__map_k:\n" for n in range(1, 9)) + "  " * 9 + "p: {type: int}",
+    "bad:\n" + _KEYS + "".join("  " * n + "__map_k:\n" for n in range(1, 60)) + "  " * 60 + "p: {type: int}",
+    f"bad:\n  p: {{type: int, default_value: 0x{'f' * 200_000}}}",
+    "bad:\n  p: {type: string_fixed_" + "9" * 5_000 + "}",
+    "bad:\n  p: {type: string, default_value: !!python/object/apply:os.system [id]}",
+    "'bad:\n  import os': {p: {type: int}}",
+    "\0",
+]
+
+
+@pytest.mark.parametrize("text", DESCRIPTIONS, ids=[repr(t[:50]) for t in DESCRIPTIONS])
+def test_descriptions_of_parameters(tmp_path: Path, text: str) -> None:
+    ws = workspace(tmp_path)
+    (ws / "bad" / "bad.yaml").write_text(text)
+    (ws / "bad" / "CMakeLists.txt").write_text(CMAKE + "generate_parameter_module(parameters bad.yaml)\n")
+    listener = "from bad.parameters import bad as described\n"
+    program = NODE.replace("import rclpy\n", "import rclpy\n" + listener, 1)
+    (ws / "bad" / "bad.py").write_text(program.replace("rclpy.spin", "described.ParamListener(bad)\nrclpy.spin"))
+    sound(apart(lambda: nodes(ws, launched=(False,)), seconds=SECONDS))
+
+
 MODELS: Final = [
     ("nodes/foreign.yaml", "nodl_version: 2\npackage: foreign\nexecutables: " + BOMB),
     ("nodes/foreign.yaml", "[" * 100_000),

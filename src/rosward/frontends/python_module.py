@@ -12,7 +12,7 @@ import ast
 import re
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
 from rosward.frontends import (
@@ -66,15 +66,28 @@ _PYTHON_2_LINE: Final = re.compile(
 )
 
 
-def lower_module(text: str, file: str) -> Module:
-    """Lower a file; `file` is what the IR calls it."""
+def lower_module(text: str, file: str, origins: Sequence[int] = ()) -> Module:
+    """Lower a file; `file` is what the IR calls it. `origins` are the lines of it that the lines of a text were made of."""
     text = text.removeprefix("\ufeff")
     tree = _parse(text)
+    if origins:
+        _move(tree, origins)
     lines = text.count("\n") + (not text.endswith("\n") and bool(text))
     try:
         return _lower(tree, file, lines)
     except (RecursionError, MemoryError) as error:
         raise FrontendError("depth", "the code is nested too deep to be read", 1, 1) from error
+
+
+def _move(tree: ast.Module, origins: Sequence[int]) -> None:
+    """Let all that a tree holds stand in the lines that it comes from, each place apart: the columns count them."""
+    columns: dict[int, dict[tuple[int, int], int]] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.expr | ast.stmt | ast.excepthandler | ast.arg | ast.keyword | ast.alias):
+            line = origins[node.lineno - 1]
+            here = columns.setdefault(line, {})
+            node.col_offset = here.setdefault((node.lineno, node.col_offset), len(here))
+            node.lineno = node.end_lineno = line
 
 
 def _lower(tree: ast.Module, file: str, lines: int) -> Module:

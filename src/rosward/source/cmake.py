@@ -24,6 +24,7 @@ from rosward.source.cmake_text import Argument, Command, parse_cmake
 from rosward.source.entry_points import EntryPoint, read_setup_cfg
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
+from rosward.source.workspace import Generated
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -72,6 +73,7 @@ class CMakeProject(NamedTuple):
     all_shared: bool = True
     targets: tuple[CMakeTarget, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
+    generated: tuple[Generated, ...] = ()
 
 
 def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERYWHERE) -> CMakeProject:
@@ -87,6 +89,7 @@ def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERY
         reader.all_shared and not reader.findings,
         reader.targets.found(),
         tuple(dict.fromkeys(reader.entry_points)),
+        tuple(dict.fromkeys(reader.generated)),
     )
 
 
@@ -115,6 +118,7 @@ class _Reader:
         self.targets = Targets(package)
         self.python_roots: list[str] = []
         self.entry_points: list[EntryPoint] = []
+        self.generated: list[Generated] = []
         self.findings: list[Finding] = []
 
     def read(self, folder: str, depth: int, name: str = "CMakeLists.txt") -> None:
@@ -178,6 +182,10 @@ class _Reader:
                 self._install(arguments, command)
             case name if name in _TARGET_COMMANDS and arguments:
                 self._target(arguments, command)
+            case "generate_parameter_module" if len(arguments) >= 2:
+                source = os.path.normpath(os.path.join(self._folder, arguments[1]))  # noqa: PTH118
+                made = self._variables["PROJECT_NAME"], arguments[0], source, "".join(arguments[2:3])
+                self.generated.append(Generated(*made, self._place(command)))
             case "ament_python_install_package" if arguments:
                 self._python_package(arguments)
             case "add_subdirectory" if arguments:

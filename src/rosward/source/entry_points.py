@@ -43,7 +43,7 @@ class Declared(NamedTuple):
     `scripts` are files, relative to the package, that are installed as they are. `package_dir` maps a Python package
     (`""` for all) to its folder, as setuptools means it. `name` is empty where it is not said, or not readable.
     `data_files` are where a file is installed, as `share/demo/launch/a.launch.py`, and the file, relative to the package;
-    `all_data` tells whether these are all.
+    `all_data` tells whether these are all. `generated` are modules that the build makes: name, description, validation module.
     """
 
     name: str = ""
@@ -53,6 +53,7 @@ class Declared(NamedTuple):
     findings: tuple[Finding, ...] = ()
     data_files: tuple[tuple[str, str, Place], ...] = ()
     all_data: bool = True
+    generated: tuple[tuple[str, str, str, Place], ...] = ()
 
     def __or__(self, other: object) -> Declared:
         """Both together; what `self` says of name and folders comes first."""
@@ -67,6 +68,7 @@ class Declared(NamedTuple):
             self.findings + other.findings,
             self.data_files + other.data_files,
             self.all_data and other.all_data,
+            self.generated + other.generated,
         )
 
 

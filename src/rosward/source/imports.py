@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
+from rosward.source.generated import GeneratedModules
 from rosward.source.layout import Layout
 from rosward.source.text import place_name
 from rosward.source.workspace import ExecutableKind, Package, SourceFile
@@ -71,6 +72,7 @@ class ImportResolver:
         """Other folders of a package that hold modules: scripts, and what only a change of `sys.path` reaches."""
         self._tops: dict[str, dict[str, None]] = {}
         self._by_stem: dict[str, list[SourceFile]] = {}
+        self._generated = GeneratedModules(workspace)
         self._cache: dict[tuple[str, str], Resolution | None] = {}
         self._index(workspace)
 
@@ -153,6 +155,8 @@ class ImportResolver:
         for package in workspace.packages:
             path = os.fspath(package.path)
             self._roots[package] = dict.fromkeys([path, *map(os.fspath, package.python_roots), f"{path}{os.sep}src"])
+            for top in self._generated.add(package, self._roots[package]):
+                self._tops.setdefault(top, {}).update(self._roots[package])
         self._roots[None] = {os.fspath(workspace.root): None}
         for file in workspace.files:
             if file.module is None:
@@ -245,11 +249,14 @@ class ImportResolver:
                 folder = inner
             elif part in listing.modules and index == len(parts) - 1:
                 return Resolution(".".join(parts), self.file_at(f"{inner}.py", package), None)
+            elif index >= len(parts) - 2 and (made := self._generated.at(inner, parts[index + 1 :])) is not None:
+                return Resolution(".".join(parts), made.file, made.folder)
             else:
                 return None
         if layout.listing(folder).is_package:
             return Resolution(".".join(parts), self.file_at(f"{folder}{os.sep}__init__.py", package), folder)
-        return Resolution(".".join(parts), None, folder) if layout.holds_python(folder) else None
+        held = layout.holds_python(folder) or self._generated.at(folder, []) is not None
+        return Resolution(".".join(parts), None, folder) if held else None
 
     def _beside(self, parts: list[str], importer: SourceFile) -> Resolution | None:
         """A script that is installed into the same folder, whatever folder it comes from."""

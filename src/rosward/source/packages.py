@@ -17,11 +17,12 @@ from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake import CMakeProject, read_cmake
 from rosward.source.cmake_install import below_share
 from rosward.source.entry_points import Declared, read_pyproject, read_setup_cfg
+from rosward.source.generated import there
 from rosward.source.location import Place
 from rosward.source.manifest import Manifest, read_manifest
 from rosward.source.setup_py import read_setup_py
 from rosward.source.text import place_name, read_bytes
-from rosward.source.workspace import Package, Shared
+from rosward.source.workspace import Generated, Package, Shared
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping
@@ -79,8 +80,14 @@ def describe(
     )
     if "package.xml" in names:
         shared += (Shared("package.xml", file("package.xml")[0], Place(file("package.xml")[1])),)
+    made = [
+        Generated(manifest.name, name, os.path.normpath(os.path.join(folder, source)), validation, place)  # noqa: PTH118
+        for name, source, validation, place in declared.generated
+    ]
+    generated, missing = there([*made, *cmake.generated], boundary)
+    findings += missing
     package = Package(
-        manifest.name, Path(folder), relative, manifest.build_type, manifest.depends, inside, shared, whole
+        manifest.name, Path(folder), relative, manifest.build_type, manifest.depends, inside, shared, whole, generated
     )
     return Described(package, declared, cmake, (*findings, *declared.findings, *cmake.findings))
 

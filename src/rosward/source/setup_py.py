@@ -60,6 +60,7 @@ class _Script:
         self._scope = Scope({"__name__": "__main__"}, glob=self._glob, environment=environment)
         self._lines: dict[str, int] = {}
         self._findings: list[Finding] = []
+        self._generated: list[tuple[str, str, str, Place]] = []
         self._stores: Counter[str] = Counter()
         """How often each name is assigned."""
 
@@ -74,7 +75,9 @@ class _Script:
         result = Declared()
         for call in self._calls(tree.body):
             result |= self._setup(call)
-        return result._replace(findings=result.findings + tuple(self._findings))
+        return result._replace(
+            findings=result.findings + tuple(self._findings), generated=tuple(dict.fromkeys(self._generated))
+        )
 
     def _glob(self, pattern: str, recursive: bool) -> Any:
         found = glob(self._folder, pattern, recursive=recursive)
@@ -99,6 +102,8 @@ class _Script:
                 case ast.Expr(value=ast.Call() as call):
                     if _is_setup(call):
                         yield call
+                    if _called(call) == "generate_parameter_module":
+                        self._generate(call)
                     self._grow(call)
                 case ast.For(target=target, iter=iterable, body=inner):
                     items = evaluate(iterable, self._scope)
@@ -152,6 +157,17 @@ class _Script:
                 owner.update(dict(value) if isinstance(value, dict) else {UNKNOWN: UNKNOWN})
             case _:
                 pass
+
+    def _generate(self, call: ast.Call) -> None:
+        """`generate_parameter_module(module_name, yaml_file, validation_module="")` of generate_parameter_library_py."""
+        given = dict(zip(("module_name", "yaml_file", "validation_module"), call.args, strict=False))
+        given |= {keyword.arg: keyword.value for keyword in call.keywords if keyword.arg}
+        name, source = (evaluate(given.get(key), self._scope) for key in ("module_name", "yaml_file"))
+        validation = evaluate(given["validation_module"], self._scope) if "validation_module" in given else ""
+        if isinstance(name, str) and isinstance(source, str) and isinstance(validation, str):
+            self._generated.append((name, source, validation, Place(self._file, call.lineno)))
+        else:
+            self._doubt("arguments of generate_parameter_module()", call.lineno)
 
     def _setup(self, call: ast.Call) -> Declared:
         keywords: dict[str, tuple[Any, int]] = {}
@@ -236,6 +252,12 @@ def _is_setup(call: ast.Call) -> bool:
         and called.attr == "setup"
         and isinstance(called.value, ast.Name | ast.Attribute)
     )
+
+
+def _called(call: ast.Call) -> str:
+    """The last part of the name of what is called."""
+    called = call.func
+    return called.id if isinstance(called, ast.Name) else called.attr if isinstance(called, ast.Attribute) else ""
 
 
 def _sections(text: str) -> dict[str, list[str]]:

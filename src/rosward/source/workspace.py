@@ -40,6 +40,19 @@ class Shared(NamedTuple):
     whole: bool = True
 
 
+class Generated(NamedTuple):
+    """A Python module `package.name` that the build makes of the parameters that the file `source` describes.
+
+    `validation` is the module with validators of its own, '' where there is none.
+    """
+
+    package: str
+    name: str
+    source: str
+    validation: str
+    place: Place
+
+
 @final
 @dataclass(frozen=True, slots=True, eq=False)
 class Package:
@@ -47,7 +60,8 @@ class Package:
 
     `depends` are the packages that it names for building or running. `python_roots` are the folders from which, by its
     build description, its modules are imported. `shared` is what stands in its share folder once it is installed;
-    without `all_shared`, the build description says more that cannot be told without running it.
+    without `all_shared`, the build description says more that cannot be told without running it. `generated` are the
+    modules that the build makes.
     """
 
     name: str
@@ -58,6 +72,7 @@ class Package:
     python_roots: tuple[Path, ...] = ()
     shared: tuple[Shared, ...] = ()
     all_shared: bool = True
+    generated: tuple[Generated, ...] = ()
 
     def __repr__(self) -> str:
         return f"<package {self.name} at {self.relative}>"

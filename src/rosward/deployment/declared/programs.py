@@ -16,11 +16,11 @@ from typing import Final
 from rosward.deployment.declared.found import Found, Open, Reader, ReadFile, constant, file_text
 from rosward.deployment.declared.rviz import rviz
 from rosward.deployment.declared.text import Scope, as_text
-from rosward.deployment.declared.yaml_nodes import Item, Malformed, read_yaml
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import concat, origins_of, parts_of
 from rosward.domain.values import EMPTY, Const, Unknown, Value
 from rosward.ros.entities import Qos
+from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 
 _QUEUE: Final = 10
 

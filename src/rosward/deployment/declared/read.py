@@ -26,11 +26,11 @@ from rosward.deployment.declared.shapes import (
     Scalar,
     Window,
 )
-from rosward.deployment.declared.yaml_nodes import Item, Malformed, read_yaml
 from rosward.findings import Finding
 from rosward.ros.distro import ClientLibrary, Distro
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
+from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 
 KINDS: Final = {
     "publishers": "publisher",

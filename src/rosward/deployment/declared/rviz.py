@@ -18,10 +18,10 @@ from typing import Final
 
 from rosward.deployment.declared.found import Found, Open, ReadFile, file_text
 from rosward.deployment.declared.text import Scope, argument
-from rosward.deployment.declared.yaml_nodes import Item, Malformed, read_yaml
 from rosward.domain.choice import reasons_of
 from rosward.domain.values import EMPTY, Const
 from rosward.ros.entities import Qos
+from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 
 _SUBSCRIBED: Final[Mapping[str, str]] = {
     "AccelStamped": "geometry_msgs/msg/AccelStamped",

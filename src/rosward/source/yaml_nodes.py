@@ -13,12 +13,12 @@ from typing import Final, NamedTuple
 
 import yaml
 
-from rosward.deployment.declared.shapes import Scalar
 from rosward.source.location import Place
 
 DEEPEST: Final = 100
 LARGEST: Final = 300_000
 
+Scalar = bool | int | float | str
 Plain = Scalar | None
 
 
@@ -32,10 +32,11 @@ class Malformed(ValueError):  # noqa: N818 (a state of the file, which becomes a
 
 
 class Item(NamedTuple):
-    """A node of the document: one of a scalar, a list or a mapping."""
+    """A node of the document: one of a scalar, a list or a mapping; `named` is where its key stands."""
 
     value: Plain | list[Item] | dict[str, Item]
     place: Place
+    named: Place = Place("")
 
     def text(self) -> str:
         """The str that this is."""
@@ -96,7 +97,7 @@ def _check_events(text: str, file: str) -> None:
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
         place = _place(event, file)
         if isinstance(event, yaml.AliasEvent):
-            raise Malformed("aliases are not used here: name the group under 'interfaces' and include it", place)
+            raise Malformed("aliases are not read: write what the anchor stands for", place)
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > DEEPEST:
@@ -135,4 +136,4 @@ def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
         if name in seen:
             raise Malformed(f"'{name}' stands here twice", place)
         seen.add(name)
-        yield name, _item(value, file)
+        yield name, _item(value, file)._replace(named=place)
