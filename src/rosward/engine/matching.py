@@ -81,12 +81,23 @@ def _match_args(machine: Interpreter, _name: str, arguments: list[Value]) -> Val
     return found if isinstance(found, Tuple) else machine.unknown(Cause.OPERATION, "match")
 
 
-def _has(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
-    return machine.call(Native("builtins.hasattr"), arguments)
+_ABSENT: Final = Native("match.absent")
+"""What stands for the value of an attribute that is not there."""
 
 
-def _get(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
-    return machine.call(Native("builtins.getattr"), arguments)
+def _attribute(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+    return machine.call(Native("builtins.getattr"), (*arguments, _ABSENT))
+
+
+def _is_there(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+    found = options(arguments[0])
+    if any(o.__class__ in (Unknown, External) for o in found) or (_ABSENT in found and len(found) > 1):
+        return machine.unknown(Cause.OPERATION, "match", "bool")
+    return FALSE if _ABSENT in found else TRUE
+
+
+def _there(_machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+    return join_all([o for o in options(arguments[0]) if o != _ABSENT] or [UNBOUND])
 
 
 def _rest(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
@@ -114,7 +125,8 @@ _QUESTIONS: Final[dict[str, Callable[[Interpreter, str, list[Value]], Value]]] =
     "length_is": _length,
     "length_at_least": _length,
     "match_args": _match_args,
-    "hasattr": _has,
-    "getattr": _get,
+    "attribute": _attribute,
+    "is_there": _is_there,
+    "there": _there,
     "mapping_rest": _rest,
 }

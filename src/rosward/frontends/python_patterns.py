@@ -2,7 +2,7 @@
 """`match`: each case becomes a test, computed into one register, and an `If` whose else branch holds the other cases.
 
     match message:               %3 = isinstance(%1, %2)
-        case Point(x=0, y=y):    if %3: { %3 = hasattr(%1, 'x'); if %3: { %4 = %1.x; %3 = %4 == 0; … %7 = %1.y } }
+        case Point(x=0, y=y):    if %3: { %4 = %1.x, if it is there; %3 = it is; if %3: { %3 = %4 == 0; … } }
             use(y)               if %3: { y = %7; … } else: { … the next case … }
 
 What a pattern captures goes to temporaries first, and to the variables when the whole pattern has matched.
@@ -17,7 +17,7 @@ from typing import Any, Final, final
 from rosward.frontends.python_body import Body, Located
 from rosward.frontends.python_narrowing import condition
 from rosward.frontends.python_scopes import PlaceKind
-from rosward.ir.ops import NO_REGISTER, Assume, Block, Compare, If, LoadAttr, LoadItem, Unpack
+from rosward.ir.ops import NO_REGISTER, Assume, Block, Compare, If, LoadItem, Unpack
 
 _SELF_MATCHING: Final = frozenset(
     {"bool", "bytearray", "bytes", "dict", "float", "frozenset", "int", "list", "set", "str", "tuple"}
@@ -281,38 +281,27 @@ def _class(case: Case, node: ast.MatchClass, subject: int) -> None:
             names = body.intrinsic(node, "match_args", (cls, body.constant(node, len(node.patterns))))
         name = body.register()
         body.ops.append(LoadItem(line, column, name, names, body.constant(node, number)))
-        case.intrinsic(node, "hasattr", subject, name)
-        _sub_pattern(
-            case,
-            pattern,
-            lambda: body.intrinsic(node, "getattr", (subject, name)),
-            lambda: positional(number + 1, names),
-        )
+        attribute(name, pattern, lambda: positional(number + 1, names))
 
     def keyword(number: int) -> None:
         if number == len(node.kwd_attrs):
             return
-        name = node.kwd_attrs[number]
-        case.intrinsic(node, "hasattr", subject, body.constant(node, name))
+        name = body.constant(node, node.kwd_attrs[number])
+        attribute(name, node.kwd_patterns[number], lambda: keyword(number + 1))
 
-        def load() -> int:
-            dst = body.register()
-            body.ops.append(LoadAttr(line, column, dst, subject, name))
-            return dst
+    def attribute(name: int, pattern: ast.pattern, rest: Callable[[], None]) -> None:
+        value = body.intrinsic(node, "attribute", (subject, name))  # a property runs once
+        case.intrinsic(node, "is_there", value)
 
-        _sub_pattern(case, node.kwd_patterns[number], load, lambda: keyword(number + 1))
+        def lower() -> None:
+            case.test(pattern, body.intrinsic(node, "there", (value,)))
+            case.then(pattern, rest)
+
+        case.then(pattern, lower)
 
     case.intrinsic(node, "isinstance", subject, cls)
     if node.patterns or node.kwd_attrs:
         case.then(node, attributes)
-
-
-def _sub_pattern(case: Case, pattern: ast.pattern, load: Callable[[], int], rest: Callable[[], None]) -> None:
-    def lower() -> None:
-        case.test(pattern, load())
-        case.then(pattern, rest)
-
-    case.then(pattern, lower)
 
 
 def _is_self_matching(body: Body, cls: ast.expr) -> bool:

@@ -238,7 +238,22 @@ def _member_operation(call: NativeCall) -> Value:
         return call.machine.compare(_COMPARISONS[name], values[0], values[1])
     if name.startswith("__r"):
         values.reverse()
-    return call.machine.binary(_OPERATORS[name], values[0], values[1])
+    made = call.machine.binary(_OPERATORS[name], values[0], values[1])
+    flag = _flag_of(call) if name in _FLAG_OPERATORS else None
+    if flag is None:
+        return made
+    if any(int_of(option) is None for option in options(made)):
+        return call.machine.unknown(Cause.OPERATION, name)
+    return call.machine.call(Native("enum.lookup"), (flag, made))
+
+
+def _flag_of(call: NativeCall) -> Class | None:
+    """The class of flags of which an operand is."""
+    for option in (o for a in call.args for o in options(a)):
+        cls = call.machine.obj(option).cls if isinstance(option, Ref) else None
+        if isinstance(cls, Class) and _derives(cls, "enum.Flag", "enum.IntFlag"):
+            return cls
+    return None
 
 
 def _members(call: NativeCall, cls: Value) -> dict[Value, Value] | None:
@@ -311,7 +326,9 @@ def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
                     function = hook.getter if isinstance(hook, Descriptor) else hook
                     return call.machine.call(function, (cls, value))
         if _derives(cls, "enum.Flag", "enum.IntFlag"):
-            attrs: dict[str, Value] = {"_value_": value, "value": value, "name": NONE, "_name_": NONE}
+            number = int_of(value)  # up to Python 3.10, several bits have no name
+            name = call.machine.unknown(Cause.LIVE, "name of a flag", "str") if number else NONE
+            attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
             return place(call.machine, Obj("instance", cls, attrs, payload=value), value)
         message = f"{value.value!r} is not a valid {cls.qualname}"
         return call.machine.die("ValueError", message, (Const(message),), sure=not value.origins, plain=True)

@@ -30,6 +30,10 @@ class StrEnum(ReprEnum):
         return self._value_
 @reads_only
 class Flag(Enum):
+    def __iter__(self):
+        for member in type(self):
+            if member._value_ & self._value_:
+                yield member
     def __repr__(self) -> str: ...
     def __contains__(self, other) -> bool: ...
     def __invert__(self): ...
