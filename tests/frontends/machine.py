@@ -50,6 +50,7 @@ COMPARE: dict[str, Callable[[Any, Any], Any]] = {
     "not-in": lambda left, right: left not in right,
 }
 UNSET = object()
+ABSENT = object()
 
 
 class Cell:
@@ -340,8 +341,9 @@ class Frame:
             "mapping_rest": lambda: {key: value for key, value in v[0].items() if key not in v[1:]},
             "match_args": lambda: v[0].__match_args__[: v[1]],
             "isinstance": lambda: isinstance(v[0], v[1]),
-            "hasattr": lambda: hasattr(v[0], v[1]),
-            "getattr": lambda: getattr(v[0], v[1]),
+            "attribute": lambda: getattr(v[0], v[1], ABSENT),
+            "is_there": lambda: v[0] is not ABSENT,
+            "there": lambda: v[0],
         }
         return table[name]()
 
