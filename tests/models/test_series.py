@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from models.fake import REASON, FakeMachine, abstract, covers, series_covers
@@ -51,6 +51,7 @@ def test_slices(both: Both, where: slice) -> None:
 
 
 @given(pairs(), deletions)
+@example((Series((), ANY, (Const(0), Const(1))), [0, 1]), slice(-1, -2))
 def test_deleted_slices(both: Both, where: slice) -> None:
     series, concrete = both
     left = list(concrete)

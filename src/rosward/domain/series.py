@@ -143,6 +143,8 @@ class Series(NamedTuple):
             return self.part(slice(None, begin))
         if begin == 0:
             return self.part(slice(end, None))
+        if end <= begin < 0:  # nothing lies between them
+            return self
         if begin <= len(self.head) and end < 0 and -end <= len(self.tail):
             return concatenated((self.part(slice(None, begin)), self.part(slice(end, None))))
         if 0 <= begin <= end <= len(self.head):
