@@ -24,6 +24,9 @@ _MOST_FILES: Final = 10_000
 _LARGEST: Final = 2_000_000
 _DIGITS: Final = 16
 
+_OWN_VERSION: Final[list[str]] = []
+"""The digest of rosward's own models, once it was asked for: they do not change."""
+
 
 def asked_of(
     request: Request,
@@ -79,7 +82,13 @@ def _node(node: NodeRequest) -> str:
 
 def _version(folders: Iterable[str | os.PathLike[str]]) -> str:
     """What tells one state of the models from another: rosward's own, then those of the user, by what is in their files."""
-    return "+".join([_digest([_OWN / each for each in _FOLDERS]), *(_digest([Path(folder)]) for folder in folders)])
+    return "+".join([_own_version(), *(_digest([Path(folder)]) for folder in folders)])
+
+
+def _own_version() -> str:
+    if not _OWN_VERSION:
+        _OWN_VERSION.append(_digest([_OWN / each for each in _FOLDERS]))
+    return _OWN_VERSION[0]
 
 
 def _digest(folders: Iterable[Path]) -> str:

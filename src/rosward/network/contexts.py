@@ -20,6 +20,7 @@ from typing import Final
 from rosward.findings import Finding
 from rosward.holes import Holed, literal, shown
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
+from rosward.network.free import free
 from rosward.network.launch_tree import CONTAINER
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
@@ -90,7 +91,7 @@ def _of_nameless(nodes: Iterable[Node], taken: set[str]) -> dict[str, str]:
         label = node.label or ""
         last = _FORBIDDEN.sub("_", label.partition("#")[0].rpartition(":" if node.assumed else "/")[2])
         wanted = str(fully_qualified(Holed(node.namespace), literal(f"_{last}" if last[:1].isdigit() else last)))
-        found[label] = _free(wanted, taken)
+        found[label] = free(wanted, taken, "_")
         taken.add(found[label])
     return found
 
@@ -150,11 +151,4 @@ def _shared(members: list[Node], taken: set[str]) -> str:
     first = members[0]
     label = first.process.rpartition(":" if first.assumed else "/")[2].replace("#", "_")
     wanted = str(fully_qualified(Holed(first.namespace), literal(label)))
-    return _free(wanted, taken)
-
-
-def _free(wanted: str, taken: set[str]) -> str:
-    enclave, number = wanted, 2
-    while enclave in taken:
-        enclave, number = f"{wanted}_{number}", number + 1
-    return enclave
+    return free(wanted, taken, "_")

@@ -14,6 +14,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from rosward.holes import HOLE
+from rosward.network.free import free
 from rosward.ros.entities import Interface, Node
 from rosward.source.location import Place
 
@@ -26,7 +27,8 @@ def labelled(nodes: Iterable[Node]) -> list[Node]:
     taken: set[str] = set()
     labels: dict[int, str] = {}
     for number in sorted((n for n, node in enumerate(listed) if _is_nameless(node)), key=lambda n: _order(listed[n])):
-        labels[number] = _free(_wanted(listed[number]), taken)
+        labels[number] = free(_wanted(listed[number]), taken, "#")
+        taken.add(labels[number])
     return [replace(node, label=labels[n]) if n in labels else node for n, node in enumerate(listed)]
 
 
@@ -43,11 +45,3 @@ def _wanted(node: Node) -> str:
     if node.package is None or node.executable is None:
         return node.process.partition("#")[0]
     return f"{node.package}/{node.executable}"
-
-
-def _free(wanted: str, taken: set[str]) -> str:
-    label, number = wanted, 2
-    while label in taken:
-        label, number = f"{wanted}#{number}", number + 1
-    taken.add(label)
-    return label

@@ -85,13 +85,6 @@ def _as_found(node: Node, findings: tuple[Finding, ...]) -> Node:
     return replace(node, interface=Interface.DECLARED) if node.defined_at == node.launched_by else node
 
 
-def _interface(fields: Fields) -> Interface:
-    found = _INTERFACES.get(fields.text("interface"))
-    if found is None:
-        raise UnreadableError(f"{fields.where}.interface is none that there is")
-    return found
-
-
 def _node(fields: Fields, version: int) -> Node:
     defined = fields.inner("defined_at")
     entities = tuple(_entities(fields))
@@ -103,7 +96,7 @@ def _node(fields: Fields, version: int) -> Node:
     return Node(
         namespace=fields.text("namespace"),
         name=fields.text("name"),
-        resolution=_resolution(fields),
+        resolution=fields.one_of("resolution", _RESOLUTIONS),
         enclave=fields.text("enclave"),
         package=fields.text_or_none("package"),
         executable=executable,
@@ -114,7 +107,7 @@ def _node(fields: Fields, version: int) -> Node:
         # a node of which the file does not say it itself
         conditional=assumed or (bool(own) and all(e.conditional for e in own)),
         assumed=assumed,
-        interface=_interface(fields) if version > 1 else Interface.ANALYSED,
+        interface=fields.one_of("interface", _INTERFACES) if version > 1 else Interface.ANALYSED,
         lacks=tuple(fields.texts("lacks", _MOST)) if version > 1 else (),
         label=None if label == fields.text("fqn") else label,
     )
@@ -128,7 +121,7 @@ def _entities(fields: Fields) -> Iterator[Entity]:
                 name=entity.text("name"),
                 type=entity.text_or_none("type"),
                 system=entity.flag("system", False),
-                resolution=_resolution(entity),
+                resolution=entity.one_of("resolution", _RESOLUTIONS),
                 conditional=entity.flag("conditional", False),
                 qos=qos_of(entity.inner("qos")) if "qos" in entity else None,
                 depends_on=tuple(entity.texts("depends_on", _MOST)),
@@ -146,13 +139,6 @@ def _findings(fields: Fields) -> tuple[Finding, ...]:
 
 def _place(fields: Fields) -> Place:
     return Place(fields.text("file"), fields.number("line"))
-
-
-def _resolution(fields: Fields) -> Resolution:
-    found = _RESOLUTIONS.get(fields.text("resolution"))
-    if found is None:
-        raise UnreadableError(f"{fields.where}.resolution is none that there is")
-    return found
 
 
 def qos_of(fields: Fields) -> Qos:

@@ -52,7 +52,7 @@ def _graph(top: Fields, source: str) -> LiveGraph:
         nodes[node.name] = node
     return LiveGraph(
         nodes=tuple(nodes[name] for name in sorted(nodes)),
-        loose=tuple(_entity(f, _kind(f)) for f in top.objects("without_node", _MOST_ENTITIES)),
+        loose=tuple(_entity(f, f.one_of("kind", ENTITY_LISTS)) for f in top.objects("without_node", _MOST_ENTITIES)),
         looks=top.number("looks"),
         distro=top.text_or_none("ros_distro"),
         source=source,
@@ -84,13 +84,6 @@ def _node(fields: Fields) -> LiveNode:
         known=frozenset(ENTITY_LISTS.values()) if asked else frozenset(),
         enclaves=tuple(fields.texts("enclaves", _MOST_PROFILES)),
     )
-
-
-def _kind(fields: Fields) -> EntityKind:
-    found = ENTITY_LISTS.get(fields.text("kind"))
-    if found is None:
-        raise UnreadableError(f"{fields.where}.kind is none that there is")
-    return found
 
 
 def _entity(fields: Fields, kind: EntityKind) -> LiveEntity:

@@ -10,7 +10,8 @@ What is not of the form that is asked for is refused with the place of it, and s
 from __future__ import annotations
 
 import json
-from typing import Final
+from collections.abc import Mapping
+from typing import Final, TypeVar
 
 from rosward.findings import Finding
 from rosward.source.text import read_bytes
@@ -19,6 +20,8 @@ __all__ = ["Fields", "UnreadableError", "json_document"]
 
 _LARGEST: Final = 64_000_000
 _LONGEST: Final = 1_000
+
+T = TypeVar("T")
 
 
 class UnreadableError(Exception):
@@ -61,6 +64,13 @@ class Fields:
         if not isinstance(found, str):
             raise UnreadableError(f"{self.where}.{key} is no text")
         return found
+
+    def one_of(self, key: str, known: Mapping[str, T]) -> T:
+        """What a text stands for that is one of those that are known."""
+        text = self.text(key)
+        if text not in known:
+            raise UnreadableError(f"{self.where}.{key} is none that there is")
+        return known[text]
 
     def inner(self, key: str) -> Fields:
         """An object in it."""

@@ -15,14 +15,7 @@ class OrderedDict(dict):
         if _writes_as_dict(self):
             dict.update(self, other, **kwargs)
             return
-        if hasattr(other, 'keys'):
-            for key in other.keys():
-                self[key] = other[key]
-        else:
-            for key, value in other:
-                self[key] = value
-        for key, value in kwargs.items():
-            self[key] = value
+        MutableMapping.update(self, other, **kwargs)
     def setdefault(self, key, default=None):
         if _writes_as_dict(self):
             return dict.setdefault(self, key, default)
