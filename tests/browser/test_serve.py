@@ -89,6 +89,12 @@ def report_of(page: Page) -> str:
     return frame.locator("body").inner_text()
 
 
+def open_tab(page: Page, name: str) -> None:
+    """Click a tab, as soon as the page's script listens: that is when one of them is selected."""
+    page.locator("[role=tab][aria-selected=true]").wait_for()
+    page.get_by_role("tab", name=name).click()
+
+
 def test_the_token_is_gone_from_the_address(page: Page, address: str) -> None:
     assert page.url == address.partition("?")[0]
     page.reload()
@@ -100,7 +106,7 @@ def test_an_example_in_one_click(page: Page) -> None:
     page.wait_for_url("**/results/*")
     page.get_by_role("tab", name="Report").wait_for()
     assert "/listener" in report_of(page)
-    page.get_by_role("tab", name="Program").click()
+    open_tab(page, "Program")
     assert "class Talker(Node):" in page.locator("#program").inner_text()
 
 
@@ -123,7 +129,7 @@ def zipped() -> bytes:
 def test_a_zip_is_uploaded_and_its_policy_downloaded(page: Page, tmp_path: Path) -> None:
     page.set_input_files("#pick-files", {"name": "ws.zip", "mimeType": "application/zip", "buffer": zipped()})
     page.wait_for_url("**/results/*")
-    page.get_by_role("tab", name="Downloads").click()
+    open_tab(page, "Downloads")
     page.get_by_role("button", name="Look at the policy of /talker").click()
     page.locator("#look pre").get_by_text("<topic>/chatter</topic>").wait_for()
     with page.expect_download() as coming:
@@ -178,18 +184,18 @@ def test_a_workspace_that_changes_shows_its_new_result_by_itself(page: Page, tmp
     program.write_text(TALKER.replace("chatter", "status"), encoding="utf-8")
     page.wait_for_url(lambda url: url != first)
     assert "/status" in report_of(page)
-    page.get_by_role("tab", name="Changes").click()
+    open_tab(page, "Changes")
     assert "- /talker: publisher /chatter" in page.locator("#changes pre").inner_text()
 
 
 def test_a_launch_argument_is_changed(page: Page) -> None:
     page.locator("[data-example=robots]").click()
-    page.get_by_role("tab", name="Options").click()
+    open_tab(page, "Options")
     page.locator("[data-argument=robots]").fill("left,right,spare")
     first = page.url.partition("#")[0]
     page.get_by_role("button", name="Analyse again").click()
     page.wait_for_url(lambda url: not url.startswith(first))
-    page.get_by_role("tab", name="As text").click()
+    open_tab(page, "As text")
     page.locator("#findings-text").get_by_text("4 nodes").wait_for()
 
 
@@ -212,6 +218,7 @@ def test_everything_is_reached_by_keys(page: Page) -> None:
     assert {"pick-folder", "pick-files", "path", "watch", "Options", "talker", "robots"} <= set(names)
     page.locator("[data-example=talker]").press("Enter")
     page.get_by_role("tab", name="Report").wait_for()
+    page.locator("[role=tab][aria-selected=true]").wait_for()
     page.get_by_role("tab", name="Report").press("ArrowRight")
     assert page.locator("#downloads").is_visible()
     assert page.evaluate("document.activeElement.id") == "tab-downloads"
