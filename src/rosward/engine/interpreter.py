@@ -57,6 +57,7 @@ from rosward.engine.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.engine.transfer import HANDLERS
 from rosward.findings import Finding
 from rosward.ir import ops
+from rosward.models.containers_set import each_once
 from rosward.models.operators_compare import compares
 from rosward.source.location import Place
 
@@ -278,7 +279,7 @@ class Interpreter:
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new set."""
-        known = tuple(dict.fromkeys(items))
+        known = each_once(items)
         if len(known) > 1 and any(compares(self, v) for v in known):  # how many of them are equal is not known
             known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
         return self._collection("set", Series(known, rest))

@@ -27,6 +27,7 @@ from rosward.engine.frame import Frame
 from rosward.ir import ops
 from rosward.models import operators
 from rosward.models.containers_list import new_tuple
+from rosward.models.containers_set import each_once
 from rosward.models.operators_compare import compares
 
 if TYPE_CHECKING:
@@ -171,6 +172,8 @@ def _append(machine: Interpreter, target: Value, value: Value) -> None:
     obj: Obj = machine.obj(target)
     if obj.kind == "set" and obj.items and compares(machine, value):  # it may be equal to another element
         machine.update(target, obj.replace(items=None, rest=join_all([*obj.items, value])))
+        return
+    if obj.kind == "set" and obj.items and len(each_once((*obj.items, value))) == len(obj.items):
         return
     longer = fields_of(concatenated((obj.series(), Series((value,)))), obj.kind, machine.budget.items)
     if longer["items"] is not None or (longer["rest"], longer["ends"]) != (obj.rest, obj.ends):

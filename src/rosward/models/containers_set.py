@@ -7,10 +7,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.values import NONE, Const, Native, Ref, Value
+from rosward.domain.values import NONE, Const, Native, Ref, Tuple, Value
 from rosward.models.containers_dict import key_of
 from rosward.models.containers_list import add_to_rest, element, write
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
@@ -25,16 +26,41 @@ def distinct(items: Items) -> Items:
     found: dict[Value, Value] = {}
     loose: list[Value] = [] if items.rest is None else [items.rest]
     for item in items.known:
-        key = key_of(item)
+        key = _key(item)
         if key is None:
             loose.append(item)
-        else:
-            found[key] = join(found[key], item) if key in found else item
+        else:  # of two that are equal, Python keeps the first
+            before = found.get(key)
+            found[key] = item if before is None else join(before, item) if key_of(before) == key_of(item) else before
     if not loose:
         return Items(tuple(found.values()))
     if not found and len(items.known) == 1 and items.rest is None:
         return items
     return Items((), join_all((*found.values(), *loose)))
+
+
+def each_once(items: Iterable[Value]) -> tuple[Value, ...]:
+    """The values in their order, the first of those that are surely equal."""
+    found: dict[Value, Value] = {}
+    for item in items:
+        key = _key(item)
+        found.setdefault(item if key is None else key, item)
+    return tuple(found.values())
+
+
+def _key(item: Value) -> Value | None:
+    """The key of an element, one for all that Python takes for equal: 1, True and 1.0, in tuples, too."""
+    key = key_of(item)
+    return None if key is None else _as_integer(key)
+
+
+def _as_integer(key: Value) -> Value:
+    if isinstance(key, Tuple):
+        return Tuple(tuple(map(_as_integer, key.items)))
+    number = key.value if isinstance(key, Const) else None
+    if isinstance(number, bool) or (isinstance(number, float) and number.is_integer()):
+        return Const(int(number))
+    return key
 
 
 def new_set(machine: Machine, items: Items, frozen: bool = False) -> Ref:
@@ -56,12 +82,12 @@ def combine(machine: Machine, op: str, left: Items, right: Items) -> Items:
         if not ours.known and ours.rest is None:
             return ours
         return Items((), join_all((*ours.known, *(() if ours.rest is None else (ours.rest,)))))
-    return Items(tuple(v for v in ours.known if (key_of(v) in keys) is (op == "&")))
+    return Items(tuple(v for v in ours.known if (_key(v) in keys) is (op == "&")))
 
 
 def _keys(items: Items) -> set[Value] | None:
     """The keys of elements that are all known, else None."""
-    keys = {key_of(v) for v in items.known}
+    keys = {_key(v) for v in items.known}
     return None if items.rest is not None or None in keys else {k for k in keys if k is not None}
 
 
@@ -114,20 +140,15 @@ def _discard(call: NativeCall) -> Value:
     machine, ref = call.machine, _receiver(call)
     if ref is None:
         return NONE
-    items, key = machine.obj(ref).items, key_of(call.args[1])
+    items, key = machine.obj(ref).items, _key(call.args[1])
     if items is None or key is None or _keys(Items(items)) is None:
         add_to_rest(machine, ref, ())
         return NONE
-    left = [v for v in items if key_of(v) != key]
-    if len(left) == len(items) and call.name.endswith("remove") and not _numeric(key):
+    left = [v for v in items if _key(v) != key]
+    if len(left) == len(items) and call.name.endswith("remove"):
         raise Raised("KeyError", repr(call.args[1]), (call.args[1],))
     write(machine, ref, left)
     return NONE
-
-
-def _numeric(key: Value) -> bool:
-    """Whether a key may equal one of another type."""
-    return isinstance(key, Const) and isinstance(key.value, (bool, int, float))
 
 
 def _pop(call: NativeCall) -> Value:
