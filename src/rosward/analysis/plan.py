@@ -8,7 +8,6 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
-import sys
 from typing import NamedTuple
 
 from rosward.analysis.source_tree import SourceTree
@@ -19,6 +18,7 @@ from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.ros.entities import assumed_label
+from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.workspace import ExecutableKind, SourceFile, Workspace
 
 
@@ -140,7 +140,7 @@ def _follow(name: str, file: str, library: Library, sources: SourceTree) -> str:
 
 def _is_ros(top: str) -> bool:
     """Whether a top-level module is a modelled library that is neither Python's own nor free of ROS."""
-    if top in sys.stdlib_module_names or top in ("numpy", "yaml"):
+    if top in STANDARD_LIBRARY or top in ("numpy", "yaml"):
         return False
     if len(top) > 200:  # no name of a file
         return False

@@ -7,7 +7,6 @@ nothing instantiates. Each of those is instantiated with unknown arguments, and 
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, NamedTuple
@@ -30,6 +29,7 @@ from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
+from rosward.source.standard_library import STANDARD_LIBRARY
 
 
 @dataclass(slots=True)
@@ -190,7 +190,7 @@ def called_from_outside(runs: Iterable[Run], node: Class | None) -> dict[str, li
 def _derives_from_outside(cls: Class) -> bool:
     """Whether a class has a base that is not read, of a library that may know ROS."""
     return any(
-        isinstance(b, External) and b.name.partition(".")[0] not in sys.stdlib_module_names and not creates_nothing(b)
+        isinstance(b, External) and b.name.partition(".")[0] not in STANDARD_LIBRARY and not creates_nothing(b)
         for b in cls.mro
     )
 

@@ -6,7 +6,6 @@ Models are run once, in an interpreter of their own; its heap is the ground on w
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Final, final
@@ -30,6 +29,7 @@ from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.native import NativeFunction
 from rosward.source.location import Place
+from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.surroundings import ROS_2
 
 _NUMBERS: Final = (int, float)
@@ -153,7 +153,7 @@ class Library:
         model = self._model(name) if weak or top in _MODELLED_FIRST else None
         if model is not None:
             return model
-        return None if found is not None and found.guess and top in sys.stdlib_module_names else found
+        return None if found is not None and found.guess and top in STANDARD_LIBRARY else found
 
     def _model(self, name: str) -> Found | None:
         path = self._stubs.find(name)
