@@ -104,7 +104,7 @@ def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
 
 def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    if op.name in attributes.CREATING:
+    if op.name in machine.library.creating:
         machine.reached.add(id(op))
     value = attributes.load(machine, frame.registers[op.obj], op.name)
     frame.registers[op.dst] = value
