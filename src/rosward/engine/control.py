@@ -109,13 +109,13 @@ def loop(
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number = True, 0
-    machine.begin_loop(op)
+    machine.begin_loop(op, frame)
     if begun is not None:
         number, finish = begun
         _enter_turn(machine, op, frame, context, number)
         alive = finish()
         if not alive:
-            machine.end_loop(op)
+            machine.end_loop(op, frame)
             frame.context = context
             return behind(machine, frame, alive, saved)
         limit += number + 1
@@ -155,7 +155,7 @@ def loop(
         number += 1
         machine.turns += 1
         machine.check_time()
-    machine.end_loop(op)
+    machine.end_loop(op, frame)
     frame.context = context
     return behind(machine, frame, alive, saved)
 
@@ -164,7 +164,7 @@ def _enter_turn(machine: Interpreter, op: ops.While, frame: Frame, context: int,
     """A turn begins: what it makes is told apart from what others make."""
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
-        frame.turns[id(op)] = (number,)
+        frame.turns[op.number] = (number,)
 
 
 def _never_ends(machine: Interpreter, frame: Frame) -> None:
@@ -195,7 +195,7 @@ def until_stable(
     head = machine.snapshot(frame)
     done = head.state.done
     if machine.coarse:  # where it came to rest before it probably does again
-        head = join_into(machine, machine.heads.pop(id(op), None), head, widening)
+        head = join_into(machine, machine.heads.pop((frame.code.key, op.number), None), head, widening)
         head = Snapshot(head.registers.copy(), head.state.copy())
     ended: Snapshot | None = None
     frame.uncertain += 1
@@ -231,7 +231,7 @@ def until_stable(
     frame.uncertain -= 1
     machine.fixpoints -= 1
     if machine.coarse:
-        machine.heads[id(op)] = head
+        machine.heads[frame.code.key, op.number] = head
     if ended is None:
         _never_ends(machine, frame)
         return False
