@@ -109,10 +109,11 @@ def test_parameter_client() -> None:
 
 
 def test_between_kilted_and_lyrical_nothing_changed_that_a_policy_grants() -> None:
-    everything = {"logger_service": True, "use_sim_time": True, "lifecycle": True}
-    assert implicit_entities(Distro.LYRICAL, node_fqn="/n", **everything) == implicit_entities(
-        Distro.KILTED, node_fqn="/n", **everything
+    kilted, lyrical = (
+        implicit_entities(distro, node_fqn="/n", logger_service=True, use_sim_time=True, lifecycle=True)
+        for distro in (Distro.KILTED, Distro.LYRICAL)
     )
+    assert lyrical == kilted
     assert service_event_topic(Distro.LYRICAL, "/a", None, action=True) is not None
     assert Distro.LYRICAL.facts.actions_are_remapped
 

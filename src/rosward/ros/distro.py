@@ -5,10 +5,11 @@
     Distro.HUMBLE.facts.type_description                False: /talker/get_type_description came with iron
     Distro.KILTED.has(Distro.IRON)                      True: it is a later one
 
-The one place for it. A new distribution is a row of `Distro`; what is new in it is a field of `Facts`, which the row before does not
-have. Read from rclpy, rcl, rclcpp, launch and launch_ros, branches humble, iron, jazzy and rolling (December 2024), from rclpy 9.1.2 and
-rcl 10.1.3 as released for kilted, and for lyrical from what was released by July 2026: rclpy 10.0.10, rcl, rcl_action and rcl_lifecycle
-10.4.4, rclcpp and rclcpp_lifecycle 32.0.1. Between kilted and lyrical no endpoint came, went, or changed its name, type or QoS.
+The one place for it. A new distribution is a member of `Distro` and a row of `_FACTS`; what is new in it is a field of
+`Facts`. Read from rclpy, rcl, rclcpp, launch and launch_ros, branches humble, iron, jazzy and rolling (December 2024), from
+rclpy 9.1.2 and rcl 10.1.3 as released for kilted, and for lyrical from what was released by July 2026: rclpy 10.0.10, rcl,
+rcl_action and rcl_lifecycle 10.4.4, rclcpp and rclcpp_lifecycle 32.0.1. Between kilted and lyrical no endpoint came, went, or
+changed its name, type or QoS.
 """
 
 from __future__ import annotations
@@ -51,6 +52,27 @@ class Facts(NamedTuple):
     """launch has `any`, `all`, `equals`, `not-equals`, `if`, `file-content` and `launch-log-dir`."""
 
 
+class Distro(enum.Enum):
+    """A distribution of ROS 2 that is understood, oldest first."""
+
+    HUMBLE = "humble"
+    IRON = "iron"
+    JAZZY = "jazzy"
+    KILTED = "kilted"
+    LYRICAL = "lyrical"
+    ROLLING = "rolling"
+
+    def has(self, since: Distro) -> bool:
+        """Whether this distribution is `since` or a later one."""
+        order = list(Distro)
+        return order.index(self) >= order.index(since)
+
+    @property
+    def facts(self) -> Facts:
+        """What is so in it."""
+        return _FACTS[self]
+
+
 _HUMBLE: Final = Facts(environment={"ROS_LOCALHOST_ONLY": "0"})
 _IRON: Final = Facts(
     environment={"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"},
@@ -63,31 +85,14 @@ _IRON: Final = Facts(
 _JAZZY: Final = _IRON._replace(actions_are_remapped=True)
 _KILTED: Final = _JAZZY._replace(action_service_events=True)
 
-
-class Distro(enum.Enum):
-    """A distribution of ROS 2 that is understood, oldest first: its name and what is so in it."""
-
-    HUMBLE = "humble", _HUMBLE
-    IRON = "iron", _IRON
-    JAZZY = "jazzy", _JAZZY
-    KILTED = "kilted", _KILTED
-    LYRICAL = "lyrical", _KILTED
-    ROLLING = "rolling", _KILTED
-
-    facts: Facts
-
-    def __new__(cls, name: str, facts: Facts) -> Distro:
-        """A member of which the name alone is the value: `Distro("jazzy")`."""
-        member = object.__new__(cls)
-        member._value_ = name
-        member.facts = facts
-        return member
-
-    def has(self, since: Distro) -> bool:
-        """Whether this distribution is `since` or a later one."""
-        order = list(Distro)
-        return order.index(self) >= order.index(since)
-
+_FACTS: Final[Mapping[Distro, Facts]] = {
+    Distro.HUMBLE: _HUMBLE,
+    Distro.IRON: _IRON,
+    Distro.JAZZY: _JAZZY,
+    Distro.KILTED: _KILTED,
+    Distro.LYRICAL: _KILTED,
+    Distro.ROLLING: _KILTED,
+}
 
 DISTROS: Final[tuple[str, ...]] = tuple(distro.value for distro in Distro)
 DEFAULT_DISTRO: Final[str] = Distro.JAZZY.value
