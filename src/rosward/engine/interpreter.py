@@ -103,9 +103,7 @@ class Interpreter:
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
-        self.ways: dict[
-            str, dict[int, suspending.Way]
-        ] = {}  # how each body that yields leads to its yields, by its key
+        self.ways: dict[str, dict[int, suspending.Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, activation.Summary] = {}
         self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
