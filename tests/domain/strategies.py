@@ -11,6 +11,7 @@ from rosward.domain.choice import join_all
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
+from rosward.domain.state import NOTHING_DONE, State
 from rosward.domain.suspended import ANY_TURN, EACH, YIELD, Point, Step, Suspension, add_points
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
@@ -29,7 +30,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine.state import NOTHING_DONE, State
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
 
@@ -132,8 +132,8 @@ def dicts(draw: st.DrawFn, variables: bool = False) -> Obj:
 REGISTERS: Final = 2
 _NOTHING: Final = Parameters((), 0, None, (), None)
 CODES: Final = tuple(
-    Code(CodeKind.FUNCTION, name, name, "a.py", 1, _NOTHING, [], REGISTERS, (), (), (), is_generator=True)
-    for name in ("one", "two")
+    Code(CodeKind.FUNCTION, name, name, "a.py", 1, _NOTHING, [], REGISTERS, (), (), (), is_generator=True, index=number)
+    for number, name in enumerate(("one", "two"))
 )
 FUNCTIONS: Final = tuple(Function(code, ModuleValue(0, "m", "a.py"), (), (), ()) for code in CODES)
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
+from rosward.domain.state import join_states
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, External, Function, Hole, ModuleValue, Unknown, Value
@@ -24,9 +25,9 @@ from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.python import modules
 from rosward.engine.python.binding import ANY
-from rosward.engine.state import join_states
 from rosward.findings import Finding
 from rosward.guard import internal_error
+from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
@@ -46,9 +47,9 @@ class Run(NamedTuple):
     entry: Entry
     log: EffectLog
     done: frozenset[tuple[object, ...]]
-    entered: frozenset[int]
+    entered: frozenset[str]
     instantiated: frozenset[Place]
-    reached: frozenset[int]
+    reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
 
 

@@ -6,14 +6,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import join
+from rosward.domain.state import Merge, State, join_registers, join_states
 from rosward.domain.suspended import Point
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
-from rosward.engine.state import Merge, State, join_registers, join_states
 from rosward.ir.program import Code
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _MOST: Final = 64
 """How many calls and objects of one operation are told apart."""
@@ -30,7 +30,7 @@ class Snapshot:
         self.state = state
 
 
-def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
+def join_into(machine: Engine, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
     """Join a snapshot (used up) into another of the same frame."""
     if target is None:
         return snapshot
@@ -62,7 +62,7 @@ class Yielded:
 
     __slots__ = ("context", "function", "item", "lineage", "points", "state")
 
-    def __init__(self, function: Function, lineage: tuple[int, ...]) -> None:
+    def __init__(self, function: Function, lineage: tuple[str, ...]) -> None:
         self.lineage = lineage
         self.function = function
         self.context = 0
@@ -79,7 +79,7 @@ class Frame:
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
     `op` is the operation that is running.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
-    gives, and `turns` holds for each loop that is running, by id() of the operation, its turn and what it keeps between two of them.
+    gives, and `turns` holds for each loop that is running, by the number of the operation, its turn and what it keeps between two of them.
     """
 
     __slots__ = (

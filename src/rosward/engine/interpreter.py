@@ -15,6 +15,7 @@ from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
+from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
@@ -50,7 +51,6 @@ from rosward.engine.python import (
     suspending,
 )
 from rosward.engine.schedule import Schedule
-from rosward.engine.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.engine.transfer import HANDLERS
 from rosward.findings import Finding
 from rosward.ir import ops
@@ -61,7 +61,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
     from rosward.engine.library import Library
-    from rosward.ir.program import Code
+    from rosward.ir.program import Code, OpKey
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
@@ -71,7 +71,7 @@ _LONGEST_PATH: Final = 12
 
 @final
 class Interpreter:
-    """Runs the code of one process abstractly. Implements `models.native.Machine`."""
+    """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
     def __init__(self, library: Library, budget: Budget, log: EffectLog) -> None:
         self.library = library
@@ -87,8 +87,8 @@ class Interpreter:
         self.always_coarse = False  # the callback that is running took too many steps when it ran before
         self.coarse_limit = int(budget.steps * budget.coarse)
         self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
-        self.heavy: set[int] = set()  # id() of the outermost loops that took too many steps
-        self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
+        self.heavy: set[OpKey] = set()  # the outermost loops that took too many steps
+        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
         self.deadline = time.thread_time() + budget.seconds
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
@@ -103,16 +103,16 @@ class Interpreter:
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
-        self.ways: dict[int, dict[int, suspending.Way]] = {}  # how each body that yields leads to its yields, by id()
+        self.ways: dict[str, dict[int, suspending.Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, activation.Summary] = {}
         self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
-        self.large: dict[int, bool] = {}  # whether a code body, by its id(), has loops
+        self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
         self.instantiated: set[Place] = set()
         self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
-        self.entered: set[int] = set()  # id() of each code body that was run
-        self.reached: set[int] = set()  # id() of each operation that was run and reads a method that creates an entity
+        self.entered: set[str] = set()  # the key of each code body that was run
+        self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
         self.asked: set[tuple[str, str, str]] = set()  # what may be called without being seen: see `unreached.py`
         self._versions = 0
         self._first_address = library.first_address
@@ -151,20 +151,20 @@ class Interpreter:
         if self.steps > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
 
-    def begin_loop(self, op: ops.Op) -> None:
+    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
         """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
         if not self.loops:
             self.turns = 0
             self.loop_limit = min(self.coarse_limit, self.steps + self.budget.loop_steps)
-            self.coarse = self.coarse or id(op) in self.heavy
+            self.coarse = self.coarse or (frame.code.key, op.number) in self.heavy
         self.loops += 1
 
-    def end_loop(self, op: ops.Op) -> None:
+    def end_loop(self, op: ops.Op, frame: Frame) -> None:
         """A loop has ended."""
         self.loops -= 1
         if not self.loops:
             if self.coarse and not self.always_coarse:
-                self.heavy.add(id(op))
+                self.heavy.add((frame.code.key, op.number))
                 self.always_coarse = self.schedule_book.running  # in a callback, until it ends
             if not self.schedule_book.running:  # what follows in the main body has its part of what is left
                 left = int((self.step_limit - self.steps) * self.budget.coarse)
@@ -474,6 +474,30 @@ class Interpreter:
         """The calls in the user's code that lead here, outermost first; of a longer chain the innermost."""
         own = [frame for frame in self.frames if not frame.stub][-_LONGEST_PATH:]
         return tuple(frame.place for frame in own)
+
+    @property
+    def in_callback(self) -> bool:
+        """Whether something that was scheduled is running, not the main body."""
+        return self.schedule_book.running
+
+    @property
+    def is_tried(self) -> bool:
+        """Whether a `try` or `with` is running around."""
+        return bool(self.catchers)
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether no branch around leaves open whether this runs."""
+        return not any(f.uncertain for f in self.frames)
+
+    @property
+    def environment(self) -> Mapping[str, Value | None]:
+        """What is known of the environment of every process that is not given another."""
+        return self.library.environment
+
+    def function_record(self, function: Function) -> Obj | None:
+        """The heap record of a function that was given attributes."""
+        return self.state.heap.get(self.library.function_address(function))
 
     @property
     def files(self) -> Files:
