@@ -23,8 +23,8 @@ from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
 from rosward.analysis.unreached import unreached
 from rosward.deployment.declared.effects import declared
+from rosward.deployment.launched import Launched
 from rosward.deployment.request import Request
-from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
 from rosward.domain.series import Series
 from rosward.effects.configuration import Configuration
