@@ -66,7 +66,7 @@ def holds(arguments: Sequence[Argument], variables: Variables, around: Surroundi
         return None
     parser = _Condition(words, variables, around)
     result = parser.disjunction(0)
-    return result if parser.at_end else None
+    return result if parser.at_end() else None
 
 
 @final
@@ -79,12 +79,11 @@ class _Condition:
         self._around = around
         self._position = 0
 
-    @property
     def at_end(self) -> bool:
         return self._position >= len(self._words)
 
     def _is(self, text: str) -> bool:
-        if not self.at_end:
+        if not self.at_end():
             word = self._words[self._position]
             if not word.quoted and word.text == text:
                 self._position += 1
@@ -113,18 +112,18 @@ class _Condition:
         return result if result is None else result is not negated
 
     def _primary(self, depth: int) -> bool | None:
-        if self.at_end or depth > _DEPTH:
+        if self.at_end() or depth > _DEPTH:
             return None
         if self._is("("):
             result = self.disjunction(depth + 1)
             return result if self._is(")") else None
         word = self._words[self._position]
         self._position += 1
-        if not word.quoted and word.text in _QUESTIONS and not self.at_end and self._next_is_operand():
+        if not word.quoted and word.text in _QUESTIONS and not self.at_end() and self._next_is_operand():
             operand = self._words[self._position].text
             self._position += 1
             return None if HOLE in operand else _QUESTIONS[word.text](operand, self._variables, self._around)
-        if not self.at_end:
+        if not self.at_end():
             operator = self._words[self._position]
             if not operator.quoted and operator.text in _COMPARISONS and self._position + 1 < len(self._words):
                 right = self._words[self._position + 1]

@@ -94,6 +94,7 @@ class Interpreter:
         self._loops = 0
         self._parents: list[dict[str, str]] = []
         self.folder = folder
+        self._listed = folder
         self.file = ""
         self.files = PackageFiles(folder)
         self.variables = Variables(self._known, reader.environment, self._spent, variables)
@@ -104,14 +105,16 @@ class Interpreter:
         """All such conditions."""
         self.findings: list[Finding] = []
 
-    def read(self, folder: str, depth: int, name: str = "CMakeLists.txt") -> None:
-        """Interpret the description in `folder`, with its own idea of the current folder."""
+    def read(self, folder: str, depth: int, name: str = "CMakeLists.txt", *, included: bool = False) -> None:
+        """Interpret the description in `folder`, with its own idea of the current folder, unless it is one that is `included`."""
         file = place_name(os.path.join(folder, name), self._root)  # noqa: PTH118  text throughout: many paths, few of them kept
         steps = self._steps_of(folder, name, file)
-        before = self.folder, self.file
-        self.folder, self.file = folder, file
+        before = self.folder, self.file, self._listed
+        self.file, self._listed = file, folder
+        if not included or self._around is None:
+            self.folder = folder
         self.run(steps, depth)
-        self.folder, self.file = before
+        self.folder, self.file, self._listed = before
 
     def define(self, folder: str, name: str) -> None:
         """Take the functions and macros of a file, and nothing else that it says."""
@@ -327,9 +330,7 @@ class Interpreter:
         for place in places:
             inner = self.inside(place)
             if inner is not None and os.path.isfile(inner):  # noqa: PTH113
-                folder = self.folder
-                self.read(os.path.dirname(inner), depth + 1, os.path.basename(inner))  # noqa: PTH119, PTH120
-                self.folder = folder
+                self.read(os.path.dirname(inner), depth + 1, os.path.basename(inner), included=True)  # noqa: PTH119, PTH120
                 return
 
     def _call(self, name: str, arguments: list[str], depth: int) -> None:
@@ -360,8 +361,10 @@ class Interpreter:
         self._loops = loops
 
     def _known(self, name: str) -> str:
-        if name in {"CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"}:
+        if name == "CMAKE_CURRENT_SOURCE_DIR":
             return self.folder
+        if name in {"CMAKE_CURRENT_LIST_DIR", "CMAKE_CURRENT_FUNCTION_LIST_DIR"}:
+            return self._listed
         if name in {"CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR", f"{self._package}_SOURCE_DIR"}:
             return self.top
         return self._reader.known(name)
