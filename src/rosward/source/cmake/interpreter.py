@@ -53,6 +53,7 @@ class Function(NamedTuple):
     parameters: list[str]
     body: list[Step]
     is_macro: bool
+    file: str
 
 
 class Reader(Protocol):
@@ -118,9 +119,11 @@ class Interpreter:
 
     def define(self, folder: str, name: str) -> None:
         """Take the functions and macros of a file, and nothing else that it says."""
-        for step in self._steps_of(folder, name, place_name(f"{folder}{os.sep}{name}", self._root)):
-            if isinstance(step, Block):
+        before, self.file = self.file, place_name(f"{folder}{os.sep}{name}", self._root)
+        for step in self._steps_of(folder, name, self.file):
+            if isinstance(step, Block) and step.opening.name in {"function", "macro"}:
                 self._define(step)
+        self.file = before
 
     def _steps_of(self, folder: str, name: str, file: str) -> list[Step]:
         path = os.path.join(folder, name)  # noqa: PTH118
@@ -184,7 +187,7 @@ class Interpreter:
     def _define(self, block: Block) -> None:
         arguments = [a.text for a in block.opening.arguments]
         if arguments:
-            function = Function(arguments[1:], block.body, block.opening.name == "macro")
+            function = Function(arguments[1:], block.body, block.opening.name == "macro", self.file)
             self.functions[arguments[0].lower()] = function
 
     def _if(self, block: Block, depth: int) -> str:
@@ -203,7 +206,7 @@ class Interpreter:
             return self.run(branches[0], depth)
         self.doubts[place] = None
         before = self.variables.values
-        self._spent(len(before) // 50)
+        self._spent(len(before) // 10)
         self.undecided.append(place)
         after: list[dict[str, str]] = []
         for body in branches:
@@ -341,6 +344,7 @@ class Interpreter:
         own |= {f"ARGV{index}": argument for index, argument in enumerate(arguments[:20])}
         own |= dict(zip(function.parameters, arguments, strict=False))
         loops, self._loops = self._loops, 0
+        file, self.file = self.file, function.file
         if function.is_macro and self._around is not None:
             shadowed = {key: values[key] for key in own if key in values}
             values |= own
@@ -358,7 +362,7 @@ class Interpreter:
             self.run(function.body, depth + 1)
             if len(values) < 1000:
                 self.variables.values = self._parents.pop()
-        self._loops = loops
+        self._loops, self.file = loops, file
 
     def _known(self, name: str) -> str:
         if name == "CMAKE_CURRENT_SOURCE_DIR":

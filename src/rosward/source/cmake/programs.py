@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import Final, NamedTuple, final
 
 from rosward.source.boundary import Boundary
-from rosward.source.cmake.build import SOURCE_SUFFIXES, read_build
+from rosward.source.cmake.build import read_build
+from rosward.source.cmake.making import SOURCE_SUFFIXES
 from rosward.source.cmake.targets import Build, Built, Definition, Made
 from rosward.source.cmake.text import parse_cmake
 from rosward.source.location import Place
@@ -168,8 +169,10 @@ class Builds:
                 continue
             seen.add(key)
             yield here, current
-            usage = current.handed if handed and position > 1 else current.own
-            for link in (*current.objects, *usage.links):
+            links = dict.fromkeys((*current.objects, *current.own.links))
+            if position > 1:
+                links = dict.fromkeys(current.handed.links) | ({} if handed else links)
+            for link in links:
                 found = list(self._linked(here, link))
                 waiting += found
                 if not found:

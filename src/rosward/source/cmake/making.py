@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What do the commands say that make targets, and say how these are compiled and linked?
+
+    add_executable(talker src/talker.cpp)
+    target_compile_definitions(talker PRIVATE RATE=5)      ->  a target talker with that source and that macro
+
+What is said of a folder (`include_directories`) holds for its targets, and for those of the folders below that are entered later.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Final, final
+
+from rosward.source.cmake.generators import meant, objects_of
+from rosward.source.cmake.interpreter import Handler, Interpreter
+from rosward.source.cmake.targets import Definition, Made, Making, Using
+from rosward.source.cmake.text import Command
+from rosward.source.cmake.variables import HOLE
+
+SOURCE_SUFFIXES: Final = (".cpp", ".cc", ".cxx", ".c++", ".C", ".cp")
+"""Of files that are compiled as C++."""
+
+_VISIBLE: Final = frozenset(
+    {"PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES"}
+)
+_KINDS: Final[Mapping[str, Made]] = {
+    "STATIC": Made.LIBRARY, "SHARED": Made.LIBRARY, "MODULE": Made.LIBRARY, "OBJECT": Made.OBJECTS, "INTERFACE": Made.INTERFACE,
+    "UNKNOWN": Made.LIBRARY,
+}  # fmt: skip
+_NO_SOURCE: Final = frozenset(
+    {"WIN32", "MACOSX_BUNDLE", "EXCLUDE_FROM_ALL", "NO_TARGET_LINK_LIBRARIES", "PRIVATE", "PUBLIC", "BEFORE", "SYSTEM", "AFTER"}
+)  # fmt: skip
+_TARGET_LIMIT: Final = 2_000
+
+
+@final
+class TargetCommands:
+    """The targets of a package in the course of being read; `found` are the packages that have been found."""
+
+    def __init__(self, interpreter: Interpreter, top: str, found: Mapping[str, None]) -> None:
+        self._interpreter = interpreter
+        self._top = top
+        self._found = found
+        self._folders: dict[str, Using] = {top: Using()}
+        self.made: dict[str, Making] = {}
+        self.aliases: dict[str, str] = {}
+        self.handlers: Mapping[str, Handler] = {
+            "add_executable": self._add_executable,
+            "cuda_add_executable": self._add_executable,
+            "ament_auto_add_executable": self._add_executable,
+            "add_library": self._add_library,
+            "cuda_add_library": self._add_library,
+            "ament_auto_add_library": self._add_library,
+            "target_sources": self._target_sources,
+            "target_link_libraries": self._target_links,
+            "ament_target_dependencies": self._target_depends,
+            "target_include_directories": self._target_includes,
+            "target_compile_definitions": self._target_definitions,
+            "target_compile_options": self._target_options,
+            "set_target_properties": self._properties,
+            "include_directories": self._folder_includes,
+            "add_compile_definitions": self._folder_definitions,
+            "add_definitions": self._folder_options,
+            "add_compile_options": self._folder_options,
+            "link_libraries": self._folder_links,
+        }
+
+    @property
+    def sure(self) -> bool:
+        """Whether what is read now happens whatever the conditions are that nobody knows."""
+        return not self._interpreter.undecided
+
+    def folder(self) -> Using:
+        """What all targets of the folder use that is read: at first what the folder above it uses."""
+        folder = self._interpreter.folder
+        if folder not in self._folders:
+            above = folder
+            while above not in self._folders:
+                above = os.path.dirname(above)  # noqa: PTH120
+            self._folders[folder] = self._folders[above].copy()
+        return self._folders[folder]
+
+    def named(self, name: str) -> Making:
+        """The target of that name, or alias, which is there."""
+        return self.made[self.aliases.get(name, name)]
+
+    def find(self, name: str) -> Making | None:
+        """The target of that name, or alias."""
+        name = self.aliases.get(name, name)
+        return self.made.get(name)
+
+    def add(self, name: str, made: Made, sources: Sequence[str], command: Command) -> None:
+        """Make a target, or add sources to it."""
+        if HOLE in name or len(self.made) >= _TARGET_LIMIT:
+            return
+        target = self.made.get(name)
+        if target is None:
+            target = Making(name, made, self._interpreter.place(command), self.sure, self.folder())
+            self.made[name] = target
+        elif self.sure:
+            target.sure = True
+        if command.name.startswith("ament_auto_"):
+            sources = list(self._automatic(target, sources))
+        self._put(target, sources)
+
+    def _add_executable(self, arguments: list[str], command: Command) -> None:
+        name, *sources = arguments
+        if "ALIAS" in sources[:1]:
+            self.aliases |= dict.fromkeys([name], "".join(sources[1:2]))
+        elif "IMPORTED" not in sources[:2]:
+            self.add(name, Made.PROGRAM, sources, command)
+            if command.name == "ament_auto_add_executable" and name in self.made:
+                self.made[name].installed = True
+
+    def _add_library(self, arguments: list[str], command: Command) -> None:
+        name, *sources = arguments
+        if "ALIAS" in sources[:1]:
+            self.aliases |= dict.fromkeys([name], "".join(sources[1:2]))
+        elif "IMPORTED" not in sources[:2]:
+            made = next((_KINDS[s] for s in sources[:2] if s in _KINDS), Made.LIBRARY)
+            self.add(name, made, [s for s in sources if s not in _KINDS], command)
+
+    def _automatic(self, target: Making, sources: Sequence[str]) -> Iterator[str]:
+        """What `ament_auto_add_*` does for a target: folders of sources, the folder of headers, links to all that was found."""
+        include = os.path.join(self._top, "include")  # noqa: PTH118
+        if os.path.isdir(include):  # noqa: PTH112
+            target.own.includes[include] = None
+            target.handed.includes[include] = None
+        links = [f"{package}::*" for package in self._found]
+        if "NO_TARGET_LINK_LIBRARIES" not in sources and target.made is Made.PROGRAM:
+            links += [name for name, other in self.made.items() if other.made is Made.LIBRARY]
+        target.own.links |= dict.fromkeys(links)
+        target.handed.links |= dict.fromkeys(links)
+        into_folders = False
+        for source in sources:
+            if source == "DIRECTORY":
+                into_folders = True
+            elif into_folders:
+                start = self._interpreter.inside(source)
+                if start is not None:
+                    yield from self._interpreter.files.glob(f"{start}{os.sep}*", recurse=False)
+            else:
+                yield source
+
+    def _put(self, target: Making, sources: Iterable[str]) -> None:
+        """Add sources to a target."""
+        for argument in sources:
+            if argument in _NO_SOURCE or argument in _VISIBLE:
+                continue
+            text, _ = meant(argument)
+            objects = objects_of(text)
+            if objects is not None:
+                target.objects[objects] = None
+            elif text.endswith(SOURCE_SUFFIXES):
+                path = None if HOLE in text else self._interpreter.inside(text)
+                if path is not None and os.path.isfile(path):  # noqa: PTH113
+                    target.sources[path] = None
+                else:
+                    target.missing[text.replace(HOLE, "*")] = None
+
+    def _target_sources(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        target = self.find(arguments[0])
+        if target is not None:
+            self._put(target, arguments[1:])
+
+    def _by_visibility(self, arguments: list[str]) -> Iterator[tuple[list[Using], str]]:
+        """Each argument with where it belongs: to the target, to those that link against it, or to both."""
+        target = self.find(arguments[0])
+        if target is None:
+            return
+        both = [target.own, target.handed]
+        into = both
+        for argument in arguments[1:]:
+            if argument in _VISIBLE:
+                into = both if "PUBLIC" in argument else [target.own] if "PRIVATE" in argument else [target.handed]
+            elif argument not in {"SYSTEM", "BEFORE", "AFTER"}:
+                yield into, argument
+
+    def _target_links(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        for into, argument in self._by_visibility(arguments):
+            for using in into:
+                using.links |= self._links([argument])
+
+    def _target_depends(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        for into, argument in self._by_visibility(arguments):
+            if HOLE not in argument:
+                for using in into:
+                    using.links[f"{argument}::*"] = None
+
+    def _target_includes(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        for into, argument in self._by_visibility(arguments):
+            for using in into:
+                self._include([argument], using)
+
+    def _target_definitions(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        for into, argument in self._by_visibility(arguments):
+            for using in into:
+                using.definitions |= self.definitions([argument])
+
+    def _target_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        for into, argument in self._by_visibility(arguments):
+            for using in into:
+                using.definitions |= self.definitions(a for a in [argument] if a.startswith("-D"))
+
+    def _properties(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        """`set_target_properties(a b PROPERTIES COMPILE_DEFINITIONS X=1 …)`."""
+        if "PROPERTIES" not in arguments:
+            return
+        at = arguments.index("PROPERTIES")
+        pairs = dict(zip(arguments[at + 1 :: 2], arguments[at + 2 :: 2], strict=False))
+        texts = [*pairs.get("COMPILE_DEFINITIONS", "").split(";")]
+        texts += [flag for flag in pairs.get("COMPILE_FLAGS", "").split() if flag.startswith("-D")]
+        for target in map(self.find, arguments[:at]):
+            if target is not None:
+                target.own.definitions |= self.definitions(t for t in texts if t)
+
+    # What all targets of a folder use
+
+    def _folder_includes(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        self._include([a for a in arguments if a not in {"SYSTEM", "BEFORE", "AFTER"}], self.folder())
+
+    def _folder_definitions(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        self.folder().definitions.update(self.definitions(arguments))
+
+    def _folder_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        self.folder().definitions.update(self.definitions(a for a in arguments if a.startswith("-D")))
+
+    def _folder_links(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
+        self.folder().links.update(self._links(arguments))
+
+    def _include(self, paths: Iterable[str], into: Using) -> None:
+        for argument in paths:
+            text, _ = meant(argument)
+            path = None if HOLE in text or not text else self._interpreter.inside(text)
+            if path is not None:
+                into.includes[path] = None
+            elif "::" in text:
+                into.links[text] = None
+
+    def definitions(self, texts: Iterable[str]) -> dict[Definition, None]:
+        """The macros that arguments define."""
+        found: dict[Definition, None] = {}
+        for argument in texts:
+            text, sure = meant(argument)
+            name, equals, value = text.removeprefix("-D").partition("=")
+            if name.isidentifier():
+                sure = sure and self.sure and HOLE not in value
+                value = value.replace('\\"', '"').replace(HOLE, "")
+                found[Definition(name, value if equals else "1", sure)] = None
+        return found
+
+    @staticmethod
+    def _links(arguments: Iterable[str]) -> dict[str, None]:
+        texts = (meant(argument).text for argument in arguments)
+        return {
+            t: None
+            for t in texts
+            if t and HOLE not in t and not t.startswith("-") and t not in {"debug", "optimized", "general"}
+        }
