@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which macros are known without reading the headers of a machine?
+
+Those of the compiler on Linux, those of well-known libraries that would hide a declaration from the parser, and those that register a class.
+What they stand for is written from the documentation of the libraries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from rosward.frontends.cpp.macros import Macro, definition
+
+_COMPILER: Final = (
+    "__cplusplus 201703L", "__linux__ 1", "__linux 1", "linux 1", "__unix__ 1", "__unix 1", "unix 1", "__GNUC__ 11", "__GNUC_MINOR__ 4", "__GNUC_PATCHLEVEL__ 0",
+    "__STDC_HOSTED__ 1", "__STDC__ 1", "__ELF__ 1", "__CHAR_BIT__ 8", "__SIZEOF_POINTER__ 8", "__LP64__ 1", "__EXCEPTIONS 1",
+    "__cpp_exceptions 199711L", "__cpp_lib_filesystem 201703L", "__cpp_if_constexpr 201606L", "__cpp_lib_optional 201606L",
+    "__PRETTY_FUNCTION__ __func__", "__FUNCTION__ __func__",
+)  # fmt: skip
+_SHARED: Final = "using SharedPtr = std::shared_ptr<X>; using ConstSharedPtr = std::shared_ptr<const X>;"
+_WEAK: Final = "using WeakPtr = std::weak_ptr<X>; using ConstWeakPtr = std::weak_ptr<const X>;"
+_UNIQUE: Final = "using UniquePtr = std::unique_ptr<X>;"
+_MAKE_SHARED: Final = (
+    "template<typename ... Args> static std::shared_ptr<X> make_shared(Args && ... args)"
+    " { return std::make_shared<X>(std::forward<Args>(args) ...); }"
+)
+_MAKE_UNIQUE: Final = (
+    "template<typename ... Args> static std::unique_ptr<X> make_unique(Args && ... args)"
+    " { return std::make_unique<X>(std::forward<Args>(args) ...); }"
+)
+_LIBRARIES: Final = (
+    f"RCLCPP_SMART_PTR_DEFINITIONS(X) {_SHARED} {_MAKE_SHARED} {_WEAK} {_UNIQUE} {_MAKE_UNIQUE}",
+    f"RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(X) {_SHARED} {_MAKE_SHARED} {_WEAK} {_UNIQUE} {_MAKE_UNIQUE}",
+    f"RCLCPP_SMART_PTR_ALIASES_ONLY(X) {_SHARED} {_WEAK} {_MAKE_SHARED}",
+    f"RCLCPP_SHARED_PTR_DEFINITIONS(X) {_SHARED} {_MAKE_SHARED}",
+    f"RCLCPP_WEAK_PTR_DEFINITIONS(X) {_WEAK}",
+    f"RCLCPP_UNIQUE_PTR_DEFINITIONS(X) {_UNIQUE} {_MAKE_UNIQUE}",
+    "RCLCPP_DISABLE_COPY(X) X(const X &) = delete; X & operator=(const X &) = delete;",
+    "RCLCPP_PUBLIC", "RCLCPP_LOCAL", "RCLCPP_ACTION_PUBLIC", "RCLCPP_LIFECYCLE_PUBLIC", "RCUTILS_WARN_UNUSED",
+    "Q_OBJECT", "Q_GADGET", "Q_SLOTS", "Q_SIGNALS public", "Q_EMIT", "Q_INVOKABLE", "Q_DECLARE_METATYPE(X)", "Q_PROPERTY(...)", "Q_ENUM(X)",
+    "Q_DISABLE_COPY(X)", "SIGNAL(X) #X", "SLOT(X) #X", "emit",
+    "EIGEN_MAKE_ALIGNED_OPERATOR_NEW", "PCL_MAKE_ALIGNED_OPERATOR_NEW", "EIGEN_STRONG_INLINE inline", "EIGEN_ALWAYS_INLINE inline",
+    "BOOST_FOREACH(X, Y) for (X : Y)", "__attribute__(X)", "__declspec(X)", "__extension__", "__restrict__", "__restrict", "__inline__ inline",
+    "PRId8 \"d\"", "PRId16 \"d\"", "PRId32 \"d\"", "PRId64 \"ld\"", "PRIi32 \"i\"", "PRIi64 \"li\"", "PRIu8 \"u\"", "PRIu16 \"u\"", "PRIu32 \"u\"",
+    "PRIu64 \"lu\"", "PRIx8 \"x\"", "PRIx16 \"x\"", "PRIx32 \"x\"", "PRIx64 \"lx\"", "PRIX32 \"X\"", "PRIX64 \"lX\"", "PRIuPTR \"lu\"", "PRIdPTR \"ld\"",
+    "BT_REGISTER_NODES(factory) extern \"C\" void BT_RegisterNodesFromPlugin(BT::BehaviorTreeFactory & factory)",
+)  # fmt: skip
+
+NOT_DEFINED: Final = frozenset(
+    {
+        "_WIN32", "_WIN64", "WIN32", "__WIN32__", "__MINGW32__", "__CYGWIN__", "_MSC_VER", "__APPLE__", "__MACH__", "__ANDROID__", "__FreeBSD__", "__QNX__",
+        "__VXWORKS__", "__clang__", "__INTEL_COMPILER", "__CUDACC__", "__CUDA_ARCH__", "__STRICT_ANSI__", "SWIG", "DOXYGEN",
+        "DOXYGEN_SHOULD_SKIP_THIS", "__cpp_concepts", "__cpp_lib_format", "__cpp_impl_coroutine", "__cpp_lib_source_location", "__SANITIZE_ADDRESS__",
+    }
+)  # fmt: skip
+"""What no build on Linux with GCC and C++17 defines."""
+
+DEPENDS: Final = frozenset(
+    {
+        "NDEBUG", "DEBUG", "_DEBUG", "__x86_64__", "__aarch64__", "__arm__", "__i386__", "__ARM_NEON", "__ARM_NEON__", "__SSE__", "__SSE2__", "__SSE4_1__",
+        "__AVX__", "__AVX2__", "__OPTIMIZE__", "_OPENMP", "__BYTE_ORDER__", "__COUNTER__", "__DATE__", "__TIME__",
+    }
+)  # fmt: skip
+"""What depends on the machine, or on how somebody builds."""
+
+_LIBRARY_PREFIXES: Final[Mapping[str, str]] = {
+    "opencv2": "CV", "cv_bridge": "CV", "boost": "BOOST", "Eigen": "EIGEN", "pcl": "PCL", "OgreVector3.h": "OGRE", "QtGlobal": "QT", "fmt": "FMT",
+}  # fmt: skip
+
+REGISTERING: Final = frozenset(
+    {"RCLCPP_COMPONENTS_REGISTER_NODE", "PLUGINLIB_EXPORT_CLASS", "CLASS_LOADER_REGISTER_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE_WITH_EXECUTOR"}
+)  # fmt: skip
+"""Macros that register a class: what they register is kept, and they themselves leave the text."""
+
+VERSIONS: Final[Mapping[str, Mapping[str, tuple[int, int, int]]]] = {
+    "RCLCPP_VERSION_GTE": {"humble": (16, 0, 11), "jazzy": (28, 1, 6), "kilted": (29, 5, 0), "rolling": (30, 0, 0)},
+}
+"""Which version of a library has a distro."""
+
+HEADERS: Final = frozenset(
+    {
+        "algorithm", "any", "array", "atomic", "bitset", "charconv", "chrono", "cmath", "condition_variable", "cstdint", "cstdio", "cstdlib", "cstring", "deque",
+        "exception", "filesystem", "fstream", "functional", "future", "initializer_list", "iomanip", "iostream", "iterator", "limits", "list", "map", "memory",
+        "mutex", "numeric", "optional", "queue", "random", "regex", "set", "shared_mutex", "sstream", "stdexcept", "string", "string_view", "thread", "tuple",
+        "type_traits", "unordered_map", "unordered_set", "utility", "variant", "vector",
+    }
+)  # fmt: skip
+"""Headers of the standard library, which are there."""
+
+
+def predefined() -> dict[str, Macro]:
+    """The macros that every file begins with."""
+    made = [definition(text) for text in (*_COMPILER, *_LIBRARIES)]
+    return {macro.name: macro for macro in made if macro is not None}
+
+
+def macro_prefix(include: str) -> str:
+    """What the macros of a library begin with, by the path of one of its headers."""
+    first = include.partition("/")[0]
+    return _LIBRARY_PREFIXES.get(first, first.partition(".")[0].upper())

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which tokens does a piece of cleaned C++ text consist of?
+
+    "f(a, 1'000)"   ->   f ( a , ␣ 1'000 )
+
+White space is a token, too, so that the tokens in a row are the text again. Nothing is refused: what is no token is one character.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+_TOKEN: Final = re.compile(
+    r"""[A-Za-z_$]\w*(?:"(?:[^"\\\n]|\\.)*")?   # a name, or the prefix of a literal with it
+    |\s+
+    |\.?\d(?:[eEpP][+-]|'?[\w.])*
+    |"(?:[^"\\\n]|\\.)*"
+    |'(?:[^'\\\n]|\\.)*'
+    |\#\#|::|->|<<|>>|<=|>=|==|!=|&&|\|\||.
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+NAME: Final = re.compile(r"[A-Za-z_]\w*")
+
+
+def tokens(text: str) -> list[str]:
+    """The tokens of a text; joined, they are the text."""
+    return _TOKEN.findall(text)
+
+
+def is_name(token: str) -> bool:
+    """Whether a token is an identifier (or keyword)."""
+    return token.isidentifier()
+
+
+def trimmed(found: list[str]) -> list[str]:
+    """The tokens without white space at both ends, and with single blanks within."""
+    result = [" " if token.isspace() else token for token in found]
+    while result and result[-1] == " ":
+        result.pop()
+    start = 0
+    while start < len(result) and result[start] == " ":
+        start += 1
+    return result[start:]

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which words of a text are macros that nobody defined, and hide a declaration from the parser?
+
+    class DEMO_PUBLIC Driver : public Base      ->  class             Driver : public Base
+    DEMO_EXPORT explicit Driver(int x);         ->              explicit Driver(int x);
+    DECLARE_PARAMETERS(Driver)                  ->  blank, and told: nobody knows what it declares
+
+They are blanked, so that what stands around them stays where it is.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final, NamedTuple
+
+_VISIBILITY: Final = re.compile(
+    r"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|EXPORTS|LOCAL|API|IMPORT|HIDDEN|PUBLIC_TYPE|NO_EXPORT|DEPRECATED|INLINE|NODISCARD)\b(?!\s*[(.,;=:)+\"<>|&*!?\-/%\]}])"
+)
+_CLASS: Final = re.compile(
+    r"\b(?:class|struct|union)[ \t]+(?:\[\[[^\]\n]*\]\][ \t]*)?([A-Z][A-Z0-9_]{2,})(?=[ \t]+(?!final\b)[A-Za-z_])"
+)
+_BEFORE: Final = re.compile(
+    r"^[ \t]*([A-Z][A-Z0-9_]{3,})(?=[ \t\n]+(?:explicit|virtual|static|inline|constexpr|void|bool|int|double|auto|class|template|std::)\b)",
+    re.MULTILINE,
+)
+_CALL: Final = re.compile(r"^[ \t]*([A-Z][A-Z0-9_]{3,})[ \t]*(\([^\n]*\))[ \t]*$", re.MULTILINE)
+_GOES_ON: Final = re.compile(r"\s*[;{.\-+*/?:&|,)=<>\[\]]")
+_ENDED: Final = re.compile(r"[;{}:]\s*\Z|\A\s*\Z")
+_NOTHING: Final = re.compile(r"[^\n]")
+
+
+class Blanked(NamedTuple):
+    """A call of a macro that nobody defined, alone on its line."""
+
+    name: str
+    line: int
+
+
+def without_unknown(text: str) -> tuple[str, list[Blanked]]:
+    """The text with such words blanked, and the calls among them."""
+    told: list[Blanked] = []
+    if not any(
+        mark in text
+        for mark in ("_PUBLIC", "_EXPORT", "_LOCAL", "_API", "_IMPORT", "_HIDDEN", "_DEPRECATED", "_INLINE", "_NO")
+    ):
+        changed = text
+    else:
+        changed = _VISIBILITY.sub(_blank, text)
+    changed = _CLASS.sub(_blank_first, changed)
+    changed = _BEFORE.sub(_blank_first, changed)
+    pieces: list[str] = []
+    position = 0
+    for call in _CALL.finditer(changed):
+        before = changed[max(position, call.start() - 200) : call.start()]
+        if _GOES_ON.match(changed, call.end()) or not _ENDED.search(before) or not _balanced(call[2]):
+            continue
+        told.append(Blanked(call[1], changed.count("\n", 0, call.start()) + 1))
+        pieces += [changed[position : call.start()], _blank(call)]
+        position = call.end()
+    return "".join([*pieces, changed[position:]]), told
+
+
+def _blank(found: re.Match[str]) -> str:
+    return _NOTHING.sub(" ", found[0])
+
+
+def _blank_first(found: re.Match[str]) -> str:
+    return found[0].replace(found[1], " " * len(found[1]), 1)
+
+
+def _balanced(text: str) -> bool:
+    depth = 0
+    for position, character in enumerate(text):
+        depth += (character == "(") - (character == ")")
+        if not depth:
+            return position == len(text) - 1
+    return False
