@@ -13,7 +13,8 @@ from typing import Final
 from rosward.frontends.cpp.macros import Macro, definition
 
 _COMPILER: Final = (
-    "__cplusplus 201703L", "__linux__ 1", "__linux 1", "linux 1", "__unix__ 1", "__unix 1", "unix 1", "__GNUC__ 11", "__GNUC_MINOR__ 4", "__GNUC_PATCHLEVEL__ 0",
+    "__cplusplus 201703L", "__linux__ 1", "__linux 1", "linux 1", "__unix__ 1", "__unix 1", "unix 1", "__GNUC__ 11", "__GNUC_MINOR__ 4",
+    "__GNUC_PATCHLEVEL__ 0",
     "__STDC_HOSTED__ 1", "__STDC__ 1", "__ELF__ 1", "__CHAR_BIT__ 8", "__SIZEOF_POINTER__ 8", "__LP64__ 1", "__EXCEPTIONS 1",
     "__cpp_exceptions 199711L", "__cpp_lib_filesystem 201703L", "__cpp_if_constexpr 201606L", "__cpp_lib_optional 201606L",
     "__PRETTY_FUNCTION__ __func__", "__FUNCTION__ __func__",
@@ -41,31 +42,40 @@ _LIBRARIES: Final = (
     "Q_OBJECT", "Q_GADGET", "Q_SLOTS", "Q_SIGNALS public", "Q_EMIT", "Q_INVOKABLE", "Q_DECLARE_METATYPE(X)", "Q_PROPERTY(...)", "Q_ENUM(X)",
     "Q_DISABLE_COPY(X)", "SIGNAL(X) #X", "SLOT(X) #X", "emit",
     "EIGEN_MAKE_ALIGNED_OPERATOR_NEW", "PCL_MAKE_ALIGNED_OPERATOR_NEW", "EIGEN_STRONG_INLINE inline", "EIGEN_ALWAYS_INLINE inline",
-    "BOOST_FOREACH(X, Y) for (X : Y)", "__attribute__(X)", "__declspec(X)", "__extension__", "__restrict__", "__restrict", "__inline__ inline",
-    "PRId8 \"d\"", "PRId16 \"d\"", "PRId32 \"d\"", "PRId64 \"ld\"", "PRIi32 \"i\"", "PRIi64 \"li\"", "PRIu8 \"u\"", "PRIu16 \"u\"", "PRIu32 \"u\"",
-    "PRIu64 \"lu\"", "PRIx8 \"x\"", "PRIx16 \"x\"", "PRIx32 \"x\"", "PRIx64 \"lx\"", "PRIX32 \"X\"", "PRIX64 \"lX\"", "PRIuPTR \"lu\"", "PRIdPTR \"ld\"",
+    "BOOST_FOREACH(X, Y) for (X : Y)", "BOOST_SERIALIZATION_ASSUME_ABSTRACT(X)", "BOOST_SERIALIZATION_SPLIT_MEMBER()",
+    "BOOST_CLASS_EXPORT(X)",
+    "BOOST_CLASS_EXPORT_KEY(X)", "BOOST_CLASS_EXPORT_IMPLEMENT(X)", "BOOST_CLASS_VERSION(X, Y)", "__attribute__(X)", "__declspec(X)",
+    "__extension__", "__restrict__", "__restrict", "__inline__ inline",
+    "PRId8 \"d\"", "PRId16 \"d\"", "PRId32 \"d\"", "PRId64 \"ld\"", "PRIi32 \"i\"", "PRIi64 \"li\"", "PRIu8 \"u\"", "PRIu16 \"u\"",
+    "PRIu32 \"u\"",
+    "PRIu64 \"lu\"", "PRIx8 \"x\"", "PRIx16 \"x\"", "PRIx32 \"x\"", "PRIx64 \"lx\"", "PRIX32 \"X\"", "PRIX64 \"lX\"", "PRIuPTR \"lu\"",
+    "PRIdPTR \"ld\"",
     "BT_REGISTER_NODES(factory) extern \"C\" void BT_RegisterNodesFromPlugin(BT::BehaviorTreeFactory & factory)",
 )  # fmt: skip
 
 NOT_DEFINED: Final = frozenset(
     {
-        "_WIN32", "_WIN64", "WIN32", "__WIN32__", "__MINGW32__", "__CYGWIN__", "_MSC_VER", "__APPLE__", "__MACH__", "__ANDROID__", "__FreeBSD__", "__QNX__",
+        "_WIN32", "_WIN64", "WIN32", "__WIN32__", "__MINGW32__", "__CYGWIN__", "_MSC_VER", "__APPLE__", "__MACH__", "__ANDROID__",
+        "__FreeBSD__", "__QNX__",
         "__VXWORKS__", "__clang__", "__INTEL_COMPILER", "__CUDACC__", "__CUDA_ARCH__", "__STRICT_ANSI__", "SWIG", "DOXYGEN",
-        "DOXYGEN_SHOULD_SKIP_THIS", "__cpp_concepts", "__cpp_lib_format", "__cpp_impl_coroutine", "__cpp_lib_source_location", "__SANITIZE_ADDRESS__",
+        "DOXYGEN_SHOULD_SKIP_THIS", "__cpp_concepts", "__cpp_lib_format", "__cpp_impl_coroutine", "__cpp_lib_source_location",
+        "__SANITIZE_ADDRESS__",
     }
 )  # fmt: skip
 """What no build on Linux with GCC and C++17 defines."""
 
 DEPENDS: Final = frozenset(
     {
-        "NDEBUG", "DEBUG", "_DEBUG", "__x86_64__", "__aarch64__", "__arm__", "__i386__", "__ARM_NEON", "__ARM_NEON__", "__SSE__", "__SSE2__", "__SSE4_1__",
+        "NDEBUG", "DEBUG", "_DEBUG", "__x86_64__", "__aarch64__", "__arm__", "__i386__", "__ARM_NEON", "__ARM_NEON__", "__SSE__",
+        "__SSE2__", "__SSE4_1__",
         "__AVX__", "__AVX2__", "__OPTIMIZE__", "_OPENMP", "__BYTE_ORDER__", "__COUNTER__", "__DATE__", "__TIME__",
     }
 )  # fmt: skip
 """What depends on the machine, or on how somebody builds."""
 
 _LIBRARY_PREFIXES: Final[Mapping[str, str]] = {
-    "opencv2": "CV", "cv_bridge": "CV", "boost": "BOOST", "Eigen": "EIGEN", "pcl": "PCL", "OgreVector3.h": "OGRE", "QtGlobal": "QT", "fmt": "FMT",
+    "opencv2": "CV", "cv_bridge": "CV", "boost": "BOOST", "Eigen": "EIGEN", "pcl": "PCL", "OgreVector3.h": "OGRE", "QtGlobal": "QT",
+    "fmt": "FMT",
 }  # fmt: skip
 
 REGISTERING: Final = frozenset(
@@ -80,9 +90,12 @@ VERSIONS: Final[Mapping[str, Mapping[str, tuple[int, int, int]]]] = {
 
 HEADERS: Final = frozenset(
     {
-        "algorithm", "any", "array", "atomic", "bitset", "charconv", "chrono", "cmath", "condition_variable", "cstdint", "cstdio", "cstdlib", "cstring", "deque",
-        "exception", "filesystem", "fstream", "functional", "future", "initializer_list", "iomanip", "iostream", "iterator", "limits", "list", "map", "memory",
-        "mutex", "numeric", "optional", "queue", "random", "regex", "set", "shared_mutex", "sstream", "stdexcept", "string", "string_view", "thread", "tuple",
+        "algorithm", "any", "array", "atomic", "bitset", "charconv", "chrono", "cmath", "condition_variable", "cstdint", "cstdio",
+        "cstdlib", "cstring", "deque",
+        "exception", "filesystem", "fstream", "functional", "future", "initializer_list", "iomanip", "iostream", "iterator", "limits",
+        "list", "map", "memory",
+        "mutex", "numeric", "optional", "queue", "random", "regex", "set", "shared_mutex", "sstream", "stdexcept", "string",
+        "string_view", "thread", "tuple",
         "type_traits", "unordered_map", "unordered_set", "utility", "variant", "vector",
     }
 )  # fmt: skip

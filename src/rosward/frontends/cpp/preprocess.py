@@ -30,6 +30,7 @@ from rosward.frontends.cpp.known import (
 )
 from rosward.frontends.cpp.macros import Expansion, Macro, Macros, TooMuchError, definition
 from rosward.frontends.cpp.prepared import Choice, Prepared, Registration, Translation
+from rosward.frontends.cpp.suited import suited
 from rosward.frontends.cpp.tokens import NAME, tokens
 from rosward.frontends.cpp.unknown import without_unknown
 from rosward.source.location import Place
@@ -254,7 +255,7 @@ class _Reading:
         return Prepared(
             self._path,
             self._source.file,
-            text,
+            suited(text),
             tuple(self._includes),
             tuple(self._external),
             tuple(self._choices),

@@ -23,9 +23,11 @@ _BEFORE: Final = re.compile(
     r"^[ \t]*([A-Z][A-Z0-9_]{3,})(?=[ \t\n]+(?:explicit|virtual|static|inline|constexpr|void|bool|int|double|auto|class|template|std::)\b)",
     re.MULTILINE,
 )
-_CALL: Final = re.compile(r"^[ \t]*([A-Z][A-Z0-9_]{3,})[ \t]*(\([^\n]*\))[ \t]*$", re.MULTILINE)
+_CALL: Final = re.compile(r"^[ \t]*([A-Z][A-Z0-9_]{3,})[ \t]*\(", re.MULTILINE)
+_CALL_LIMIT: Final = 20_000  # characters
 _GOES_ON: Final = re.compile(r"\s*[;{.\-+*/?:&|,)=<>\[\]]")
 _ENDED: Final = re.compile(r"[;{}:]\s*\Z|\A\s*\Z")
+_BRACKET: Final = re.compile(r"[()]")
 _NOTHING: Final = re.compile(r"[^\n]")
 
 
@@ -51,12 +53,14 @@ def without_unknown(text: str) -> tuple[str, list[Blanked]]:
     pieces: list[str] = []
     position = 0
     for call in _CALL.finditer(changed):
-        before = changed[max(position, call.start() - 200) : call.start()]
-        if _GOES_ON.match(changed, call.end()) or not _ENDED.search(before) or not _balanced(call[2]):
+        if call.start() < position or not _ENDED.search(changed[max(position, call.start() - 200) : call.start()]):
+            continue
+        end = _closed(changed, call.end())
+        if end < 0 or _GOES_ON.match(changed, end):
             continue
         told.append(Blanked(call[1], changed.count("\n", 0, call.start()) + 1))
-        pieces += [changed[position : call.start()], _blank(call)]
-        position = call.end()
+        pieces += [changed[position : call.start()], _NOTHING.sub(" ", changed[call.start() : end])]
+        position = end
     return "".join([*pieces, changed[position:]]), told
 
 
@@ -68,10 +72,11 @@ def _blank_first(found: re.Match[str]) -> str:
     return found[0].replace(found[1], " " * len(found[1]), 1)
 
 
-def _balanced(text: str) -> bool:
-    depth = 0
-    for position, character in enumerate(text):
-        depth += (character == "(") - (character == ")")
+def _closed(text: str, position: int) -> int:
+    """The position behind the bracket that closes the one before `position`; -1 where none does, soon."""
+    depth = 1
+    for mark in _BRACKET.finditer(text, position, position + _CALL_LIMIT):
+        depth += 1 if mark[0] == "(" else -1
         if not depth:
-            return position == len(text) - 1
-    return False
+            return mark.end()
+    return -1
