@@ -16,15 +16,16 @@ from typing import Final
 _SPECIAL: Final = re.compile(
     r"""
       (?P<raw>\b(?:u8|u|U|L)?R"([^()\\\s"]{0,16})\()
-    | (?P<line>//[^\n]*)
+    | (?P<line>//(?:[^\\\n]|\\[ \t]*\n|\\)*)
     | (?P<comment>/\*)
     | (?P<separator>(?<=[\dA-F])(?<![uU]8)'(?=[\da-fA-F]))
-    | (?P<string>"(?:[^"\\\n]|\\.)*(?P<end>"|\\?(?=\n|\Z)))
+    | (?P<string>"(?:[^"\\\n]|\\.)*(?:"|\\?(?=\n|\Z)))
     | (?P<character>'(?:[^'\\\n]|\\.)*(?:'|\\?(?=\n|\Z)))
     | (?P<splice>\\[ \t]*\n)
     """,
     re.VERBOSE,
 )
+_QUOTES: Final = {"string": '"', "character": "'"}
 _NOT_NEWLINE: Final = re.compile(r"[^\n]+")
 
 
@@ -68,9 +69,11 @@ def cleaned(text: str) -> str:
             pieces.append(" ")
             put(_NOT_NEWLINE.sub("", text[start:position]) or " ")
         elif kind == "line":
-            pass
+            spliced += found[0].count("\n")
         elif kind == "splice":
             spliced += 1
+        elif kind in _QUOTES and (len(found[0]) < 2 or not found[0].endswith(_QUOTES[kind])):
+            put(found[0].rstrip("\\") + _QUOTES[kind])  # closed here, so that nobody else has to look for its end
         else:
             put(found[0])
     put(text[position:])

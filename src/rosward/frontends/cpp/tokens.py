@@ -21,6 +21,9 @@ _TOKEN: Final = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
+BRACKET: Final = re.compile(r""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|[()]""")
+"""A round bracket; literals match, too, so that none is found within them."""
+
 NAME: Final = re.compile(r"[A-Za-z_]\w*")
 
 
@@ -43,3 +46,11 @@ def trimmed(found: list[str]) -> list[str]:
     while start < len(result) and result[start] == " ":
         start += 1
     return result[start:]
+
+
+def open_brackets(text: str) -> int:
+    """How many round brackets a text opens more than it closes, literals left out."""
+    if "(" not in text and ")" not in text:
+        return 0
+    found = BRACKET.findall(text)
+    return found.count("(") - found.count(")")

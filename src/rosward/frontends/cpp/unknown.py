@@ -13,6 +13,8 @@ from __future__ import annotations
 import re
 from typing import Final, NamedTuple
 
+from rosward.frontends.cpp.tokens import BRACKET
+
 _VISIBILITY: Final = re.compile(
     r"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|EXPORTS|LOCAL|API|IMPORT|HIDDEN|PUBLIC_TYPE|NO_EXPORT|DEPRECATED|INLINE|NODISCARD)\b(?!\s*[(.,;=:)+\"<>|&*!?\-/%\]}])"
 )
@@ -25,9 +27,9 @@ _BEFORE: Final = re.compile(
 )
 _CALL: Final = re.compile(r"^[ \t]*([A-Z][A-Z0-9_]{3,})[ \t]*\(", re.MULTILINE)
 _CALL_LIMIT: Final = 20_000  # characters
+_UNCLOSED: Final = 100
 _GOES_ON: Final = re.compile(r"\s*[;{.\-+*/?:&|,)=<>\[\]]")
 _ENDED: Final = re.compile(r"[;{}:]\s*\Z|\A\s*\Z")
-_BRACKET: Final = re.compile(r"[()]")
 _NOTHING: Final = re.compile(r"[^\n]")
 
 
@@ -51,11 +53,14 @@ def without_unknown(text: str) -> tuple[str, list[Blanked]]:
     changed = _CLASS.sub(_blank_first, changed)
     changed = _BEFORE.sub(_blank_first, changed)
     pieces: list[str] = []
-    position = 0
+    position = unclosed = 0
     for call in _CALL.finditer(changed):
         if call.start() < position or not _ENDED.search(changed[max(position, call.start() - 200) : call.start()]):
             continue
         end = _closed(changed, call.end())
+        unclosed += end < 0
+        if unclosed > _UNCLOSED:
+            break
         if end < 0 or _GOES_ON.match(changed, end):
             continue
         told.append(Blanked(call[1], changed.count("\n", 0, call.start()) + 1))
@@ -75,8 +80,8 @@ def _blank_first(found: re.Match[str]) -> str:
 def _closed(text: str, position: int) -> int:
     """The position behind the bracket that closes the one before `position`; -1 where none does, soon."""
     depth = 1
-    for mark in _BRACKET.finditer(text, position, position + _CALL_LIMIT):
-        depth += 1 if mark[0] == "(" else -1
+    for mark in BRACKET.finditer(text, position, position + _CALL_LIMIT):
+        depth += (mark[0] == "(") - (mark[0] == ")")
         if not depth:
             return mark.end()
     return -1
