@@ -47,6 +47,10 @@ class Parameters:
         return names
 
 
+OpKey = tuple[str, int]
+"""What names an operation for good: the key of its body, and its number in it."""
+
+
 @final
 class Code:
     """One body: of a module, a function (lambda, coroutine, generator) or a class.
@@ -56,7 +60,8 @@ class Code:
     `free` are the names captured from outside, in the order of `captures` of the operation that makes the function or class.
     Cell numbers count `cells` first, then `free`. `__class__` is a free cell of each method in which `super()` without
     arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.
-    `key` names the body for good: its file and which one of that file it is (`index`). `entry` is where it begins, before its first operation.
+    `key` names the body for good: its file and which one of that file it is (`index`); with the number of an operation it names
+    that (`OpKey`). `entry` is where it begins, before its first operation.
     `annotations` and `returns` keep annotations as source text, `doc` the docstring. `is_stub`: the body is `...` alone.
     """
 
