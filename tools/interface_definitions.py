@@ -39,7 +39,7 @@ def git(folder: Path, *words: str) -> str:
 def branches(folder: Path) -> list[str]:
     """The branches to read."""
     there = set(git(folder, "branch", "--all", "--format=%(refname:short)").split())
-    found = [b for b in BRANCHES if b in there and not (b == "main" and "rolling" in there)]
+    found: list[str] = [b for b in BRANCHES if b in there and not (b == "main" and "rolling" in there)]
     return found or ["HEAD"]
 
 

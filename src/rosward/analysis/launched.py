@@ -38,7 +38,7 @@ from rosward.naming.collect import Process, collect
 from rosward.naming.command_line import read_words
 from rosward.naming.doubts import unknown_arguments
 from rosward.network.launch_tree import LaunchSystem
-from rosward.ros.distro import Distro
+from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.ros.entities import Interface, Node
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
@@ -68,7 +68,7 @@ def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deplo
 
 def launched(
     *paths: SourcePath,
-    distro: str = "jazzy",
+    distro: str = DEFAULT_DISTRO,
     models: Sequence[SourcePath] = (),
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),

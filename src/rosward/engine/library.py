@@ -263,9 +263,8 @@ class Library:
             self._definitions[dotted] = None if named is None else self.sources.interface_definition(*named)
         return self._definitions[dotted]
 
-    def missing(self, machine: Interpreter, dotted: str) -> Value:
+    def missing(self, dotted: str) -> Value:
         """Something of a package that is not there."""
-        del machine
         return External(dotted)
 
 

@@ -168,7 +168,7 @@ class Scene:
         if len(substitution.arguments) < _LEAST.get(substitution.kind, 1):
             self.fails(f"the substitution '{substitution.kind}' lacks an argument", substitution.place)
             return Unknown((Reason(Cause.ERROR, substitution.kind, substitution.place),), "str")
-        if substitution.kind in _SINCE_IRON and not self.distro.has(Distro.IRON):
+        if substitution.kind in _LOGICAL and not self.distro.facts.logical_substitutions:
             self.fails(f"{self.distro.value} has no substitution '{substitution.kind}'", substitution.place)
         self._depth += 1
         try:
@@ -253,7 +253,7 @@ _LEAST: Final[dict[str, int]] = {
 }
 """How many arguments a substitution needs, where it is not one."""
 
-_SINCE_IRON: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))
+_LOGICAL: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))
 
 
 def _joined(left: Value, right: Value) -> Value:

@@ -30,7 +30,6 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Partial, Unknown, Value
 from rosward.guard import guarded
 from rosward.network.launch_tree import Inclusion
-from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
 MAX_INCLUDES: Final = 40
@@ -158,7 +157,7 @@ class System:
             self.scene.fails("the container is not started before", action.place)
             container = container_name(action.target, self.scene)
         components = action.components
-        if not self.scene.distro.has(Distro.IRON):  # humble loads them whatever their conditions say
+        if not self.scene.distro.facts.components_have_conditions:
             components = tuple(replace(component, condition=None) for component in components)
         self._load_into(container, components, at)
 

@@ -23,7 +23,7 @@ from rosward.models.ros.interfaces import message_name
 from rosward.source.definitions import FLOATS, INTEGERS, TEXTS, Definition, Field
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 _LONGEST: Final = 80
 """Of a field nested deeper than that the reason names the message around it."""
@@ -42,12 +42,12 @@ _OF_EACH: Final = frozenset({"get_fields_and_field_types", "SLOT_TYPES"})
 """What the class of each message has besides fields and constants."""
 
 
-def definition_of(machine: Interpreter, cls: Value) -> Definition | None:
+def definition_of(machine: Machine, cls: Value) -> Definition | None:
     """The fields of a message, by its class; None where they are not known, and for any other class."""
-    return machine.library.interface_definition(cls.name) if isinstance(cls, External) else None
+    return machine.interface_definition(cls.name) if isinstance(cls, External) else None
 
 
-def constant(machine: Interpreter, cls: External, name: str) -> Const | None:
+def constant(machine: Machine, cls: External, name: str) -> Const | None:
     """`Message.NAME` where the interface defines a constant of that name, or has the default of a field by it."""
     definition = definition_of(machine, cls)
     if definition is None:
@@ -59,7 +59,7 @@ def constant(machine: Interpreter, cls: External, name: str) -> Const | None:
     return None if value is None else Const(value)
 
 
-def has_field(machine: Interpreter, cls: Value, name: str) -> bool | None:
+def has_field(machine: Machine, cls: Value, name: str) -> bool | None:
     """Whether a message has an attribute; None where that is not known."""
     definition = definition_of(machine, cls)
     if definition is None:
@@ -71,7 +71,7 @@ def has_field(machine: Interpreter, cls: Value, name: str) -> bool | None:
     return False if definition.closed and not name.startswith("_") else None
 
 
-def load_field(machine: Interpreter, ref: Ref, name: str, own: Value | None) -> Value | None:
+def load_field(machine: Machine, ref: Ref, name: str, own: Value | None) -> Value | None:
     """The field of a message, of which some writes are known to be `own`; None where the definition has no such field."""
     obj = machine.obj(ref)
     cls = obj.cls
@@ -89,7 +89,7 @@ def load_field(machine: Interpreter, ref: Ref, name: str, own: Value | None) -> 
     return value if own is None else join(own, value)
 
 
-def missing(machine: Interpreter, obj: Obj, name: str) -> Value:
+def missing(machine: Machine, obj: Obj, name: str) -> Value:
     """What a message holds under a name of which nothing is known: not a field, or one of an interface without a definition."""
     if isinstance(obj.payload, Unknown):
         return about(obj.payload, name)
@@ -105,7 +105,7 @@ def about(message: Unknown, name: str, hint: str = "") -> Unknown:
     return Unknown(reasons, hint)
 
 
-def _unwritten(machine: Interpreter, obj: Obj, cls: External, name: str, field: Field) -> Value:
+def _unwritten(machine: Machine, obj: Obj, cls: External, name: str, field: Field) -> Value:
     """A field that nobody has written."""
     if isinstance(obj.payload, Unknown):
         return about(obj.payload, name, "" if field.array else _HINTS.get(field.type, ""))
@@ -114,7 +114,7 @@ def _unwritten(machine: Interpreter, obj: Obj, cls: External, name: str, field: 
     return machine.unknown(Cause.MESSAGE, f"{cls.name}.{name}")
 
 
-def _inner(machine: Interpreter, ref: Ref, obj: Obj, name: str, field: Field, own: Value | None) -> Value | None:
+def _inner(machine: Machine, ref: Ref, obj: Obj, name: str, field: Field, own: Value | None) -> Value | None:
     """The nested message, or the list, that a field holds until another one is assigned to it."""
     if field.array:
         fresh = Obj("list", Native("builtins.list"), many=obj.many)
@@ -124,27 +124,25 @@ def _inner(machine: Interpreter, ref: Ref, obj: Obj, name: str, field: Field, ow
             return None
         payload = about(obj.payload, name) if isinstance(obj.payload, Unknown) else None
         fresh = Obj("instance", inner, many=obj.many, payload=payload)
-    key = ("field", ref.address, name)
-    made = Ref(machine.place_key(key))
-    old = machine.state.heap.get(made.address)
-    if old is None:
-        machine.put(made.address, fresh)
-    elif own is None or obj.many or field.array:  # it stands for several: of other objects, or of other times
-        machine.place_at(key, fresh)
-    elif made in options(own):  # on some paths here it was not asked for: there it is as new
+    several = own is None or obj.many or bool(field.array)
+    made = machine.place_inner(ref, name, fresh, again=several)
+    if (
+        own is not None and not several and made in options(own)
+    ):  # on some paths here it was not asked for: there it is as new
+        old = machine.obj(made)
         unsure = old.replace(partial=frozenset(old.attrs))
         if unsure.partial != old.partial:
-            machine.put(made.address, unsure)
+            machine.update(made, unsure)
     value = made if own is None else join(own, made)
     changed = obj.with_attr(name, value)
     if obj.many:
         changed.partial = marked(obj.partial, name)
     if value != own or changed.partial != obj.partial:
-        machine.put(ref.address, changed)
+        machine.update(ref, changed)
     return value
 
 
-def assigned(machine: Interpreter, cls: Value, name: str, value: Value) -> Value:
+def assigned(machine: Machine, cls: Value, name: str, value: Value) -> Value:
     """What a field holds after an assignment: sequences of numbers copy what they are given."""
     definition = definition_of(machine, cls)
     field = None if definition is None else definition.fields.get(name)
@@ -156,14 +154,14 @@ def assigned(machine: Interpreter, cls: Value, name: str, value: Value) -> Value
     return machine.new_list(series.head, series.middle, series.tail)
 
 
-def opened(machine: Interpreter, obj: Obj) -> Obj:
+def opened(machine: Machine, obj: Obj) -> Obj:
     """A message that code which is not known has had in its hands: any field may hold something else."""
     if isinstance(obj.payload, Unknown) or definition_of(machine, obj.cls) is None:
         return obj
     return obj.replace(payload=machine.unknown(Cause.MESSAGE, obj.cls.name))  # type: ignore[attr-defined]
 
 
-def filled(machine: Interpreter, ref: Ref) -> None:
+def filled(machine: Machine, ref: Ref) -> None:
     """Make all that a message holds, so that a copy of it shares that."""
     definition = definition_of(machine, machine.obj(ref).cls)
     for name, field in definition.fields.items() if definition is not None else ():
@@ -171,7 +169,7 @@ def filled(machine: Interpreter, ref: Ref) -> None:
             machine.load_attr(ref, name)
 
 
-def arrived(machine: Interpreter, cls: External, unknown: Unknown, site: str) -> Value:
+def arrived(machine: Machine, cls: External, unknown: Unknown, site: str) -> Value:
     """A message that somebody sent: what is in it is not known, but what its fields are; one object for all that arrive at one place."""
     named = message_name(cls.name)
     if named is None or definition_of(machine, cls) is None:
