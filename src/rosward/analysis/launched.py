@@ -23,8 +23,8 @@ from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
 from rosward.analysis.unreached import unreached
 from rosward.deployment.declared.effects import declared
+from rosward.deployment.launched import Launched
 from rosward.deployment.request import Request
-from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
 from rosward.domain.series import Series
 from rosward.effects.configuration import Configuration
@@ -144,7 +144,7 @@ def _of_systems(
     for each in runs.all():
         asked.add_required(each.log.variables)
     entered = {code for run in runs.all() for code in run.entered}
-    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and id(m.code) in entered]
+    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
     missing = "code that never runs is not told"
     told = guarded(lambda: list(unreached(runs.all(), read)), Place("", 0), missing, net=outset.budget.net)
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))

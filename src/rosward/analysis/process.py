@@ -28,6 +28,7 @@ from rosward.engine.python import modules
 from rosward.engine.python.binding import ANY
 from rosward.findings import Finding
 from rosward.guard import internal_error
+from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 
@@ -46,9 +47,9 @@ class Run(NamedTuple):
     entry: Entry
     log: EffectLog
     done: frozenset[tuple[object, ...]]
-    entered: frozenset[int]
+    entered: frozenset[str]
     instantiated: frozenset[Place]
-    reached: frozenset[int]
+    reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
 
 

@@ -88,7 +88,7 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
     entered = {code for r in runs for code in r.entered}
     for file in sorted(plan.related):
         module = read.sources.module(file)
-        if module is not None and id(module.code) not in entered:
+        if module is not None and module.code.key not in entered:
             runs.append(run(library, plan.for_file(file), budget, configuration))
             entered |= runs[-1].entered
     for file, names in node_classes(runs, library.node_class(None)).items() if assumed else ():

@@ -21,7 +21,7 @@ from rosward.engine.escape import name_of
 from rosward.engine.python.attributes import CREATING
 from rosward.findings import Finding
 from rosward.ir import ops
-from rosward.ir.program import Code, Module
+from rosward.ir.program import Code, Module, OpKey
 from rosward.source.location import Place
 
 _LIBRARY: Final = {
@@ -42,8 +42,8 @@ _LIBRARY: Final = {
 
 def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
     """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
-    entered: set[int] = set()
-    reached: set[int] = set()
+    entered: set[str] = set()
+    reached: set[OpKey] = set()
     for run in runs:
         entered |= run.entered
         reached |= run.reached
@@ -54,8 +54,8 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
         libraries = {name.partition(".")[0] for name in module.imports}
         names = {name for name, library in _LIBRARY.items() if library in libraries}
         for code in _functions(module.code):
-            dead = id(code) not in entered
-            for name, op in _creations(code.ops, names):
+            dead = code.key not in entered
+            for name, op, key in _creations(code, names):
                 base = bases.get((code.file, code.qualname.rpartition(".")[0]))
                 if dead and base is not None:
                     what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
@@ -67,7 +67,7 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
                     continue
                 if dead:
                     what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
-                elif name in CREATING and id(op) not in reached:
+                elif name in CREATING and key not in reached:
                     what = f"no execution comes to this {name}, as far as the values are known: it is left out"
                 else:
                     continue
@@ -118,29 +118,33 @@ def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:
 def _functions(code: Code) -> Iterator[Code]:
     """The code itself and all functions in it."""
     yield code
-    for op in _all_ops(code.ops):
+    for _, op in _all_ops(code):
         if isinstance(op, ops.MakeFunction):
             yield from _functions(op.code)
 
 
-def _creations(block: ops.Block, names: set[str]) -> Iterator[tuple[str, ops.Op]]:
+def _creations(code: Code, names: set[str]) -> Iterator[tuple[str, ops.Op, OpKey]]:
     """The reads of what creates an entity, in nested blocks too but not in functions."""
     called: set[int] = set()
-    for op in reversed(list(_all_ops(block))):
+    for body, op in reversed(list(_all_ops(code))):
         if isinstance(op, ops.Call):
             called.add(op.func)
         elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
             if (op.name in CREATING if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names) or (
                 isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names
             ):
-                yield op.name, op
+                yield op.name, op, (body.key, op.number)
 
 
-def _all_ops(block: ops.Block) -> Iterator[ops.Op]:
-    """Every operation of a block, of the blocks in it, and of the bodies of its classes."""
+def _all_ops(code: Code) -> Iterator[tuple[Code, ops.Op]]:
+    """Every operation of a body and of the bodies of its classes, each with the body that it belongs to."""
+    yield from _ops_of(code, code.ops)
+
+
+def _ops_of(code: Code, block: ops.Block) -> Iterator[tuple[Code, ops.Op]]:
     for op in block:
-        yield op
+        yield code, op
         if isinstance(op, ops.MakeClass):
-            yield from _all_ops(op.code.ops)
+            yield from _all_ops(op.code)
         for inner in op.blocks:
-            yield from _all_ops(inner)
+            yield from _ops_of(code, inner)

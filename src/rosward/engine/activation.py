@@ -74,10 +74,10 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
 def _is_large(machine: Engine, function: Function) -> bool:
     """Whether running a body again costs more than asking for its summary. What makes nodes and entities is run each time."""
     code = function.code
-    found = machine.large.get(id(code))
+    found = machine.large.get(code.key)
     if found is None:
         kept = code.name == "__init__" or declared.is_model(function) or _creates(code.ops)
-        found = machine.large[id(code)] = not kept and _weight(code.ops) > _LARGE
+        found = machine.large[code.key] = not kept and _weight(code.ops) > _LARGE
     return found
 
 
@@ -108,7 +108,7 @@ def run_body(
 ) -> Value:
     """Interpret a body in a frame of its own; the value returned."""
     code = function.code
-    machine.entered.add(id(code))
+    machine.entered.add(code.key)
     machine.choosing = False
     if context is None:
         context = context_of(machine, code, caller)
@@ -151,7 +151,7 @@ def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
 
 def _summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
-    key = (id(function.code), function.cells)
+    key = (function.code.key, function.cells)
     summary = machine.summaries.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 

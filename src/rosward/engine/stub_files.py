@@ -13,7 +13,8 @@ from typing import Final, final
 
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.findings import Finding
-from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.frontends.front_end import FrontendError
+from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.source.location import Place
@@ -83,7 +84,7 @@ class StubFiles:
             self.findings[source.finding] = None
             return False
         try:
-            self._modules[file] = lower_module(source.text, file)
+            self._modules[file] = front_end_of(file).lower(source.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
             self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None

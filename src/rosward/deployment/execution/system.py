@@ -22,6 +22,7 @@ from rosward.deployment.execution.perform_paths import folder, joined, normal_pa
 from rosward.deployment.execution.processes import Launch, start_process
 from rosward.deployment.execution.scene import Scene
 from rosward.deployment.execution.settings import SETTINGS, change, performed
+from rosward.deployment.execution.substitutions import SUBSTITUTIONS
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started
 from rosward.domain.choice import options
@@ -191,7 +192,14 @@ class System:
             return
         outer = self.scene
         scene = Scene(
-            outer.files, outer.python, outer.findings, outer.generated, outer.distro, outer.shell, outer.variables
+            outer.files,
+            outer.python,
+            outer.findings,
+            outer.generated,
+            outer.distro,
+            SUBSTITUTIONS,
+            outer.shell,
+            outer.variables,
         )
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in launch.arguments.items())
         for name, value in self.scene.context.environment(place).items():
