@@ -22,6 +22,8 @@ from rosward.source.text import decode, read_bytes
 
 STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
 _LARGEST: Final = 1_000_000
+_LONGEST_NAME: Final = 200
+"""No file has a longer name."""
 _CODES: Final = {"python2": "RW006", "depth": "RW005"}
 
 _OWN: Final[dict[str, Module]] = {}
@@ -36,6 +38,7 @@ class StubFiles:
         self._net = net
         self._folders = (*folders, STUBS)
         self._found: dict[str, str | None] = {}
+        self._packages: dict[str, bool] = {}
         self._modules: dict[str, Module] = {}
         self.findings: dict[Finding, None] = {}
 
@@ -44,6 +47,14 @@ class StubFiles:
         if name not in self._found:
             self._found[name] = self._look_up(name) if name and "\0" not in name else None
         return self._found[name]
+
+    def describes(self, package: str) -> bool:
+        """Whether there is any stub of a top-level package or module."""
+        if package not in self._packages:
+            self._packages[package] = len(package) <= _LONGEST_NAME and any(
+                (folder / package).is_dir() or (folder / f"{package}.pyi").is_file() for folder in self._folders
+            )
+        return self._packages[package]
 
     def module(self, file: str) -> Module | None:
         """The lowered file of a stub that was found."""
