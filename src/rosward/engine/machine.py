@@ -60,6 +60,7 @@ class Engine(Machine, Protocol):
     noted: int
     handling: list[tuple[Value, int]]
     provisional: int
+    unheld: set[int]
     fixpoints: int
     loops: int
     turns: int
@@ -131,6 +132,9 @@ class Engine(Machine, Protocol):
 
     def place_at(self, key: object, obj: Obj) -> int:
         """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
+
+    def place_anew(self, address: int, obj: Obj) -> None:
+        """Put a new object at an address, beside those that stand there already."""
 
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
