@@ -465,7 +465,7 @@ class Interpreter:
 
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
         """A finding at the current place."""
-        self.log.findings[Finding(code, message, self.place, causes)] = None
+        self.log.findings.add(Finding(code, message, self.place, causes))
 
     def die(
         self, error: str, message: str, args: Sequence[Value] | None = None, *, sure: bool = False, plain: bool = False

@@ -24,7 +24,7 @@ from rosward.engine.languages import LANGUAGES
 from rosward.engine.machine import Language
 from rosward.engine.model_units import absolute, units
 from rosward.engine.stub_files import StubFiles
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
@@ -83,7 +83,7 @@ class Library:
         self.first_address = _PROCESS_ADDRESSES
 
     @property
-    def findings(self) -> dict[Finding, None]:
+    def findings(self) -> Findings:
         """What is wrong with the stub files that were asked for."""
         return self._stubs.findings
 
@@ -229,15 +229,15 @@ class Library:
         try:
             loader.run_module(module, name)
         except LimitReachedError as limit:
-            self._stubs.findings[
+            self._stubs.findings.add(
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
-            ] = None
+            )
             loader.catchers, loader.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
             place = Place(module.file)
-            self._stubs.findings[internal_error(error, place, "this stub was read to this point only")] = None
+            self._stubs.findings.add(internal_error(error, place, "this stub was read to this point only"))
             loader.catchers = catchers
         self._running.discard(name)
         if above is not None and leaf not in loader.at(above.address).attrs:
