@@ -91,10 +91,10 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         entry,
         log,
         done,
-        frozenset(machine.entered),
-        frozenset(machine.instantiated),
-        frozenset(machine.reached),
-        frozenset(machine.asked),
+        frozenset(machine.trace.entered),
+        frozenset(machine.trace.instantiated),
+        frozenset(machine.trace.reached),
+        frozenset(machine.trace.asked),
     )
 
 
@@ -161,7 +161,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         if isinstance(found, Class) and machine.library.node_class(machine) in found.mro:
             assumed.make(machine, found)
         elif isinstance(found, Class):
-            machine.handed[found] = found.place  # whoever calls it from outside has it
+            machine.trace.handed[found] = found.place  # whoever calls it from outside has it
 
 
 def _needs_nothing(function: Value) -> bool:

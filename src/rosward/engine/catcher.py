@@ -143,7 +143,7 @@ def note(machine: Engine, level: int = OPERATION) -> None:
 def note_call(machine: Engine) -> None:
     """Unknown code runs here: it may raise what it likes, and an import in it may fail."""
     if machine.catchers:
-        note(machine, ANYTHING if machine.handed or machine.schedule_book.by_library else LIBRARY)
+        note(machine, ANYTHING if machine.trace.handed or machine.schedule_book.by_library else LIBRARY)
         machine.catchers[-1].importing = True
 
 

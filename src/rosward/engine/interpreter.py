@@ -6,7 +6,6 @@ A handler returns None where control goes on, and False where it does not (the p
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
@@ -29,9 +28,10 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import activation, catcher, escape, failing
-from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine import catcher, escape, failing
+from rosward.engine.budget import Budget
 from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.precision import Precision
 from rosward.engine.python import (
     abandoned,
     assignment,
@@ -50,7 +50,10 @@ from rosward.engine.python import (
     stepping,
     suspending,
 )
+from rosward.engine.python.stepped import Action, Running, Stepped
 from rosward.engine.schedule import Schedule
+from rosward.engine.summaries import Summaries
+from rosward.engine.trace import Trace
 from rosward.engine.transfer import HANDLERS
 from rosward.findings import Finding
 from rosward.ir import ops
@@ -61,7 +64,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
     from rosward.engine.library import Library
-    from rosward.ir.program import Code, OpKey
+    from rosward.ir.program import Code
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
@@ -81,15 +84,9 @@ class Interpreter:
         self.frames: list[Frame] = []
         self.catchers: list[catcher.Catcher] = []
         self.schedule_book = Schedule()
-        self.steps = 0
-        self.step_limit = budget.steps
-        self.coarse = False  # precision is given up: too many steps were spent
-        self.always_coarse = False  # the callback that is running took too many steps when it ran before
-        self.coarse_limit = int(budget.steps * budget.coarse)
-        self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
-        self.heavy: set[OpKey] = set()  # the outermost loops that took too many steps
-        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
-        self.deadline = time.thread_time() + budget.seconds
+        self.precision = Precision(budget)
+        self.trace = Trace()
+        self.summaries = Summaries()
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
@@ -97,23 +94,10 @@ class Interpreter:
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
-        self.provisional = 0  # how often an unfinished summary of a recursion was read
-        self.fixpoints = 0  # how many loops are being followed to a fixpoint
-        self.loops = 0  # how many loops are running
-        self.turns = 0  # turns followed one by one since the outermost of them began
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
-        self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
+        self.advancing: dict[int, Running] = {}  # the generators that run now, by address
         self.ways: dict[str, dict[int, suspending.Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
-        self.summaries: dict[object, activation.Summary] = {}
-        self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
-        self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
-        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
-        self.instantiated: set[Place] = set()
-        self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
-        self.entered: set[str] = set()  # the key of each code body that was run
-        self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
-        self.asked: set[tuple[str, str, str]] = set()  # what may be called without being seen: see `unreached.py`
         self._versions = 0
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
@@ -124,11 +108,12 @@ class Interpreter:
 
     def run(self, block: ops.Block, frame: Frame) -> bool:
         """Interpret a block; False where control does not come out at its end."""
-        self.steps += len(block)
-        if self.steps > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
-        if self.steps > self.loop_limit:
-            self.coarse = True
+        precision = self.precision
+        precision.steps += len(block)
+        if precision.steps > precision.step_limit:
+            precision.spend(0, self)
+        if precision.steps > precision.loop_limit:
+            precision.coarse = True
         if self.catchers:
             return failing.run_noting(self, block, frame)
         table = self.table
@@ -147,30 +132,7 @@ class Interpreter:
 
     def spend(self, steps: int) -> None:
         """Something that takes as long as this many steps: a native that computes, a join of much."""
-        self.steps += steps
-        if self.steps > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
-
-    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-        if not self.loops:
-            self.turns = 0
-            self.loop_limit = min(self.coarse_limit, self.steps + self.budget.loop_steps)
-            self.coarse = self.coarse or (frame.code.key, op.number) in self.heavy
-        self.loops += 1
-
-    def end_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop has ended."""
-        self.loops -= 1
-        if not self.loops:
-            if self.coarse and not self.always_coarse:
-                self.heavy.add((frame.code.key, op.number))
-                self.always_coarse = self.schedule_book.running  # in a callback, until it ends
-            if not self.schedule_book.running:  # what follows in the main body has its part of what is left
-                left = int((self.step_limit - self.steps) * self.budget.coarse)
-                self.coarse_limit = max(self.coarse_limit, self.steps + left)
-            self.loop_limit = self.coarse_limit
-            self.coarse = self.always_coarse or self.steps > self.coarse_limit
+        self.precision.spend(steps, self)
 
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
@@ -181,12 +143,11 @@ class Interpreter:
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
-        if time.thread_time() > self.deadline:
-            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", self.place)
+        self.precision.check_time(self)
 
     def fresh_version(self, compared: int = 0) -> int:
         """A version number never used before, for a state that took as many comparisons of objects to make."""
-        self.steps += compared // _OBJECTS_A_STEP
+        self.precision.steps += compared // _OBJECTS_A_STEP
         self._versions += 1
         return self._versions
 
@@ -306,7 +267,7 @@ class Interpreter:
         """What a call of a generator function or coroutine gives."""
         return generators.make(self, function, registers)
 
-    def advance(self, ref: Ref, action: stepping.Action) -> stepping.Stepped:
+    def advance(self, ref: Ref, action: Action) -> Stepped:
         """Resume a suspended generator."""
         return generators.advance(self, ref, action)
 
@@ -320,7 +281,7 @@ class Interpreter:
 
     def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""
-        item = stepping.next_of(self, iterator, stepping.Action(kind, value), default)
+        item = stepping.next_of(self, iterator, Action(kind, value), default)
         abandoned.watch(self, iterator)
         return item
 
@@ -498,6 +459,11 @@ class Interpreter:
     def function_record(self, function: Function) -> Obj | None:
         """The heap record of a function that was given attributes."""
         return self.state.heap.get(self.library.function_address(function))
+
+    @property
+    def asked(self) -> set[tuple[str, str, str]]:
+        """What may be called without being seen."""
+        return self.trace.asked
 
     @property
     def files(self) -> Files:

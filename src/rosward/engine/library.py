@@ -179,8 +179,8 @@ class Library:
     def _load_unit(self, unit: tuple[str, ...]) -> None:
         """Run models that need each other. They change nothing of those that were there before."""
         loader = self._loader
-        frames, catchers, steps = loader.frames, loader.catchers, loader.steps
-        loader.frames, loader.catchers, loader.steps = [], [], 0
+        frames, catchers, steps = loader.frames, loader.catchers, loader.precision.steps
+        loader.frames, loader.catchers, loader.precision.steps = [], [], 0
         before = loader.state.heap.copy()
         self._waiting.update(unit)
         for name in unit:
@@ -189,7 +189,7 @@ class Library:
         self._give_awaited(unit)
         loader.state.heap.restore(before)
         loader.state.version = loader.fresh_version()
-        loader.frames, loader.catchers, loader.steps = frames, catchers, steps
+        loader.frames, loader.catchers, loader.precision.steps = frames, catchers, steps
 
     def _run_model(self, name: str) -> ModuleValue:
         """Run one model of a unit; the package around it goes first."""
@@ -211,7 +211,7 @@ class Library:
             self._stubs.findings[
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
             ] = None
-            loader.catchers, loader.steps = catchers, 0
+            loader.catchers, loader.precision.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise

@@ -16,17 +16,18 @@ if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.state import State
     from rosward.domain.values import Class, Function, Ref, Value
-    from rosward.engine.activation import Summary
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
     from rosward.engine.frame import Frame, Snapshot
     from rosward.engine.library import Library
-    from rosward.engine.python.generators import Running
-    from rosward.engine.python.stepping import Action, Stepped
+    from rosward.engine.precision import Precision
+    from rosward.engine.python.stepped import Action, Running, Stepped
     from rosward.engine.python.suspending import Way
     from rosward.engine.schedule import Schedule
+    from rosward.engine.summaries import Summaries
+    from rosward.engine.trace import Trace
     from rosward.ir import ops
-    from rosward.ir.program import Code, OpKey
+    from rosward.ir.program import Code
     from rosward.models.native import Items
     from rosward.source.location import Place
 
@@ -38,38 +39,19 @@ class Engine(Machine, Protocol):
     frames: list[Frame]
     catchers: list[Catcher]
     schedule_book: Schedule
-    steps: int
-    step_limit: int
-    coarse: bool
-    always_coarse: bool
-    coarse_limit: int
-    loop_limit: int
-    heavy: set[OpKey]
-    heads: dict[OpKey, Snapshot]
-    deadline: float
+    precision: Precision
+    trace: Trace
+    summaries: Summaries
     making: list[Class]
     unhooked: set[int] | None
     hooked: bool
     choosing: bool
     noted: int
     handling: list[tuple[Value, int]]
-    provisional: int
-    fixpoints: int
-    loops: int
-    turns: int
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]
     ends: State | None
-    summaries: dict[object, Summary]
-    finished: dict[object, Summary]
-    large: dict[str, bool]
-    memo: dict[object, tuple[Value, int]]
-    instantiated: set[Place]
-    handed: dict[Value, Place]
-    entered: set[str]
-    reached: set[OpKey]
-    asked: set[tuple[str, str, str]]
 
     @property
     def library(self) -> Library:
@@ -88,12 +70,6 @@ class Engine(Machine, Protocol):
 
     def give_up_value(self, op: ops.Op, frame: Frame) -> None:
         """What an operation makes is too large to keep: its result is not known."""
-
-    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-
-    def end_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop has ended."""
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""

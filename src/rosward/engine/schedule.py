@@ -66,7 +66,6 @@ class Schedule:
     """All that was registered so far, by callback, arguments and event."""
 
     __slots__ = (
-        "_begun",
         "_event",
         "_raised",
         "_settled",
@@ -75,7 +74,6 @@ class Schedule:
         "main_raised",
         "named",
         "running",
-        "spent",
         "threads_raised",
     )
 
@@ -83,8 +81,6 @@ class Schedule:
         self.entries: dict[object, Entry] = {}
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
-        self.spent = 0  # steps of all callbacks, but for those that are running
-        self._begun = 0  # how many steps there were when these began
         self.by_library = False  # something that the program handed out may be called by a library
         self.main_raised: Value = UNBOUND  # the exceptions by which the main body may end
         self.threads_raised: Value = UNBOUND  # those that threads do not catch
@@ -142,21 +138,13 @@ class Schedule:
         catchers, machine.catchers = machine.catchers, []
         handling, machine.handling = machine.handling, []
         frames, machine.frames = machine.frames, []
-        loops, machine.loops = machine.loops, 0
-        fixpoints, machine.fixpoints = machine.fixpoints, 0
-        coarse, self._begun = machine.coarse, machine.steps
-        limits = machine.step_limit, machine.coarse_limit, machine.loop_limit
         try:
-            yield
+            with machine.precision.callbacks():
+                yield
         finally:
             self.running = False
             machine.frames = frames
             machine.catchers, machine.handling = catchers, handling
-            machine.loops, machine.fixpoints = loops, fixpoints
-            spent = machine.steps - self._begun  # by callbacks: the main body has its own steps
-            self.spent += spent
-            machine.coarse = coarse
-            machine.step_limit, machine.coarse_limit, machine.loop_limit = (limit + spent for limit in limits)
 
     def _context(self, machine: Engine, callback: Value, event: str) -> int:
         """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
@@ -231,7 +219,7 @@ class Schedule:
         """Whether there are steps left for a callback. Where many are gone, precision goes first."""
         budget = machine.budget
         most = budget.callback_steps + _STEPS_OF_EACH * len(self.entries)
-        spent = self.spent + machine.steps - self._begun
+        spent = machine.precision.spent_in_callbacks
         if spent > most:
             if not any(other.exhausted for other in self.entries.values()):
                 said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
@@ -249,11 +237,7 @@ class Schedule:
         frame.op = Op(entry.place.line, entry.place.column)
         frame.uncertain = 1
         machine.frames.append(frame)
-        machine.loops = machine.fixpoints = 0
-        machine.step_limit = machine.steps + machine.budget.entry_steps
-        heavy = len(machine.heavy)
-        machine.coarse = machine.always_coarse = entry.coarse
-        machine.coarse_limit = machine.loop_limit = machine.steps + machine.budget.entry_coarse
+        heavy = machine.precision.begin_callback(coarse=entry.coarse)
         try:
             if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
                 machine.iterate(entry.callback)
@@ -263,7 +247,7 @@ class Schedule:
                 if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
                     machine.iterate(result)
                 elif entry.callback.__class__ is Class:  # what a library makes is its own
-                    machine.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
+                    machine.trace.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
                 elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON) and result is not UNBOUND:
                     machine.escape((result,), "a library")
         except LimitReachedError as limit:
@@ -271,6 +255,5 @@ class Schedule:
             machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")
             machine.check_time()
         finally:
-            entry.coarse = machine.coarse or len(machine.heavy) > heavy
-            machine.always_coarse = False
+            entry.coarse = machine.precision.end_callback(heavy)
             machine.frames.clear()

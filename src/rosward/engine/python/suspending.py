@@ -15,6 +15,7 @@ from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, YIELD, Path, Point
 from rosward.domain.values import NONE, UNBOUND, Tuple, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
+from rosward.engine.python.stepped import NEXT, Action
 from rosward.ir import ops
 from rosward.models.native import Items
 
@@ -74,13 +75,11 @@ def yield_(machine: Engine, op: ops.Yield, frame: Frame) -> bool | None:
     if stepping.steps(machine, source):
         iterator = stepping.iterator_of(machine, source)
         first = NO_TURN if stepping.is_generator(machine, iterator) else 0
-        return delegate(machine, op, frame, iterator, first, stepping.NEXT)
+        return delegate(machine, op, frame, iterator, first, NEXT)
     return give(machine, op, frame, source, machine.iterate(source), 0)
 
 
-def delegate(
-    machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: stepping.Action
-) -> bool | None:
+def delegate(machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: Action) -> bool | None:
     """`yield from` an iterator that is advanced: its next item; behind its end this call goes on. A generator counts its turns itself."""
     context = frame.context
     frame.context = machine.context(context, frame.code.key, op.number, turn)
