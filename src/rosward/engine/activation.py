@@ -14,9 +14,10 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher, note, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame
 from rosward.engine.summaries import Summary
+from rosward.engine.throwing import note, rethrow
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 
 if TYPE_CHECKING:

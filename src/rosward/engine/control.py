@@ -15,9 +15,9 @@ from rosward.domain.choice import join, widen
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Value
-from rosward.engine.catcher import note
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.python.equality import truth
+from rosward.engine.throwing import note
 from rosward.ir import ops
 from rosward.source.location import Place
 

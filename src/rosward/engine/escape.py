@@ -53,7 +53,7 @@ def may_call(machine: Engine, values: Iterable[Value]) -> None:
     for value in values:
         for option in options(value):
             if isinstance(option, (Function, BoundMethod, Partial)) and not _is_library(option):
-                machine.schedule_book.add(machine, option, None, BY_LIBRARY)
+                machine.schedule(option, None, BY_LIBRARY)
 
 
 def name_of(value: Value) -> str:
@@ -68,7 +68,7 @@ def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[in
     for option in options(value):
         if isinstance(option, (Function, BoundMethod, Partial)):
             if not _is_library(option):
-                machine.schedule_book.add(machine, option, None, BY_LIBRARY)
+                machine.schedule(option, None, BY_LIBRARY)
         elif isinstance(option, Class):
             if not option.stub:
                 machine.trace.handed.setdefault(option, machine.place)
@@ -92,7 +92,7 @@ def _is_library(value: Value) -> bool:
 def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set[int]) -> None:
     obj = machine.obj(ref)
     if obj.kind == "generator":
-        machine.schedule_book.add(machine, ref, (), BY_LIBRARY)
+        machine.schedule(ref, (), BY_LIBRARY)
     elif obj.kind == "instance":
         machine.trace.handed.setdefault(ref, machine.place)
         if not library:

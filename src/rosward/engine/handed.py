@@ -41,12 +41,12 @@ def follow(machine: Engine) -> None:
                     if isinstance(value, Class):
                         machine.trace.handed.setdefault(value, naming.place)
                     else:
-                        machine.schedule_book.add(machine, value, None, BY_LIBRARY, naming.place)
+                        machine.schedule(value, None, BY_LIBRARY, naming.place)
         for value, place in list(machine.trace.handed.items()):
             for callback in _not_called(machine, value):
-                machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
+                machine.schedule(callback, None, BY_LIBRARY, place)
         for callback in implicit.callbacks(machine):
-            machine.schedule_book.add(machine, callback, None, BY_PYTHON, _place(callback))
+            machine.schedule(callback, None, BY_PYTHON, _place(callback))
         if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
             return
         machine.spin()

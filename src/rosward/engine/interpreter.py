@@ -28,8 +28,9 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import catcher, escape, failing
+from rosward.engine import escape, failing, schedule, throwing
 from rosward.engine.budget import Budget
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.precision import Precision
 from rosward.engine.python import (
@@ -48,10 +49,10 @@ from rosward.engine.python import (
     raised,
     removal,
     stepping,
-    suspending,
 )
 from rosward.engine.python.stepped import Action, Running, Stepped
-from rosward.engine.schedule import Schedule
+from rosward.engine.python.ways import Way
+from rosward.engine.scheduled import Schedule
 from rosward.engine.summaries import Summaries
 from rosward.engine.trace import Trace
 from rosward.engine.transfer import HANDLERS
@@ -82,7 +83,7 @@ class Interpreter:
         self.log = log
         self.state = State(Heap(ground=library.ground), 0, NOTHING_DONE)
         self.frames: list[Frame] = []
-        self.catchers: list[catcher.Catcher] = []
+        self.catchers: list[Catcher] = []
         self.schedule_book = Schedule()
         self.precision = Precision(budget)
         self.trace = Trace()
@@ -96,7 +97,7 @@ class Interpreter:
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, Running] = {}  # the generators that run now, by address
-        self.ways: dict[str, dict[int, suspending.Way]] = {}  # how each body, by its key, leads to its yields
+        self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self._versions = 0
         self._first_address = library.first_address
@@ -293,7 +294,7 @@ class Interpreter:
         """An exception is raised here for sure."""
         made = raised.made(self, exception)
         raised.chain(self, made, None)
-        catcher.throw(self, made)
+        throwing.throw(self, made)
 
     @contextmanager
     def handles(self, exception: Value, level: int) -> Iterator[None]:
@@ -310,11 +311,11 @@ class Interpreter:
         if not self.handling:
             return NONE
         known, level = self.handling[-1]
-        return known if not level else join(known, catcher.unseen(self))
+        return known if not level else join(known, throwing.unseen(self))
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
-        self.schedule_book.uncaught(self, exception)
+        schedule.uncaught(self, exception)
         if not self.schedule_book.running:
             cls = raised.class_of(self, exception)
             self.ended_at[self.place] = join(self.ended_at.get(self.place, UNBOUND), cls)
@@ -395,13 +396,13 @@ class Interpreter:
         """Values reach unknown code."""
         escape.escape(self, values, library, callee)
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
-        """A callback may run from now on."""
-        self.schedule_book.add(self, callback, tuple(args), event)
+    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
+        schedule.add(self, callback, None if args is None else tuple(args), event, place)
 
     def spin(self) -> None:
         """Everything scheduled may run here."""
-        self.schedule_book.spin(self)
+        schedule.spin(self)
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""
@@ -419,7 +420,7 @@ class Interpreter:
         is taken as a value that is not known: what fails for the values that we see (a default list too short) may go well for others."""
         if error not in ("SystemExit", "StopIteration"):
             return raised.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
-        catcher.throw(self, raised.builtin_error(self, error, args))
+        throwing.throw(self, raised.builtin_error(self, error, args))
         return UNBOUND
 
     @property

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from rosward.engine.library import Library
     from rosward.engine.precision import Precision
     from rosward.engine.python.stepped import Action, Running, Stepped
-    from rosward.engine.python.suspending import Way
-    from rosward.engine.schedule import Schedule
+    from rosward.engine.python.ways import Way
+    from rosward.engine.scheduled import Schedule
     from rosward.engine.summaries import Summaries
     from rosward.engine.trace import Trace
     from rosward.ir import ops
@@ -115,6 +115,9 @@ class Engine(Machine, Protocol):
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
+
+    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
 
     def may_call(self, values: Sequence[Value]) -> None:
         """A described library may call those that are functions."""

@@ -324,7 +324,7 @@ def _framework(machine: Engine, cls: Class, ref: Ref) -> None:
     machine.trace.handed.setdefault(ref, machine.place)
     for name, method in own_methods(machine, cls, ref):
         if not name.startswith("__"):
-            machine.schedule_book.add(machine, method, None, BY_BASE)
+            machine.schedule(method, None, BY_BASE)
 
 
 def exception_object(

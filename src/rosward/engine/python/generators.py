@@ -19,12 +19,13 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
 from rosward.engine import activation, declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Yielded
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
 from rosward.engine.python.stepped import NEXT, Action, Running, Stepped
+from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
 if TYPE_CHECKING:

@@ -14,11 +14,11 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import note_import
 from rosward.engine.found import Found
 from rosward.engine.frame import Frame
 from rosward.engine.python import import_path
 from rosward.engine.python.relative_imports import Relative, main_package, relative
+from rosward.engine.throwing import note_import
 from rosward.ir import ops
 from rosward.models.failures import fail
 

@@ -13,10 +13,11 @@ from rosward.domain.choice import join, join_all, widen
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unknown, Value
-from rosward.engine.catcher import Catcher, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
 from rosward.engine.python.stepped import NEXT, Action, Stepped
+from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
