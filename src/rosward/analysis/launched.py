@@ -146,7 +146,9 @@ def _of_systems(
     entered = {code for run in runs.all() for code in run.entered}
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
     missing = "code that never runs is not told"
-    told = guarded(lambda: list(unreached(runs.all(), read)), Place("", 0), missing, net=outset.budget.net)
+    told = guarded(
+        lambda: list(unreached(runs.all(), read, outset.library.facts)), Place("", 0), missing, net=outset.budget.net
+    )
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
     return Gathered(nodes, list(findings))
 

@@ -56,20 +56,21 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
 
 
 def _is_large(machine: Engine, function: Function) -> bool:
-    """Whether running a body again costs more than asking for its summary. What makes nodes and entities is run each time."""
+    """Whether running a body again costs more than asking for its summary. What a library says to be worth it is run each time."""
     code = function.code
     found = machine.summaries.large.get(code.key)
     if found is None:
-        kept = code.name == "__init__" or declared.is_model(function) or _creates(code.ops)
+        precise = machine.library.facts.precise
+        kept = code.name == "__init__" or declared.is_model(function) or _calls(code.ops, precise)
         found = machine.summaries.large[code.key] = not kept and _weight(code.ops) > _LARGE
     return found
 
 
-def _creates(block: Block) -> bool:
-    """Whether something in a block looks as if it created a node, an entity or a parameter."""
+def _calls(block: Block, beginnings: tuple[str, ...]) -> bool:
+    """Whether a block reads an attribute whose name begins so."""
     return any(
-        (isinstance(op, LoadAttr) and op.name.startswith(("create_", "declare_parameter")))
-        or any(_creates(inner) for inner in _inner(op))
+        (isinstance(op, LoadAttr) and op.name.startswith(beginnings))
+        or any(_calls(inner, beginnings) for inner in _inner(op))
         for op in block
     )
 

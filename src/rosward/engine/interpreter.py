@@ -64,7 +64,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
-    from rosward.engine.library import Library
+    from rosward.engine.shared import Shared
     from rosward.ir.program import Code
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
@@ -77,7 +77,7 @@ _LONGEST_PATH: Final = 12
 class Interpreter:
     """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
-    def __init__(self, library: Library, budget: Budget, log: EffectLog) -> None:
+    def __init__(self, library: Shared, budget: Budget, log: EffectLog) -> None:
         self.library = library
         self.budget = budget
         self.log = log

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
     from rosward.engine.frame import Frame, Snapshot
-    from rosward.engine.library import Library
     from rosward.engine.precision import Precision
     from rosward.engine.python.stepped import Action, Running, Stepped
     from rosward.engine.python.ways import Way
     from rosward.engine.scheduled import Schedule
+    from rosward.engine.shared import Shared
     from rosward.engine.summaries import Summaries
     from rosward.engine.trace import Trace
     from rosward.ir import ops
@@ -54,7 +54,7 @@ class Engine(Machine, Protocol):
     ends: State | None
 
     @property
-    def library(self) -> Library:
+    def library(self) -> Shared:
         """What all processes share."""
 
     @property

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rosward.engine.found import Found, Sources
     from rosward.ir import ops
     from rosward.ir.program import Module
+    from rosward.models.facts import Facts
     from rosward.models.native import NativeFunction
 
 
@@ -34,6 +35,18 @@ class Shared(Protocol):
     def nowhere(self) -> ModuleValue:
         """The module of what no code of the program calls."""
 
+    @property
+    def facts(self) -> Facts:
+        """What the marks of stubs say of libraries."""
+
+    @property
+    def creating(self) -> frozenset[str]:
+        """The names of methods that create entities."""
+
+    @property
+    def node_classes(self) -> tuple[Class, ...]:
+        """The models of the classes of nodes."""
+
     def constant(self, op: ops.Const) -> Const:
         """The constant of an operation, made once."""
 
@@ -48,9 +61,6 @@ class Shared(Protocol):
 
     def function_address(self, function: Function) -> int:
         """Where the attributes of a function object are kept."""
-
-    def node_class(self) -> Class | None:
-        """The model of rclpy.node.Node."""
 
     def file_value(self, module: ModuleValue) -> Value:
         """`__file__` of a module."""

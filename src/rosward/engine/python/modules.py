@@ -203,7 +203,7 @@ def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -
     package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
     attrs: dict[str, Value] = {
         "__name__": Const(name),
-        "__file__": machine.library.file_value(machine, module),
+        "__file__": machine.library.file_value(module),
         "__package__": join_all(main_package(machine, module.file)) if name == "__main__" else Const(package),
         "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
     }

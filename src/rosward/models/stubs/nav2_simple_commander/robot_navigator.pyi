@@ -7,7 +7,7 @@ Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10),
 from enum import Enum
 
 import rclpy
-from _rosward import either, native, reads_only, unknown
+from _rosward import creator, either, native, reads_only, unknown
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from lifecycle_msgs.srv import GetState
 from nav2_msgs.action import (
@@ -73,6 +73,7 @@ class RunningTask(Enum):
     FOLLOW_OBJECT = 13
 
 
+@creator
 class BasicNavigator(Node):
     def __init__(self, node_name="basic_navigator", namespace=""):
         super().__init__(node_name=node_name, namespace=namespace)
