@@ -13,6 +13,7 @@ from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
+from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, Resolution
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
@@ -165,6 +166,10 @@ class SourceTree:
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name."""
         return self._interfaces.has(module, name)
+
+    def interface_definition(self, package: str, kind: str, name: str, part: str) -> Definition | None:
+        """The fields of a message, or of a part of a service or action."""
+        return self._interfaces.definition(package, kind, name, part)
 
     def belongs(self, name: str) -> bool:
         """Whether the first part of a dotted name is a package of the workspace."""

@@ -68,6 +68,7 @@ if TYPE_CHECKING:
     from rosward.ir.program import Code
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
+    from rosward.source.definitions import Definition
 
 _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one step, about
 _LONGEST_PATH: Final = 12
@@ -95,6 +96,7 @@ class Interpreter:
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
+        self.unheld: set[int] = set()  # messages of the last time that callbacks ran, which nothing holds (`unheld.py`)
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, Running] = {}  # the generators that run now, by address
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
@@ -221,16 +223,31 @@ class Interpreter:
         Unless that is a generator at its end: nothing can be had from it any more, so the new one takes its place.
         """
         address = self.place_key(key)
+        self.place_anew(address, obj)
+        return address
+
+    def place_anew(self, address: int, obj: Obj) -> None:
+        """Put a new object at an address, beside those that stand there already."""
         old = self.state.heap.get(address)
-        if old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
+        if address in self.unheld:
+            self.unheld.discard(address)
+        elif old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
             joined = join_objects(old, obj, join)
             if not joined.many:
                 joined = joined.replace(many=True)
             if joined is old:
-                return address
+                return
             obj = joined
-        self.put(address, obj)
-        return address
+        if obj is not old:
+            self.put(address, obj)
+
+    def place_inner(self, owner: Ref, name: str, obj: Obj, *, again: bool) -> Ref:
+        """The object that belongs to an attribute of another one."""
+        key = ("inner", owner.address, name)
+        address = self.place_key(key)
+        if again or self.state.heap.get(address) is None:
+            self.place_at(key, obj)
+        return Ref(address)
 
     def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
         """A new list."""
@@ -460,6 +477,10 @@ class Interpreter:
     def function_record(self, function: Function) -> Obj | None:
         """The heap record of a function that was given attributes."""
         return self.state.heap.get(self.library.function_address(function))
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class."""
+        return self.library.interface_definition(dotted)
 
     @property
     def asked(self) -> set[tuple[str, str, str]]:

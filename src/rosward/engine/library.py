@@ -29,7 +29,9 @@ from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.facts import marked
 from rosward.models.native import NativeFunction
+from rosward.models.ros.interfaces import message_name
 from rosward.models.tables import Models
+from rosward.source.definitions import Definition
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
 
@@ -66,6 +68,7 @@ class Library:
         self._net = net
         self._constants: dict[tuple[type, object], Const] = {}
         self._found: dict[tuple[str, int, str], Found | None] = {}
+        self._definitions: dict[str, Definition | None] = {}
         self._lowered: dict[str, Module | None] = {}
         self._models: dict[str, ModuleValue] = {}
         self._waiting: set[str] = set()  # models of the units that are being loaded, which have not begun to run
@@ -267,6 +270,13 @@ class Library:
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name; None where the package is not known."""
         return self.sources.interface_has(module, name)
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class; None where they are not known."""
+        if dotted not in self._definitions:
+            named = message_name(dotted)
+            self._definitions[dotted] = None if named is None else self.sources.interface_definition(*named)
+        return self._definitions[dotted]
 
     def missing(self, dotted: str) -> Value:
         """Something of a package that is not there."""

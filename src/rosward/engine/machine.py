@@ -48,6 +48,7 @@ class Engine(Machine, Protocol):
     choosing: bool
     noted: int
     handling: list[tuple[Value, int]]
+    unheld: set[int]
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]
@@ -94,6 +95,9 @@ class Engine(Machine, Protocol):
 
     def place_at(self, key: object, obj: Obj) -> int:
         """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
+
+    def place_anew(self, address: int, obj: Obj) -> None:
+        """Put a new object at an address, beside those that stand there already."""
 
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""

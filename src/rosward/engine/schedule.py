@@ -6,7 +6,7 @@ self.create_timer(1.0, self.tick)     tick runs wherever the program spins, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
@@ -20,6 +20,7 @@ from rosward.engine.frame import Frame
 from rosward.engine.python.binding import ANY
 from rosward.engine.scheduled import Entry
 from rosward.engine.throwing import throw
+from rosward.engine.unheld import arrive, unheld_messages
 from rosward.findings import Finding
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
@@ -116,8 +117,10 @@ def spin(machine: Engine) -> None:
     if book.running:
         return
     if book.settled != (len(book.entries), machine.state.version):
+        frames = machine.frames
         with _alone(machine):
-            _run(machine)
+            _run(machine, frames)
+        machine.unheld = set()
         book.settled = (len(book.entries), machine.state.version)
     _throw(machine)
 
@@ -157,7 +160,7 @@ def _throw(machine: Engine) -> None:
     machine.state = after
 
 
-def _run(machine: Engine) -> None:
+def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     book = machine.schedule_book
     reason = Reason(Cause.LOOP, "a callback that runs again", Place("", 0))
 
@@ -166,6 +169,7 @@ def _run(machine: Engine) -> None:
 
     for round_ in range(machine.budget.rounds * 3):
         start = (len(book.entries), machine.state.version)
+        machine.unheld = unheld_messages(machine, book.entries.values(), frames)
         merge = join if round_ < machine.budget.widen_after else widening
         for entry in [e for e in book.entries.values() if not e.exhausted]:
             base = machine.state
@@ -207,6 +211,7 @@ def _call(machine: Engine, entry: Entry) -> None:
     machine.frames.append(frame)
     heavy = machine.precision.begin_callback(coarse=entry.coarse)
     try:
+        arrive(machine, entry)
         if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
             machine.iterate(entry.callback)
         else:

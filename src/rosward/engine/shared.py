@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rosward.ir.program import Module
     from rosward.models.facts import Facts
     from rosward.models.native import NativeFunction
+    from rosward.source.definitions import Definition
 
 
 class Shared(Protocol):
@@ -82,6 +83,9 @@ class Shared(Protocol):
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name; None where the package is not known."""
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class."""
 
     def missing(self, dotted: str) -> Value:
         """Something of a package that is not there."""
