@@ -24,7 +24,7 @@ from rosward.engine.frame import Frame, Yielded
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
-from rosward.engine.python.stepped import NEXT, Action, Running, Stepped
+from rosward.engine.stepped import NEXT, Action, Running, Stepped
 from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 

@@ -20,8 +20,8 @@ from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
 from rosward.engine.python.equality import truth
 from rosward.engine.python.iteration import Begun
-from rosward.engine.python.stepped import Action
-from rosward.engine.python.ways import parts
+from rosward.engine.stepped import Action
+from rosward.engine.ways import parts
 from rosward.ir import ops
 from rosward.models.native import Items
 

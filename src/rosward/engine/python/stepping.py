@@ -16,7 +16,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unk
 from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
-from rosward.engine.python.stepped import NEXT, Action, Stepped
+from rosward.engine.stepped import NEXT, Action, Stepped
 from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 

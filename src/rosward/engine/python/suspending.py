@@ -15,8 +15,8 @@ from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, Point, Step,
 from rosward.domain.values import NONE, UNBOUND, Tuple, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
-from rosward.engine.python.stepped import NEXT, Action
-from rosward.engine.python.ways import Way, find_ways
+from rosward.engine.stepped import NEXT, Action
+from rosward.engine.ways import Way, find_ways
 from rosward.ir import ops
 from rosward.models.native import Items
 
