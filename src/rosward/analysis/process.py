@@ -100,10 +100,10 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         entry,
         log,
         done,
-        frozenset(machine.entered),
-        frozenset(machine.instantiated),
-        frozenset(machine.reached),
-        frozenset(machine.asked),
+        frozenset(machine.trace.entered),
+        frozenset(machine.trace.instantiated),
+        frozenset(machine.trace.reached),
+        frozenset(machine.trace.asked),
     )
 
 
@@ -169,7 +169,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         if isinstance(found, Class) and _is_node(found, machine.library.node_classes):
             assumed.make(machine, found)
         elif isinstance(found, Class):
-            machine.handed[found] = found.place  # whoever calls it from outside has it
+            machine.trace.handed[found] = found.place  # whoever calls it from outside has it
 
 
 def _needs_nothing(function: Value) -> bool:

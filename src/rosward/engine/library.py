@@ -154,7 +154,7 @@ class Library:
             if isinstance(found, Class):
                 yield found
 
-    def file_value(self, _machine: object, module: ModuleValue) -> Value:
+    def file_value(self, module: ModuleValue) -> Value:
         """`__file__`: of a launch file in the share folder of its package; else where the module is installed, which is beside what it is beside
         in the sources."""
         shared = self.sources.shared(module.file)
@@ -229,8 +229,8 @@ class Library:
     def _load_unit(self, unit: tuple[str, ...]) -> None:
         """Run models that need each other. They change nothing of those that were there before."""
         loader = self._loader
-        frames, catchers, steps = loader.frames, loader.catchers, loader.steps
-        loader.frames, loader.catchers, loader.steps = [], [], 0
+        frames, catchers, steps = loader.frames, loader.catchers, loader.precision.steps
+        loader.frames, loader.catchers, loader.precision.steps = [], [], 0
         before = loader.state.heap.copy()
         self._waiting.update(unit)
         for name in unit:
@@ -239,7 +239,7 @@ class Library:
         self._give_awaited(unit)
         loader.state.heap.restore(before)
         loader.state.version = loader.fresh_version()
-        loader.frames, loader.catchers, loader.steps = frames, catchers, steps
+        loader.frames, loader.catchers, loader.precision.steps = frames, catchers, steps
 
     def _run_model(self, name: str) -> ModuleValue:
         """Run one model of a unit; the package around it goes first."""
@@ -261,7 +261,7 @@ class Library:
             self._stubs.findings.add(
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
             )
-            loader.catchers, loader.steps = catchers, 0
+            loader.catchers, loader.precision.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
