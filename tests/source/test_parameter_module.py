@@ -7,7 +7,7 @@ import ast
 
 import pytest
 
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
 from rosward.source.parameter_module import parameter_module
 from rosward.source.parameter_yaml import Check, DescribedParameter, read_parameters
 from rosward.source.yaml_nodes import LARGEST, Malformed

@@ -48,7 +48,7 @@ class VariablePlace(NamedTuple):
 
 @final
 class Scope:
-    """The names of one block, filled by `python_symbols`; complete after `link`."""
+    """The names of one block, filled by `symbols`; complete after `link`."""
 
     __slots__ = (
         "at_once",
