@@ -15,13 +15,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, Protocol, final
 
 from rosward.frontends.front_end import FrontendError
-<<<<<<< HEAD:src/rosward/frontends/python_body.py
-from rosward.frontends.python_scopes import PlaceKind, Scope, ScopeKind, VariablePlace
-from rosward.frontends.python_symbols import Symbols
-=======
-from rosward.frontends.python.scopes import Place, PlaceKind, Scope, ScopeKind
+from rosward.frontends.python.scopes import PlaceKind, Scope, ScopeKind, VariablePlace
 from rosward.frontends.python.symbols import Symbols
->>>>>>> main:src/rosward/frontends/python/body.py
 from rosward.ir.ops import (
     NO_REGISTER,
     Await,
