@@ -27,7 +27,7 @@ from rosward.domain.values import (
 )
 from rosward.engine.havoc import change
 from rosward.engine.python import modules
-from rosward.models.ros.effects import perform
+from rosward.models.ros.marks import perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

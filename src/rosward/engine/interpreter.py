@@ -451,9 +451,9 @@ class Interpreter:
         """Values reach unknown code."""
         escape.escape(self, values, library, callee)
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+    def schedule(self, callback: Value, args: Sequence[Value], event: str, answered: Value | None = None) -> None:
         """A callback may run from now on."""
-        self.schedule_book.add(self, callback, tuple(args), event)
+        self.schedule_book.add(self, callback, tuple(args), event, answered=answered)
 
     def spin(self) -> None:
         """Everything scheduled may run here."""

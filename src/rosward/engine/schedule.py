@@ -47,7 +47,7 @@ _NO_PARAMETERS: Final = Parameters((), 0, None, (), None)
 class Entry:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
-    __slots__ = ("args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
+    __slots__ = ("answered", "args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
 
     def __init__(
         self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State, context: int
@@ -59,6 +59,7 @@ class Entry:
         self.state = state
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
+        self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
 
 
@@ -100,8 +101,9 @@ class Schedule:
         args: tuple[Value, ...] | None,
         event: str,
         place: Place | None = None,
+        answered: Value | None = None,
     ) -> None:
-        """Register a callback; here, unless another place is given."""
+        """Register a callback; here, unless another place is given. `answered` is called with what it returns."""
         for option in options(callback):
             key = (option, args)
             self.by_library = self.by_library or event in (BY_LIBRARY, BY_BASE)
@@ -114,6 +116,7 @@ class Schedule:
                     machine.state.copy(),
                     self._context(machine, option, event),
                 )
+                entry.answered = answered
                 if event == "thread" and not self.running:
                     self._start(machine, entry)
 
@@ -266,11 +269,13 @@ class Schedule:
                 anything = machine.unknown(Cause.CALL, f"argument of a {entry.event}")
                 result = machine.call(entry.callback, entry.args or (), {ANY: anything})
                 if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
-                    machine.iterate(result)
+                    result = machine.run_out(result)[1]
                 elif entry.callback.__class__ is Class:  # what a library makes is its own
                     machine.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
                 elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON) and result is not UNBOUND:
                     machine.escape((result,), "a library")
+                if entry.answered is not None and result is not UNBOUND:
+                    machine.call(entry.answered, (result,))
         except LimitReachedError as limit:
             entry.exhausted = True
             machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")

@@ -185,8 +185,8 @@ class Machine(Execution, Protocol):
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """The values reach code that is not known: callables may be called, contents change, nodes may get entities (a finding)."""
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
-        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times."""
+    def schedule(self, callback: Value, args: Sequence[Value], event: str, answered: Value | None = None) -> None:
+        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times; `answered` is given its results."""
 
     def spin(self) -> None:
         """Everything that is scheduled may run here, in any order, any number of times."""

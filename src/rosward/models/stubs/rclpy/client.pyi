@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, either, message, reads_only, resolve_name
+from _rosward import create, either, message, reads_only, resolve_name, send
 
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.task import Future
@@ -22,9 +22,11 @@ class Client:
         self.callback_group = callback_group
 
     def call(self, request, timeout_sec=None):
+        send("request", self._node, self.srv_name, self.srv_type.Request, request)
         return message(self.srv_type.Response, "response")
 
     def call_async(self, request):
+        send("request", self._node, self.srv_name, self.srv_type.Request, request)
         future = Future()
         future._result = either(None, message(self.srv_type.Response, "response"))
         return future
