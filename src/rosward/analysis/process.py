@@ -19,12 +19,11 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
 from rosward.engine import assumed, handed
+from rosward.engine.arguments import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
-from rosward.engine.python import modules
-from rosward.engine.python.binding import ANY
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
@@ -146,13 +145,12 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
     name = "__main__" if plain else entry.module
     address = machine.place_key(("module", "__main__" if plain else entry.file))
     module = ModuleValue(address, name, entry.file)
-    alive = (plain or modules.run_packages(machine, module)) and modules.run_module(machine, module, name)
+    language = machine.library.language_of(module)
+    alive = (plain or language.run_packages(machine, module)) and machine.run_module(module, name)
     if entry.function and alive:
         function: Value = module
         for part in entry.function.split("."):
-            function = (
-                modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
-            )
+            function = language.load_attr(machine, function, part)
         machine.call(function, (), {} if _needs_nothing(function) else {ANY: UNBOUND})
     if entry.classes:
         imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)

@@ -18,8 +18,7 @@ from rosward.domain.choice import options
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Tuple, Unknown, Value
 from rosward.engine import declared
-from rosward.engine.python import attributes
-from rosward.engine.python.binding import ANY, MAYBE
+from rosward.engine.arguments import ANY, MAYBE
 from rosward.findings import Finding
 from rosward.models.python.plain import with_origins
 from rosward.source.location import Place
@@ -47,7 +46,7 @@ def make(machine: Engine, cls: Class) -> None:
 def _arguments(machine: Engine, cls: Class) -> dict[str, Value]:
     """Whatever somebody may give, and the defaults where nobody gives anything."""
     found: dict[str, Value] = {ANY: UNBOUND}
-    for constructor in options(attributes.lookup(machine, cls, "__init__") or UNBOUND):
+    for constructor in options(machine.language.lookup(machine, cls, "__init__") or UNBOUND):
         if isinstance(constructor, Function) and not declared.is_model(constructor):
             place = Place(constructor.code.file, constructor.code.line)
             for name, default in _defaults(constructor):

@@ -14,11 +14,11 @@ from rosward.domain.choice import join, join_all, options, reasons_of, widen
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
+from rosward.engine.arguments import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
-from rosward.engine.python.binding import ANY
 from rosward.engine.unheld import arrive, unheld_messages
 from rosward.findings import Finding
 from rosward.ir.ops import Op

@@ -161,7 +161,7 @@ def opened(machine: Machine, obj: Obj) -> Obj:
     return obj.replace(payload=machine.unknown(Cause.MESSAGE, obj.cls.name))  # type: ignore[attr-defined]
 
 
-def filled(machine: Machine, ref: Ref) -> None:
+def made_all(machine: Machine, ref: Ref) -> None:
     """Make all that a message holds, so that a copy of it shares that."""
     definition = definition_of(machine, machine.obj(ref).cls)
     for name, field in definition.fields.items() if definition is not None else ():
