@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from rosward.models.native import Machine
 
 
-def message_of(machine: Machine, type_: Value, kind: str = "message") -> Value:
+def message_of(machine: Machine, type_: Value, kind: str = "message", *, many: bool = True) -> Value:
     """A message of a type (or the request, response, goal of one) that somebody sent."""
     found = interface_type(type_)
     subject = found.rpartition("/")[2] if found else "message"
@@ -43,11 +43,16 @@ def message_of(machine: Machine, type_: Value, kind: str = "message") -> Value:
     unknown = machine.unknown(Cause.MESSAGE, f"{subject} {part}".strip())
     if not isinstance(type_, External):
         return unknown
-    return arrived(machine, External(f"{type_.name}.{part.capitalize()}") if part else type_, unknown, kind)
+    return arrived(machine, External(f"{type_.name}.{part.capitalize()}") if part else type_, unknown, kind, many=many)
+
+
+_ONCE: Final = frozenset({"response", "result", "serialized message"})
+"""What comes once for each call that asks for it; all else may come any number of times."""
 
 
 def _message(call: NativeCall) -> Value:
-    return message_of(call.machine, call.args[0])
+    """`message(type, what)`: one that somebody sent."""
+    return message_of(call.machine, call.args[0], many=text_of(call.arg(1, "what", NONE)) not in _ONCE)
 
 
 def _get_message(call: NativeCall) -> Value:
