@@ -62,15 +62,15 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         _main(machine, entry, imported)
     except LimitReachedError as limit:
         place = limit.place
-        log.findings[
+        log.findings.add(
             Finding(
                 "RW201",
                 f"{limit.what}: what the program does after this is missing",
                 place if place.file else Place(entry.file),
             )
-        ] = None
+        )
     except Exception as error:
-        log.findings[_failed(entry, error, "what the program does after this is missing", net=budget.net)] = None
+        log.findings.add(_failed(entry, error, "what the program does after this is missing", net=budget.net))
     done = log.final(machine.state)
     if machine.ends is not None:
         machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
@@ -82,18 +82,18 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         handed.follow(machine)
         log.tell_spun()
     except LimitReachedError as limit:
-        log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
+        log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file)))
     except Exception as error:
-        log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
+        log.findings.add(_failed(entry, error, "some callbacks were not followed", net=budget.net))
     log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
         log,
         done,
-        frozenset(machine.entered),
-        frozenset(machine.instantiated),
-        frozenset(machine.reached),
-        frozenset(machine.asked),
+        frozenset(machine.trace.entered),
+        frozenset(machine.trace.instantiated),
+        frozenset(machine.trace.reached),
+        frozenset(machine.trace.asked),
     )
 
 
@@ -159,7 +159,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         if isinstance(found, Class) and _is_node(found, machine.library.node_classes):
             assumed.make(machine, found)
         elif isinstance(found, Class):
-            machine.handed[found] = found.place  # whoever calls it from outside has it
+            machine.trace.handed[found] = found.place  # whoever calls it from outside has it
 
 
 def _needs_nothing(function: Value) -> bool:

@@ -37,10 +37,10 @@ def make(machine: Engine, cls: Class) -> None:
     for place, raised in machine.ended_at.items():
         if place not in told:
             message = f"{cls.name} cannot be made: its constructor {verb} {_named(raised)} here"
-            machine.log.findings[Finding("RW209", message, place if place.file else cls.place)] = None
+            machine.log.findings.add(Finding("RW209", message, place if place.file else cls.place))
     if not machine.ended_at and not machine.log.nodes:
         message = f"{cls.name} cannot be made: its constructor does not come to its end"
-        machine.log.findings[Finding("RW209", message, cls.place)] = None
+        machine.log.findings.add(Finding("RW209", message, cls.place))
 
 
 def _arguments(machine: Engine, cls: Class) -> dict[str, Value]:

@@ -24,7 +24,7 @@ from rosward.engine.languages import LANGUAGES
 from rosward.engine.machine import Language
 from rosward.engine.model_units import absolute, units
 from rosward.engine.stub_files import StubFiles
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
@@ -83,7 +83,7 @@ class Library:
         self.first_address = _PROCESS_ADDRESSES
 
     @property
-    def findings(self) -> dict[Finding, None]:
+    def findings(self) -> Findings:
         """What is wrong with the stub files that were asked for."""
         return self._stubs.findings
 
@@ -135,7 +135,7 @@ class Library:
             if isinstance(found, Class):
                 yield found
 
-    def file_value(self, _machine: object, module: ModuleValue) -> Value:
+    def file_value(self, module: ModuleValue) -> Value:
         """`__file__`: of a launch file in the share folder of its package; else where the module is installed, which is beside what it is beside
         in the sources."""
         shared = self.sources.shared(module.file)
@@ -200,8 +200,8 @@ class Library:
     def _load_unit(self, unit: tuple[str, ...]) -> None:
         """Run models that need each other. They change nothing of those that were there before."""
         loader = self._loader
-        frames, catchers, steps = loader.frames, loader.catchers, loader.steps
-        loader.frames, loader.catchers, loader.steps = [], [], 0
+        frames, catchers, steps = loader.frames, loader.catchers, loader.precision.steps
+        loader.frames, loader.catchers, loader.precision.steps = [], [], 0
         before = loader.state.heap.copy()
         self._waiting.update(unit)
         for name in unit:
@@ -210,7 +210,7 @@ class Library:
         self._give_awaited(unit)
         loader.state.heap.restore(before)
         loader.state.version = loader.fresh_version()
-        loader.frames, loader.catchers, loader.steps = frames, catchers, steps
+        loader.frames, loader.catchers, loader.precision.steps = frames, catchers, steps
 
     def _run_model(self, name: str) -> ModuleValue:
         """Run one model of a unit; the package around it goes first."""
@@ -229,15 +229,15 @@ class Library:
         try:
             loader.run_module(module, name)
         except LimitReachedError as limit:
-            self._stubs.findings[
+            self._stubs.findings.add(
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
-            ] = None
-            loader.catchers, loader.steps = catchers, 0
+            )
+            loader.catchers, loader.precision.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
             place = Place(module.file)
-            self._stubs.findings[internal_error(error, place, "this stub was read to this point only")] = None
+            self._stubs.findings.add(internal_error(error, place, "this stub was read to this point only"))
             loader.catchers = catchers
         self._running.discard(name)
         if above is not None and leaf not in loader.at(above.address).attrs:

@@ -77,7 +77,7 @@ def _own_variables(machine: Machine) -> Mapping[str, Value | None]:
 def _schedule(call: NativeCall) -> Value:
     event = text_of(call.keywords.get("event"), "callback")
     if call.args[0] != NONE:
-        call.machine.schedule(call.args[0], call.args[1:], event, call.keywords.get("answered"))
+        call.machine.schedule(call.args[0], call.args[1:], event, answered=call.keywords.get("answered"))
     return NONE
 
 

@@ -83,7 +83,7 @@ def perform(machine: Machine, spec: Tuple, named: dict[str, Value]) -> None:
         callback = named.get(text_of(spec.items[1]))
         if callback is not None and callback != NONE:
             args = tuple(_argument(machine, text_of(a), named) for a in spec.items[3].items)  # type: ignore[attr-defined]
-            machine.schedule(callback, args, text_of(spec.items[2]), _answered(spec.items[4], named))
+            machine.schedule(callback, args, text_of(spec.items[2]), answered=_answered(spec.items[4], named))
     elif kind == "sends":
         owner = named["self"]
         node, name, type_ = (_attribute(machine, owner, text_of(path)) for path in spec.items[3:])

@@ -77,7 +77,7 @@ def send(machine: Machine, kind: str, node: Value, name: Value, type_: Value, va
     if kind == "publication" and any(isinstance(o, Const) and isinstance(o.value, bytes) for o in options(value)):
         return  # a message that is serialised already
     others = [_other(machine, option, wanted) for option in options(value)]
-    if all(others):
+    if all(others) and not machine.choosing:  # one of several publishers may take it
         machine.report("RW213", f"{_TAKES[kind]} {_shown(wanted)}, not {' or '.join(dict.fromkeys(others))}: TypeError")
 
 
