@@ -103,7 +103,7 @@ def _other(machine: Machine, value: Value, wanted: MessageName) -> str:
         )
         return "" if isinstance(value, Const) and value.origins else "None" if value == NONE else kind
     if isinstance(value, External):
-        return "a class" if message_name(value.name) is not None else ""
+        return "a class" if interface_type(value) is not None else ""
     if not isinstance(value, Ref):
         return ""
     obj = machine.obj(value)
