@@ -18,7 +18,7 @@ from rosward.engine.arguments import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
-from rosward.engine.scheduled import Entry
+from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import throw
 from rosward.engine.unheld import arrive, unheld_messages
 from rosward.findings import Finding, Findings
@@ -57,7 +57,7 @@ def add(
         key = (option, args)
         book.by_library = book.by_library or event in (BY_LIBRARY, BY_BASE)
         if key not in book.entries and option.__class__ is not Unknown:
-            entry = book.entries[key] = Entry(
+            entry = book.entries[key] = Scheduled(
                 option,
                 args,
                 event,
@@ -70,7 +70,7 @@ def add(
                 _start(machine, entry)
 
 
-def _start(machine: Engine, entry: Entry) -> None:
+def _start(machine: Engine, entry: Scheduled) -> None:
     """A thread runs from here on: what follows may see what it writes, and it what is written so far.
 
     Where it finds an attribute missing that is set below, the program would fail: of that nothing is told.
@@ -186,7 +186,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
 
 
-def _afford(machine: Engine, entry: Entry) -> bool:
+def _afford(machine: Engine, entry: Scheduled) -> bool:
     """Whether there are steps left for a callback. Where many are gone, precision goes first."""
     book = machine.schedule_book
     budget = machine.budget
@@ -202,7 +202,7 @@ def _afford(machine: Engine, entry: Entry) -> bool:
     return True
 
 
-def _call(machine: Engine, entry: Entry) -> None:
+def _call(machine: Engine, entry: Scheduled) -> None:
     book = machine.schedule_book
     book.event = entry.event
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))

@@ -23,7 +23,7 @@ class Naming(NamedTuple):
 
 
 @final
-class Entry:
+class Scheduled:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
     __slots__ = ("answered", "args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
@@ -59,7 +59,7 @@ class Schedule:
     )
 
     def __init__(self) -> None:
-        self.entries: dict[object, Entry] = {}
+        self.entries: dict[object, Scheduled] = {}
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
         self.by_library = False  # something that the program handed out may be called by a library

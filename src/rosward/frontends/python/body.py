@@ -15,8 +15,13 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, Protocol, final
 
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_scopes import Place, PlaceKind, Scope, ScopeKind
+<<<<<<< HEAD:src/rosward/frontends/python_body.py
+from rosward.frontends.python_scopes import PlaceKind, Scope, ScopeKind, VariablePlace
 from rosward.frontends.python_symbols import Symbols
+=======
+from rosward.frontends.python.scopes import Place, PlaceKind, Scope, ScopeKind
+from rosward.frontends.python.symbols import Symbols
+>>>>>>> main:src/rosward/frontends/python/body.py
 from rosward.ir.ops import (
     NO_REGISTER,
     Await,
@@ -210,7 +215,7 @@ class Body:
 
     # Variables
 
-    def place(self, name: str) -> Place:
+    def place(self, name: str) -> VariablePlace:
         """Where the variable lives."""
         if name.startswith("__"):
             name = self.scope.mangle(name)
