@@ -409,9 +409,17 @@ class Interpreter:
         """Values reach unknown code."""
         escape.escape(self, values, library, callee)
 
-    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+    def schedule(
+        self,
+        callback: Value,
+        args: Sequence[Value] | None,
+        event: str,
+        place: Place | None = None,
+        *,
+        answered: Value | None = None,
+    ) -> None:
         """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
-        schedule.add(self, callback, None if args is None else tuple(args), event, place)
+        schedule.add(self, callback, None if args is None else tuple(args), event, place, answered)
 
     def spin(self) -> None:
         """Everything scheduled may run here."""

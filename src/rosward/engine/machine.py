@@ -133,7 +133,15 @@ class Engine(Machine, Protocol):
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
 
-    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+    def schedule(
+        self,
+        callback: Value,
+        args: Sequence[Value] | None,
+        event: str,
+        place: Place | None = None,
+        *,
+        answered: Value | None = None,
+    ) -> None:
         """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
 
     def may_call(self, values: Sequence[Value]) -> None:

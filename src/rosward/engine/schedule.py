@@ -49,8 +49,9 @@ def add(
     args: tuple[Value, ...] | None,
     event: str,
     place: Place | None = None,
+    answered: Value | None = None,
 ) -> None:
-    """Register a callback; here, unless another place is given."""
+    """Register a callback; here, unless another place is given. `answered` is called with what it returns."""
     book = machine.schedule_book
     for option in options(callback):
         key = (option, args)
@@ -64,6 +65,7 @@ def add(
                 machine.state.copy(),
                 _context(machine, option, event),
             )
+            entry.answered = answered
             if event == "thread" and not book.running:
                 _start(machine, entry)
 
@@ -218,11 +220,13 @@ def _call(machine: Engine, entry: Scheduled) -> None:
             anything = machine.unknown(Cause.CALL, f"argument of a {entry.event}")
             result = machine.call(entry.callback, entry.args or (), {ANY: anything})
             if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
-                machine.iterate(result)
+                result = machine.run_out(result)[1]
             elif entry.callback.__class__ is Class:  # what a library makes is its own
                 machine.trace.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
             elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON) and result is not UNBOUND:
                 machine.escape((result,), "a library")
+            if entry.answered is not None and result is not UNBOUND:
+                machine.call(entry.answered, (result,))
     except LimitReachedError as limit:
         entry.exhausted = True
         machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")

@@ -26,7 +26,7 @@ class Naming(NamedTuple):
 class Scheduled:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
-    __slots__ = ("args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
+    __slots__ = ("answered", "args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
 
     def __init__(
         self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State, context: int
@@ -38,6 +38,7 @@ class Scheduled:
         self.state = state
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
+        self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
 
 
