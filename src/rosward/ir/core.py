@@ -19,6 +19,7 @@ in the table of the language.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final, final
 
 if TYPE_CHECKING:
@@ -48,6 +49,20 @@ class Op:
 
 
 Block = list[Op]
+
+
+def walk(block: Block) -> Iterator[Op]:
+    """The operations of a block in the order in which they stand, each before those in its own blocks."""
+    left = [iter(block)]
+    while left:
+        for op in left[-1]:
+            yield op
+            if op.blocks:
+                left += map(iter, reversed(op.blocks))
+                break
+        else:
+            left.pop()
+
 
 NO_REGISTER: Final = -1
 

@@ -14,7 +14,7 @@ from rosward.network.launch_tree import LaunchEntry
 from rosward.outputs.report.numbered import End, Member
 from rosward.outputs.report.plain import place_row, place_rows, value_row
 from rosward.outputs.report.rights import NONE, Rights
-from rosward.ros.entities import Entity, Node, Parameter, Qos, Resolution
+from rosward.ros.entities import Entity, Node, Parameter, Qos
 
 __all__ = ["entity_rows", "node_row"]
 
@@ -82,7 +82,7 @@ def _entity(end: End, entries: Sequence[LaunchEntry], rights: Rights, findings: 
 
 
 def _lacks(entity: Entity) -> bool:
-    return entity.resolution in (Resolution.PATTERN, Resolution.UNKNOWN) or entity.type is None
+    return not entity.resolution.whole or entity.type is None
 
 
 def _qos(qos: Qos) -> dict[str, object]:
