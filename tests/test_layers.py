@@ -158,6 +158,17 @@ def test_imports_point_one_way() -> None:
     assert not wrong, _told(wrong)
 
 
+def test_the_engine_asks_a_language_by_its_record_alone() -> None:
+    """What is Python's own stands in `engine/python`; only the list of languages names its record."""
+    wrong = [
+        f"{use.file}:{use.line} imports {use.target}"
+        for use in uses()
+        if use.file.startswith("engine/") and not use.file.startswith("engine/python/")
+        if use.target.startswith("rosward.engine.python.") and use.file != "engine/languages.py"
+    ]
+    assert not wrong, _told(wrong)
+
+
 def test_no_import_hides_in_a_function_to_break_a_cycle() -> None:
     """Only the command line imports late, so that `--help` and `--version` answer at once."""
     late = [u for u in uses() if u.inside and layer_of(u.file) != "cli" and (u.file, u.target) not in ON_DEMAND]

@@ -20,10 +20,11 @@ from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import Found, Sources
 from rosward.engine.interpreter import Interpreter
+from rosward.engine.languages import LANGUAGES
+from rosward.engine.machine import Language
 from rosward.engine.model_units import absolute, units
-from rosward.engine.python import modules
 from rosward.engine.stub_files import StubFiles
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
@@ -52,8 +53,10 @@ class Library:
         environment: Shell | None = None,
         *,
         net: bool = True,
+        languages: Iterable[Language] = LANGUAGES,
     ) -> None:
         self.sources = sources
+        self.languages = {language.name: language for language in languages}
         self.environment = (
             usual_shell() if environment is None else environment
         )  # of every process, unless it is given another
@@ -80,7 +83,7 @@ class Library:
         self.first_address = _PROCESS_ADDRESSES
 
     @property
-    def findings(self) -> dict[Finding, None]:
+    def findings(self) -> Findings:
         """What is wrong with the stub files that were asked for."""
         return self._stubs.findings
 
@@ -224,17 +227,17 @@ class Library:
         self._running.add(name)
         catchers = loader.catchers
         try:
-            modules.run_module(loader, module, name)
+            loader.run_module(module, name)
         except LimitReachedError as limit:
-            self._stubs.findings[
+            self._stubs.findings.add(
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
-            ] = None
+            )
             loader.catchers, loader.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
             place = Place(module.file)
-            self._stubs.findings[internal_error(error, place, "this stub was read to this point only")] = None
+            self._stubs.findings.add(internal_error(error, place, "this stub was read to this point only"))
             loader.catchers = catchers
         self._running.discard(name)
         if above is not None and leaf not in loader.at(above.address).attrs:
@@ -253,7 +256,7 @@ class Library:
             if importer.name not in unit:
                 self._awaited.append((importer, module, name, stand_in))
                 continue
-            value = modules.attribute(self._loader, module, name)
+            value = self._loader.language.load_attr(self._loader, module, name)
             record = self._loader.at(importer.address)
             attrs: dict[str, Value] = {n: value if v == stand_in else v for n, v in record.attrs.items()}
             self._loader.put(importer.address, record.replace(attrs=attrs))
@@ -266,6 +269,11 @@ class Library:
             else:
                 self._lowered[file] = self.sources.module(file) if file else None
         return self._lowered[file]
+
+    def language_of(self, module: ModuleValue) -> Language:
+        """That of the file of a module; of one without a file, that of the models."""
+        lowered = self.module(module.file)
+        return next(iter(self.languages.values())) if lowered is None else self.languages[lowered.code.language]
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name; None where the package is not known."""

@@ -14,13 +14,13 @@ from rosward.domain.choice import join, join_all, options, reasons_of, widen
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
+from rosward.engine.arguments import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
-from rosward.engine.python.binding import ANY
 from rosward.engine.unheld import arrive, unheld_messages
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
@@ -122,7 +122,7 @@ class Schedule:
 
         Where it finds an attribute missing that is set below, the program would fail: of that nothing is told.
         """
-        before, findings, entities = machine.state, dict(machine.log.findings), frozenset(machine.log.entities)
+        before, findings, entities = machine.state, Findings(machine.log.findings), frozenset(machine.log.entities)
         machine.state = before.copy()
         with self._alone(machine):
             self._call(machine, entry)
@@ -239,7 +239,7 @@ class Schedule:
         if spent > most:
             if not any(other.exhausted for other in self.entries.values()):
                 said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
-                machine.log.findings[Finding("RW201", said, entry.place)] = None
+                machine.log.findings.add(Finding("RW201", said, entry.place))
             entry.exhausted = True
             return False
         entry.coarse = entry.coarse or spent > most * budget.coarse
