@@ -40,6 +40,8 @@ def means(pattern: str, path: str, *named: str) -> bool:
         ("/a", "/ws/a/b.py", True),
         ("/a", "/ws/x/a", False),
         ("a/**", "/ws/x/a/b.py", False),
+        ("a/**/", "/ws/a/x/b.py", True),
+        ("a/**/", "/ws/a/b.py", False),
         ("a/", "/ws/a/b.py", True),
         ("a/", "/ws/x/a", False),  # a folder, and there is none
         ("b?[0-9].py", "/ws/bc7.py", True),
@@ -112,7 +114,7 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
-@settings(max_examples=80, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
 @given(pattern=PATTERNS)
 def test_a_pattern_means_what_git_takes_it_for(tree: Path, pattern: str) -> None:
     """Left out: `//`, which means nothing to git, and stars that git takes for folders behind a text (`a**/`)."""

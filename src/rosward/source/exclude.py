@@ -102,6 +102,8 @@ def _compiled(exclusion: Exclusion) -> _Compiled:
     names = [part for part in text.split("/") if part not in ("", ".")]
     while len(names) > 1 and names[-1] == "**":
         names.pop()  # all that is in a folder is the folder
+        if text.endswith("/") and names[-1] != "**":
+            names.append("*")  # but each folder that is in it is not
     anchored = "/" in text.rstrip("/")
     names = names if anchored or names[0] == "**" else ["**", *names]
     parts = tuple(None if name == "**" else re.compile(fnmatch.translate(_for_fnmatch(name))) for name in names)
