@@ -20,7 +20,7 @@ from rosward.domain.values import Class, External, Unknown, Value
 from rosward.engine.escape import name_of
 from rosward.findings import Finding, Findings
 from rosward.ir import ops
-from rosward.ir.core import walk
+from rosward.ir.op import walk
 from rosward.ir.program import Code, Module, OpKey
 from rosward.models.facts import Facts
 from rosward.source.location import Place
