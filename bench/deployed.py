@@ -21,15 +21,15 @@ from pathlib import Path
 from typing import Final
 
 from rosward import extract
-from rosward.deep_stack import with_deep_stack
+from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.read import read_sources
+from rosward.analysis.systems import Outset, systems_of
 from rosward.deployment.request import Request
 from rosward.deployment.resolve import Launched
 from rosward.deployment.started import StartKind
 from rosward.pipeline import NothingToReadError, Result
-from rosward.reading import read_sources
 from rosward.ros.distro import Distro
 from rosward.source.workspace import Workspace
-from rosward.systems import Outset, systems_of
 
 WORDS: Final = ("exact", "default", "bound", "pattern", "unknown")
 

@@ -22,16 +22,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from rosward.deep_stack import with_deep_stack
+from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.read import read_sources
+from rosward.analysis.systems import Outset, System, systems_of
 from rosward.deployment.request import LaunchRequest, Request, UnknownRequestError
 from rosward.deployment.shown import shown
 from rosward.deployment.started import Setting, Started, StartKind
 from rosward.domain.choice import options
 from rosward.domain.text import matches
 from rosward.domain.values import Const, Tuple, Unknown, Value
-from rosward.reading import read_sources
 from rosward.ros.distro import Distro
-from rosward.systems import Outset, System, systems_of
 
 KINDS: Final = {"composable": StartKind.COMPONENT, **{k.value: k for k in StartKind}}
 CUT: Final = re.compile(r"\.\.\.\[\d+ characters, sha1 \w+\]$")

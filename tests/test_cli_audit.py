@@ -11,11 +11,11 @@ from typing import Any
 
 import jsonschema
 import pytest
-from running.graphs import snapshot
+from audit.graphs import snapshot
 
 from rosward import extract
+from rosward.audit import snapshot as script
 from rosward.cli import main
-from rosward.running import snapshot as script
 
 NODE = """\
 import rclpy

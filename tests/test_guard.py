@@ -15,14 +15,14 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import rosward
+from rosward.analysis.launched import launched
 from rosward.cli import main
 from rosward.deployment.declared import effects
 from rosward.deployment.execution import includes
 from rosward.deployment.request import Request
-from rosward.engine import native_calls
 from rosward.engine.budget import Budget
+from rosward.engine.python import native_calls
 from rosward.findings import RULES, Severity
-from rosward.launches import launched
 from rosward.models.native import perform as real_perform
 from rosward.outputs import files as output_files
 from rosward.outputs.report.packed import document_in
@@ -86,7 +86,7 @@ def test_a_program_costs_no_other(workspace: Path, broken: type[Exception]) -> N
     assert not result.complete
     message = next(f.message for f in result.findings if f.code == "RW299")
     assert broken.__name__ in message
-    assert "rosward/models/" in message or "rosward/engine/native_calls.py:" in message
+    assert "rosward/models/" in message or "rosward/engine/python/native_calls.py:" in message
     assert "somebody" not in message
     assert str(workspace) not in message
     assert "report" in message
@@ -149,8 +149,10 @@ def test_a_reader_costs_what_it_reads(
 
 
 def test_a_source_file_costs_no_other(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    lower: Callable[[str, str], Any] = rosward.sources.lower_module  # type: ignore[attr-defined]
-    monkeypatch.setattr("rosward.sources.lower_module", lambda t, f: failing() if f == "bad.py" else lower(t, f))
+    lower: Callable[[str, str], Any] = rosward.analysis.source_tree.lower_module  # type: ignore[attr-defined]
+    monkeypatch.setattr(
+        "rosward.analysis.source_tree.lower_module", lambda t, f: failing() if f == "bad.py" else lower(t, f)
+    )
     result = rosward.extract(workspace)
     assert names(result) == {"/before_good", "/after_good"}
     assert internal(result) == [("bad.py", 0)]
@@ -194,13 +196,13 @@ def test_the_exit_status_of_a_fault_is_3(
 @pytest.mark.parametrize(
     "step",
     [
-        "rosward.reading.make_plan",
+        "rosward.analysis.read.make_plan",
         "rosward.pipeline.with_enclaves",
         "rosward.pipeline.size_findings",
         "rosward.pipeline.connect",
         "rosward.network.checks._wildcards",
         "rosward.network.loose_ends.loose_ends",
-        "rosward.reduction.compact.compact",
+        "rosward.enclaves.compact.compact",
     ],
 )
 def test_a_step_on_the_way_of_everything_costs_what_it_gives(
@@ -280,7 +282,9 @@ def test_a_format_costs_no_other(
         assert message in (document_in(text) if one == "html" else text), one
 
 
-@pytest.mark.parametrize("step", ["rosward.outputs.github.github_commands", "rosward.outputs.text.summary"])
+@pytest.mark.parametrize(
+    "step", ["rosward.outputs.documents.github.github_commands", "rosward.outputs.terminal.summary.summary"]
+)
 def test_what_is_printed_costs_nothing_that_is_written(
     step: str, workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -294,9 +298,9 @@ def test_what_is_printed_costs_nothing_that_is_written(
 @pytest.mark.parametrize(
     ("step", "kept"),
     [
-        ("rosward.systems.entry", "all.launch.xml"),
-        ("rosward.outputs.launch_tree._entry", "RW299"),
-        ("rosward.reading.make_plan", "good.py"),
+        ("rosward.analysis.systems.entry", "all.launch.xml"),
+        ("rosward.outputs.terminal.launch_tree._entry", "RW299"),
+        ("rosward.analysis.read.make_plan", "good.py"),
     ],
 )
 def test_the_launch_tree_shows_the_rest(
@@ -314,11 +318,11 @@ def test_the_launch_tree_shows_the_rest(
 @pytest.mark.parametrize(
     ("step", "kept"),
     [
-        ("rosward.differences.compare._beyond", "nodes gained: 1"),
-        ("rosward.differences.compare._change", "rights gained: 11"),
-        ("rosward.differences.of_nodes.snapshot_of", "nothing is compared"),
+        ("rosward.diff.compare._beyond", "nodes gained: 1"),
+        ("rosward.diff.compare._change", "rights gained: 11"),
+        ("rosward.diff.of_nodes.snapshot_of", "nothing is compared"),
         ("rosward.pipeline.connect", "nodes gained: 1"),
-        ("rosward.outputs.diff_text._line", "the differences were not written"),
+        ("rosward.outputs.terminal.diff_text._line", "the differences were not written"),
     ],
 )
 def test_a_comparison_tells_the_rest(
@@ -344,7 +348,7 @@ def test_a_comparison_tells_the_rest(
 def test_any_other_fault_is_told_in_one_line(
     workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("rosward.outputs.listing.rows_of", failing)
+    monkeypatch.setattr("rosward.outputs.terminal.listing.rows_of", failing)
     assert main(["list", "nodes", str(workspace)]) == 3
     told = capsys.readouterr().err
     assert told.startswith("rosward: internal error (RuntimeError in rosward/cli/listing.py:")

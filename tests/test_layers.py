@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The architecture, enforced: imports point one way, modules stay small, nothing that changes lives in a module.
 
-findings.py ── source ── ir ── frontends ── domain ── ros ── models ── engine ── network ── outputs ── the top
+source ── ir ── frontends
+          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server
+          ros ── network ── policies ── enclaves, audit, diff ── explanation ── outputs ──┘
 """
 
 from __future__ import annotations
@@ -17,82 +19,53 @@ import pytest
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
 LONGEST: Final = 500
 
-_TEXT = frozenset({"source", "findings", "one_cause", "guard", "holes"})
+_TEXT = frozenset({"source", "findings", "one_cause", "guard", "holes", "safe"})
 _DOMAIN = frozenset({"domain"}) | _TEXT
-_ENGINE = frozenset({"engine", "models", "ros", "frontends", "ir"}) | _DOMAIN
-_NETWORK = frozenset({"network"}) | _ENGINE
+_NAMING = frozenset({"naming", "effects", "ros"}) | _DOMAIN
+_ENGINE = frozenset({"engine", "models", "frontends", "ir"}) | _NAMING
+_NETWORK = frozenset({"network", "ros"}) | _TEXT
+_POLICIES = frozenset({"policies"}) | _NETWORK
+_RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "suppression"}) | _POLICIES
 
 ALLOWED: Final[dict[str, frozenset[str]]] = {
+    "holes": frozenset(),
+    "safe": frozenset(),
     "source": _TEXT,
     "findings": _TEXT,
     "one_cause": _TEXT,
     "guard": _TEXT,
-    "holes": frozenset(),
     "ir": frozenset({"ir"}) | _TEXT,
     "frontends": frozenset({"frontends", "ir"}) | _TEXT,
     "domain": _DOMAIN,
     "ros": frozenset({"ros"}) | _TEXT,
-    "models": frozenset({"models", "ros"}) | _DOMAIN,
+    "effects": frozenset({"effects", "ros"}) | _DOMAIN,
+    "naming": _NAMING,
+    "models": frozenset({"models"}) | _NAMING,
     "engine": _ENGINE,
-    "network": _NETWORK - {"engine", "frontends", "ir"},
-    "deployment": frozenset({"deployment", "network", "processes", "sources"}) | _ENGINE,
-    "review": frozenset({"review"}) | _TEXT,
-    "policies": frozenset({"policies", "network", "ros"}) | _TEXT,
-    "reduction": frozenset({"reduction", "policies", "network", "ros"}) | _TEXT,
-    "running": frozenset({"running", "policies", "network", "ros"}) | _TEXT,
-    "declaring": frozenset({"declaring", "running", "policies", "network", "ros"}) | _TEXT,
-    "revisions": frozenset({"revisions"}),
-    "differences": frozenset({"differences", "policies", "network", "ros"}) | _TEXT,
-    "outputs": frozenset(
-        {"outputs", "differences", "network", "policies", "reduction", "review", "ros", "running", "_version"}
-    )
-    | _TEXT,
-    "sources": frozenset({"engine", "frontends", "ir"}) | _TEXT,
-    "processes": _ENGINE,
-    "unreached": frozenset({"processes"}) | _ENGINE,
-    "plan": frozenset({"processes", "sources"}) | _ENGINE,
-    "deep_stack": frozenset(),
-    "reading": frozenset({"deployment", "plan", "sources"}) | _ENGINE,
-    "gather": frozenset({"deployment", "processes", "reading", "unreached"}) | _NETWORK,
-    "cases": frozenset({"deployment"}) | _ENGINE,
-    "systems": frozenset({"cases", "deployment", "reading"}) | _NETWORK,
-    "launches": frozenset(
-        {"deep_stack", "deployment", "gather", "plan", "processes", "reading", "sources", "systems", "unreached"}
-    )
-    | _NETWORK,
-    "pipeline": frozenset({"deep_stack", "deployment", "gather", "launches", "reading", "reduction"}) | _NETWORK,
-    "cli": frozenset(
-        {
-            "cli",
-            "declaring",
-            "network",
-            "deployment",
-            "differences",
-            "policies",
-            "launches",
-            "pipeline",
-            "outputs",
-            "reduction",
-            "review",
-            "revisions",
-            "running",
-            "server",
-            "_version",
-        }
-    )
-    | _TEXT,
-    "server": frozenset(
-        {"server", "deep_stack", "deployment", "differences", "outputs", "pipeline", "review", "sources", "_version"}
-    )
-    | _NETWORK,
-    "__init__": frozenset({"pipeline", "_version"}) | _NETWORK,
+    "network": _NETWORK,
+    "deployment": frozenset({"deployment", "network"}) | _ENGINE,
+    "analysis": frozenset({"analysis", "deployment", "network"}) | _ENGINE,
+    "policies": _POLICIES,
+    "suppression": frozenset({"suppression"}) | _TEXT,
+    "enclaves": frozenset({"enclaves"}) | _POLICIES,
+    "audit": frozenset({"audit"}) | _POLICIES,
+    "diff": frozenset({"diff"}) | _POLICIES,
+    "explanation": frozenset({"explanation", "enclaves", "suppression"}) | _POLICIES,
+    "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
+    "git": frozenset({"git"}),
+    "outputs": frozenset({"outputs", "_version"}) | _RESULT,
+    "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
+    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})
+    | _RESULT,
+    "server": frozenset({"server", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
+    "__init__": frozenset({"pipeline", "_version", "network"}) | _ENGINE,
     "__main__": frozenset({"cli"}),
     "ros2_security": frozenset({"cli"}),
     "_version": frozenset(),
 }
 """What each folder (or module at the top) may import. What only type checkers read is free."""
 
-ON_DEMAND: Final = {("pipeline.py", "rosward.launches")}
+ON_DEMAND: Final = {("pipeline.py", "rosward.analysis.launched")}
 """What is imported in a function because most runs do not need it."""
 
 _PROCEDURES: Final = frozenset({"list", "dict", "set", "defaultdict", "OrderedDict", "deque", "Counter", "bytearray"})

@@ -43,7 +43,7 @@ def test_a_launch_file_is_started_with_its_arguments(tmp_path: Path) -> None:
             str(tmp_path),
         ]
     )
-    from rosward.outputs.network_json import network_json
+    from rosward.outputs.documents.network_json import network_json
 
     assert network_json(result.network) == (tmp_path / "network.json").read_text(encoding="utf-8")
     assert {node.launched_by is not None for node in result.network.nodes} == {True}

@@ -18,9 +18,10 @@ import pytest
 from casefile import Case, read_cases
 
 import rosward
+from rosward.analysis import read
 from rosward.deployment.request import Request
 from rosward.network.asked import NOT_TOLD
-from rosward.outputs.network_json import network_json
+from rosward.outputs.documents.network_json import network_json
 from rosward.source.workspace import Workspace
 
 TESTS = Path(__file__).parent
@@ -57,7 +58,7 @@ class _Listing:
 def shuffled(seed: int) -> Iterator[None]:
     """Everything that comes in an order comes in another one."""
     random = Random(seed)
-    scan, discover, plan = os.scandir, rosward.reading.discover, rosward.reading.make_plan  # type: ignore[attr-defined]
+    scan, discover, plan = os.scandir, read.discover, read.make_plan  # type: ignore[attr-defined]
 
     def mixed(items: Any) -> tuple[Any, ...]:
         given = list(items)
@@ -81,8 +82,8 @@ def shuffled(seed: int) -> Iterator[None]:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("os.scandir", scandir)
-        patch.setattr("rosward.reading.discover", found)
-        patch.setattr("rosward.reading.make_plan", planned)
+        patch.setattr("rosward.analysis.read.discover", found)
+        patch.setattr("rosward.analysis.read.make_plan", planned)
         yield
 
 
@@ -128,6 +129,6 @@ def test_the_order_is_another_one(tmp_path: Path) -> None:
     orders = set()
     for seed in SEEDS:
         with shuffled(seed):
-            workspace = rosward.reading.discover([tmp_path])  # type: ignore[attr-defined]
+            workspace = read.discover([tmp_path])  # type: ignore[attr-defined]
             orders.add(tuple(file.relative for file in workspace.files))
     assert len(orders) == len(SEEDS)

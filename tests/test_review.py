@@ -8,9 +8,9 @@ import time
 import pytest
 
 from rosward.findings import Finding
-from rosward.review.comments import ignore_comments
-from rosward.review.fingerprints import fingerprints
 from rosward.source.location import Place
+from rosward.suppression.comments import ignore_comments
+from rosward.suppression.fingerprints import fingerprints
 
 
 def found(text: str, suffix: str = ".py") -> list[tuple[tuple[int, ...], tuple[str, ...] | None]]:

@@ -362,6 +362,10 @@ INTERNAL_ERROR: Final = "RW299"
 UNREAD_ARGUMENT: Final = "RW322"
 """The code of a launch argument that changes nothing."""
 
+MADE_ANEW: Final = "part that the program makes anew at each start"
+"""The cause of what nobody can make known, since no two runs have it in common."""
+
+
 RULES: Final[dict[str, Rule]] = {rule.code: rule for rule in _TABLE}
 
 

@@ -15,12 +15,22 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
-from rosward.deep_stack import with_deep_stack
+from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.read import (
+    EVERYTHING,
+    NothingToReadError,
+    Progress,
+    SourcePath,
+    SourcesRead,
+    read_sources,
+    silent,
+)
+from rosward.analysis.standalone import Gathered, of_sources
 from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
+from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
 from rosward.findings import Finding, Severity
-from rosward.gather import Gathered, of_sources
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
@@ -29,8 +39,6 @@ from rosward.network.contexts import EnclaveMode, each_its_own, with_enclaves
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
-from rosward.reading import EVERYTHING, NothingToReadError, Progress, SourcePath, SourcesRead, read_sources, silent
-from rosward.reduction.size import size_findings
 from rosward.ros.distro import Distro
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
@@ -190,7 +198,7 @@ def _extract(
 ) -> Result:
     systems: tuple[LaunchSystem, ...] = ()
     if request.deploys:
-        from rosward.launches import of_request  # a fifth of the start-up, for those who launch something
+        from rosward.analysis.launched import of_request  # a fifth of the start-up, for those who launch something
 
         gathered, systems = of_request(request, read, progress)
     else:

@@ -10,10 +10,10 @@ from rosward.deployment.declared.effects import Declarations, declared
 from rosward.deployment.declared.found import ReadFile
 from rosward.domain.text import pattern
 from rosward.domain.values import Const, Tuple, Value
-from rosward.models.configuration import Configuration, Given
-from rosward.models.effects import EffectLog
-from rosward.models.name_values import interface_types, name_options
-from rosward.models.ros_names import final_name
+from rosward.effects.configuration import Configuration, Given
+from rosward.effects.log import EffectLog
+from rosward.naming.final_name import final_name
+from rosward.naming.options import interface_types, name_options
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 

@@ -12,6 +12,7 @@ from dataclasses import fields
 from pathlib import Path
 from textwrap import dedent
 
+from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.tree import (
     Action,
@@ -36,7 +37,6 @@ from rosward.engine.library import Library
 from rosward.models.tables import natives
 from rosward.source.discover import discover
 from rosward.source.location import Place
-from rosward.sources import SourceTree
 
 HEAD = """\
 import os, sys

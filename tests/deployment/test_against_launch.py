@@ -13,6 +13,7 @@ import pytest
 
 from deployment.execution import line
 from deployment.python_tree import HEAD
+from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.python.code import LaunchPython
@@ -21,7 +22,6 @@ from rosward.findings import Finding
 from rosward.models.tables import natives
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
-from rosward.sources import SourceTree
 
 IMPORTS = HEAD + "from launch_ros.parameter_descriptions import Parameter, ParameterValue\nfrom typing import List\n"
 

@@ -11,8 +11,8 @@ from rosward.deployment.declared.effects import MODELS, Declarations, declared
 from rosward.deployment.declared.shapes import Package
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
-from rosward.models.configuration import Configuration
-from rosward.models.name_values import interface_types, name_options
+from rosward.effects.configuration import Configuration
+from rosward.naming.options import interface_types, name_options
 from rosward.ros.distro import Distro
 
 from .declared_nodes import HERE, Rows, codes, given, lines, nodes, start

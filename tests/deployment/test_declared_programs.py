@@ -6,10 +6,10 @@ from __future__ import annotations
 import pytest
 
 from rosward.deployment.declared.found import ReadFile
+from rosward.domain.certain import text_of
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
-from rosward.models.host import text_of
 from rosward.ros.entities import Qos
 
 from .declared_nodes import HERE, codes, lines, nodes, start

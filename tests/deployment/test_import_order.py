@@ -13,11 +13,11 @@ from pathlib import Path
 import pytest
 
 from deployment.python_tree import Files, Launch
+from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.python.code import LaunchPython
 from rosward.engine.library import Library
 from rosward.models.tables import natives
 from rosward.source.discover import discover
-from rosward.sources import SourceTree
 
 IMPORTS = (
     "from launch_ros.actions import Node",

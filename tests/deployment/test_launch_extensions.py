@@ -22,18 +22,18 @@ import pytest
 
 from deployment.execution import plain
 from deployment.python_tree import HEAD
+from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.deployment.python.code import LaunchPython
 from rosward.domain.text import readable
 from rosward.domain.values import Const
+from rosward.effects.configuration import Given
 from rosward.engine.library import Library
-from rosward.models.configuration import Given
 from rosward.models.tables import natives
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
-from rosward.sources import SourceTree
 
 LAUNCH: Final = os.environ.get("ROSWARD_LAUNCH", "")
 IMPORTS: Final = "from nav2_common.launch import HasNodeParams, LaunchConfigAsBool, ReplaceString, RewrittenYaml\n"

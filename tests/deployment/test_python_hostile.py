@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from deployment.python_tree import Files, Launch
-from rosward.deep_stack import with_deep_stack
+from rosward.analysis.deep_stack import with_deep_stack
 from rosward.domain.values import Const, Unknown
 
 HOSTILE = {

@@ -12,11 +12,11 @@ from rosward.deployment.python.actions import Actions
 from rosward.deployment.python.inert import INERT, NOT_READ
 from rosward.deployment.python.objects import Objects
 from rosward.domain.values import Class, External, ModuleValue, Unknown
+from rosward.effects.log import EffectLog
 from rosward.engine.budget import Budget
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.stub_files import STUBS
-from rosward.models.effects import EffectLog
 from rosward.models.tables import natives
 
 ACTION = "launch.action.Action"

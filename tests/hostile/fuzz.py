@@ -23,12 +23,12 @@ from xml.etree import ElementTree
 
 import rosward
 from hostile.mutations import Seed, change, seeds
+from rosward.analysis.launched import launched
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
-from rosward.launches import launched
 from rosward.outputs.files import write_outputs
-from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
-from rosward.outputs.nodl import nodl_document
+from rosward.outputs.policies.nodl import nodl_document
+from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
 
 SMALL: Final = Budget(steps=20_000, entry_steps=4_000, net=False)
 FORMATS: Final = ("json", "policy", "dot", "html", "permissions")

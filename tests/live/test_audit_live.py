@@ -21,13 +21,13 @@ import pytest
 
 pytest.importorskip("rclpy")
 
+from rosward.audit import snapshot
+from rosward.audit.accepted import Accepted
+from rosward.audit.compare import audit
+from rosward.audit.document import read_snapshot
+from rosward.audit.result import Audit
 from rosward.findings import Severity
 from rosward.pipeline import extract
-from rosward.running import snapshot
-from rosward.running.accepted import Accepted
-from rosward.running.compare import audit
-from rosward.running.document import read_snapshot
-from rosward.running.result import Audit
 
 SCRIPT: Final = Path(snapshot.__file__)
 PATIENCE: Final = 300.0

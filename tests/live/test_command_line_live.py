@@ -17,21 +17,21 @@ import pytest
 os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 rclpy = pytest.importorskip("rclpy")
 
-from rosward.deep_stack import with_deep_stack  # noqa: E402
+from rosward.analysis.deep_stack import with_deep_stack  # noqa: E402
+from rosward.analysis.plan import make_plan  # noqa: E402
+from rosward.analysis.process import run  # noqa: E402
+from rosward.analysis.source_tree import SourceTree  # noqa: E402
 from rosward.domain.series import Series  # noqa: E402
 from rosward.domain.values import Const  # noqa: E402
+from rosward.effects.configuration import Configuration  # noqa: E402
 from rosward.engine.budget import Budget  # noqa: E402
 from rosward.engine.library import Library  # noqa: E402
-from rosward.models.command_line import read_words  # noqa: E402
-from rosward.models.configuration import Configuration  # noqa: E402
 from rosward.models.tables import natives  # noqa: E402
-from rosward.network.collect import Process, collect  # noqa: E402
-from rosward.plan import make_plan  # noqa: E402
-from rosward.processes import run  # noqa: E402
+from rosward.naming.collect import Process, collect  # noqa: E402
+from rosward.naming.command_line import read_words  # noqa: E402
 from rosward.ros.distro import Distro  # noqa: E402
 from rosward.ros.entities import EntityKind  # noqa: E402
 from rosward.source.discover import discover  # noqa: E402
-from rosward.sources import SourceTree  # noqa: E402
 
 PROGRAM = """
 import rclpy

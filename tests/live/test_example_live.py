@@ -20,15 +20,15 @@ import pytest
 pytest.importorskip("rclpy")
 
 import rosward
-from rosward.deep_stack import with_deep_stack
+from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.read import SourcesRead, read_sources
+from rosward.analysis.systems import Outset, systems_of
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.domain.text import pattern
 from rosward.domain.values import Const, Tuple, Value
-from rosward.models.configuration import Configuration, Given
-from rosward.processes import Entry
-from rosward.reading import SourcesRead, read_sources
+from rosward.effects.configuration import Configuration, Given
+from rosward.effects.entry import Entry
 from rosward.ros.distro import Distro
-from rosward.systems import Outset, systems_of
 
 from .agreement import claims_of
 from .harness import Fact, Program, RealRclpy, Seen

@@ -15,7 +15,7 @@ from models.fake_std import FakeMachine
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import Value
-from rosward.models.std_support import NotKnown, from_plain, to_plain
+from rosward.models.python.std.support import NotKnown, from_plain, to_plain
 
 STUBS: Final = Path(rosward.domain.__file__).parent.parent / "models" / "stubs"
 

@@ -25,22 +25,20 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models import (
-    builtin_attributes,
-    builtin_constructors,
-    builtin_functions,
-    builtin_sequences,
-    builtin_specials,
-    containers_dict,
-    containers_list,
-    containers_set,
-    operators,
-    std_files,
-    strings,
-)
-from rosward.models.builtin_constructors import type_of
 from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
+from rosward.models.python.builtins import attributes as builtin_attributes
+from rosward.models.python.builtins import constructors as builtin_constructors
+from rosward.models.python.builtins import functions as builtin_functions
+from rosward.models.python.builtins import sequences as builtin_sequences
+from rosward.models.python.builtins import specials as builtin_specials
+from rosward.models.python.builtins.constructors import type_of
+from rosward.models.python.containers import dicts
+from rosward.models.python.containers import lists as containers_list
+from rosward.models.python.containers import sets as containers_set
+from rosward.models.python.operators import operators
+from rosward.models.python.std import files as std_files
+from rosward.models.python.strings import methods as strings
 from rosward.source.location import Place
 
 NATIVES: dict[str, NativeFunction] = {
@@ -49,7 +47,7 @@ NATIVES: dict[str, NativeFunction] = {
     **builtin_functions.NATIVES,
     **builtin_sequences.NATIVES,
     **builtin_specials.NATIVES,
-    **containers_dict.NATIVES,
+    **dicts.NATIVES,
     **containers_list.NATIVES,
     **containers_set.NATIVES,
     **std_files.NATIVES,

@@ -27,22 +27,20 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models import (
-    std_arguments,
-    std_data,
-    std_enum,
-    std_files,
-    std_functional,
-    std_named_tuples,
-    std_numbers,
-    std_objects,
-    std_paths,
-    std_process,
-    std_records,
-    std_text,
-)
 from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
+from rosward.models.python.std import arguments as std_arguments
+from rosward.models.python.std import data as std_data
+from rosward.models.python.std import enums as std_enum
+from rosward.models.python.std import files as std_files
+from rosward.models.python.std import functional as std_functional
+from rosward.models.python.std import named_tuples as std_named_tuples
+from rosward.models.python.std import numbers as std_numbers
+from rosward.models.python.std import objects as std_objects
+from rosward.models.python.std import paths as std_paths
+from rosward.models.python.std import processes as std_process
+from rosward.models.python.std import records as std_records
+from rosward.models.python.std import texts as std_text
 from rosward.source.location import Place
 
 TABLES = (

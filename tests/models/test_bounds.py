@@ -10,8 +10,8 @@ import pytest
 from models.fake import FakeMachine
 from rosward.domain.unknown import Cause
 from rosward.domain.values import MAX_PARTS, Const, TooManyPartsError, Tuple, Unknown
-from rosward.models import operators
-from rosward.models.cost import MAX_WORK, too_much, work
+from rosward.models.python.cost import MAX_WORK, too_much, work
+from rosward.models.python.operators import operators
 
 _HUGE = 10**9
 _BIG = 10**400

@@ -10,8 +10,8 @@ from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Tuple, Unknown, Value
-from rosward.models.command_line import CommandLine, behind, given_to, read_words
-from rosward.models.configuration import Configuration, Given
+from rosward.effects.configuration import Configuration, Given
+from rosward.naming.command_line import CommandLine, behind, given_to, read_words
 from rosward.source.location import Place
 
 HOLE = Hole((Reason(Cause.CALL, "gethostname()", Place("a.launch.py", 3)),))

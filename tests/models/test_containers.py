@@ -17,7 +17,7 @@ from rosward.domain.choice import join_all
 from rosward.domain.text import make
 from rosward.domain.unknown import Origin
 from rosward.domain.values import NONE, UNBOUND, Const, Hole, Ref, Slice, Tuple, Unknown, Value
-from rosward.models.containers import key_of
+from rosward.models.python.containers.tables import key_of
 
 texts = st.sampled_from(["a", "b", "ab", "c"])
 

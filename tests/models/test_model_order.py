@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 
+from rosward.analysis.source_tree import SourceTree
 from rosward.domain.heap import Obj
 from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Tuple, Unknown
 from rosward.engine.library import Library
@@ -24,7 +25,6 @@ from rosward.engine.model_units import units
 from rosward.engine.stub_files import STUBS, StubFiles
 from rosward.models.tables import natives
 from rosward.source.discover import discover
-from rosward.sources import SourceTree
 
 MODELS = sorted(
     ".".join(path.relative_to(STUBS).with_suffix("").parts).removesuffix(".__init__") for path in STUBS.rglob("*.pyi")

@@ -34,7 +34,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.models.native import Items
-from rosward.models.operators import unary
+from rosward.models.python.operators.operators import unary
 
 OPERATORS: dict[str, Any] = {
     "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "//": operator.floordiv,

@@ -14,7 +14,7 @@ from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.values import NONE, Const, Native, Ref, Slice, Unknown, Value
 from rosward.engine.state import join_objects
-from rosward.models import operators
+from rosward.models.python.operators import operators
 
 numbers = st.lists(st.integers(0, 3), max_size=3)
 ANY = Unknown((REASON,), "int")

@@ -10,7 +10,7 @@ from typing import Final
 
 import pytest
 
-from rosward.engine.implicit import AT_MAKING, DATA, FOLLOWED
+from rosward.engine.python.implicit import AT_MAKING, DATA, FOLLOWED
 
 PAGE: Final = Path(__file__).parents[2] / "docs" / "special-methods.md"
 WAYS: Final = ("followed", "any time", "making", "name")

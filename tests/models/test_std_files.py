@@ -12,8 +12,8 @@ from rosward.domain.choice import reasons_of
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import TRUE, Const, Unknown, Value
-from rosward.models.std_paths import basename, dirname, splitext
-from rosward.models.std_support import to_plain
+from rosward.models.python.std.paths import basename, dirname, splitext
+from rosward.models.python.std.support import to_plain
 from rosward.source.location import Place
 
 SHARE = Unknown((Reason(Cause.SHARE, "demo", Place("a.py", 1)),), "str")

@@ -14,8 +14,8 @@ from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import NONE, UNBOUND, Const, Native, Partial, Range, Text, Tuple, Value
 from rosward.models.native import Machine
-from rosward.models.pattern_cost import work
-from rosward.models.std_support import from_plain, to_plain
+from rosward.models.python.std.pattern_cost import work
+from rosward.models.python.std.support import from_plain, to_plain
 
 
 @pytest.fixture

@@ -15,8 +15,8 @@ from rosward.domain.text import concat, make, pattern
 from rosward.domain.unknown import Origin
 from rosward.domain.values import EMPTY, UNBOUND, Choice, Const, Hole, Ref, Slice, Tuple, Unknown, Value
 from rosward.models.native import Machine
-from rosward.models.operators import percent
-from rosward.models.strings import format_value
+from rosward.models.python.operators.operators import percent
+from rosward.models.python.strings.methods import format_value
 
 ALPHABET = "ab/A_ %{}-1.\tÄßΣ"
 words = st.text(alphabet=ALPHABET, max_size=6)

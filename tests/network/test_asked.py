@@ -12,7 +12,7 @@ import rosward
 from rosward.deployment.request import LaunchRequest, NodeRequest, Request
 from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked, asked_differently
 from rosward.network.network_file import read_network
-from rosward.outputs.network_json import network_json
+from rosward.outputs.documents.network_json import network_json
 
 LAUNCH = '<launch><arg name="who" default="a"/><node pkg="demo" exec="talker" name="$(var who)"/></launch>'
 ACME = """\

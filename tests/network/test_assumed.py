@@ -11,12 +11,12 @@ import pytest
 import rosward
 from rosward.cli import main
 from rosward.network.network_file import read_network
-from rosward.outputs.dot import graph_dot
-from rosward.outputs.mermaid import graph_mermaid
-from rosward.outputs.network_json import network_json
-from rosward.outputs.nodl import nodl_document
-from rosward.outputs.policy import policy_xml
-from rosward.outputs.starts import starts_text
+from rosward.outputs.documents.network_json import network_json
+from rosward.outputs.graphs.dot import graph_dot
+from rosward.outputs.graphs.mermaid import graph_mermaid
+from rosward.outputs.policies.nodl import nodl_document
+from rosward.outputs.policies.policy import policy_xml
+from rosward.outputs.policies.starts import starts_text
 
 PROGRAM = """
 import rclpy

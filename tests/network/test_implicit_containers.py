@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosward.network.implicit import is_of_container
+from rosward.naming.implicit import is_of_container
 from rosward.ros.entities import EntityKind
 
 SERVER, CLIENT = EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT

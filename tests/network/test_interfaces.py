@@ -14,7 +14,7 @@ import rosward
 from rosward.cli import main
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.network.network_file import read_network
-from rosward.outputs.network_json import network_json
+from rosward.outputs.documents.network_json import network_json
 from rosward.ros.entities import Interface, Node
 
 FILES = {

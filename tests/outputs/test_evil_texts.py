@@ -20,30 +20,30 @@ import pytest
 from rich.console import Console
 
 from outputs.networks import entity, node, pub
+from rosward import safe
 from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, SetParameter, Shown
-from rosward.outputs import safe
-from rosward.outputs.dot import graph_dot
-from rosward.outputs.github import github_commands
-from rosward.outputs.junit import junit_xml
-from rosward.outputs.launch_tree import launch_tree_json, launch_tree_text
-from rosward.outputs.mermaid import fenced, graph_mermaid
-from rosward.outputs.network_json import network_json
-from rosward.outputs.permissions import permissions
-from rosward.outputs.policy import policies, policy_xml
+from rosward.outputs.documents.github import github_commands
+from rosward.outputs.documents.junit import junit_xml
+from rosward.outputs.documents.network_json import network_json
+from rosward.outputs.documents.sarif import sarif_json
+from rosward.outputs.graphs.dot import graph_dot
+from rosward.outputs.graphs.mermaid import fenced, graph_mermaid
+from rosward.outputs.graphs.svg import graph_svg
+from rosward.outputs.policies.permissions import permissions
+from rosward.outputs.policies.policy import policies, policy_xml
+from rosward.outputs.policies.starts import starts_text
 from rosward.outputs.report.document import Background
 from rosward.outputs.report.packed import document_in
 from rosward.outputs.report.page import report_html
-from rosward.outputs.sarif import sarif_json
-from rosward.outputs.starts import starts_text
-from rosward.outputs.svg import graph_svg
-from rosward.outputs.text import summary
-from rosward.review.judge import Judged, RelatedPlace, of_no_file
+from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
+from rosward.outputs.terminal.summary import summary
 from rosward.ros.entities import EntityKind, Parameter, Resolution
 from rosward.source.location import Place
 from rosward.source.toml import read_toml
+from rosward.suppression.judge import Judged, RelatedPlace, of_no_file
 
 EVIL: Final = {
     "surrogate": "a\ud800b",
@@ -257,7 +257,7 @@ def test_terminal(evil: str) -> None:
 
 def test_both_lists_of_invisible_characters_agree() -> None:
     """That of Python, and that of the browser."""
-    script = Path(safe.__file__).parent.joinpath("report", "assets", "js", "names.js").read_text(encoding="utf-8")
+    script = Path(safe.__file__).parent.joinpath("outputs", "report", "assets", "js", "names.js").read_text(encoding="utf-8")
     (pattern,) = re.findall(r"const HIDDEN =\s*/\[(.*)\]/gu;", script)
     pattern = re.sub(r"\\u\{([0-9a-f]+)\}", lambda m: f"\\U{int(m[1], 16):08x}", pattern)
     theirs, ours = re.compile(f"[{pattern}]"), safe._CONTROL

@@ -12,11 +12,11 @@ import pytest
 
 from rosward.cli import main
 from rosward.domain.unknown import Cause, Reason
+from rosward.explanation.answers import explained
+from rosward.explanation.provenance import remedies
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.explain import explain_json, explain_text
-from rosward.outputs.explained import explained
-from rosward.outputs.provenance import remedies
+from rosward.outputs.terminal.explain import explain_json, explain_text
 from rosward.ros.entities import Resolution
 from rosward.source.location import Place
 

@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.dot import drawing, graph_dot
-from rosward.outputs.layers import steps_between_layers
-from rosward.outputs.svg import graph_svg
+from rosward.outputs.graphs.dot import drawing, graph_dot
+from rosward.outputs.graphs.layers import steps_between_layers
+from rosward.outputs.graphs.svg import graph_svg
 from rosward.ros.entities import Entity, Resolution
 
 from .networks import fleet, node, pub, stack, sub, talker_and_listener
@@ -126,9 +126,9 @@ def test_a_graph_beyond_any_eye_is_told_in_words() -> None:
 
 def test_a_renderer_that_is_missing_or_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     network = talker_and_listener()
-    monkeypatch.setattr("rosward.outputs.svg._program", lambda: None)
+    monkeypatch.setattr("rosward.outputs.graphs.svg._program", lambda: None)
     assert "not installed" in texts(graph_svg(network))[0]
-    monkeypatch.setattr("rosward.outputs.svg._program", lambda: "false")
+    monkeypatch.setattr("rosward.outputs.graphs.svg._program", lambda: "false")
     assert "could not draw" in texts(graph_svg(network))[0]
 
     def too_slow(*_: Any, **__: Any) -> None:
@@ -142,7 +142,7 @@ def test_graphviz_draws_where_graphviz_pure_is_not_there(monkeypatch: pytest.Mon
     dot = tmp_path / "dot"
     dot.write_text("#!/bin/sh\ncat >/dev/null\necho '<?xml version=\"1.0\"?><svg>drawn</svg>'\n", encoding="utf-8")
     dot.chmod(0o755)
-    monkeypatch.setattr("rosward.outputs.svg._PROGRAM", "no-such-program")
+    monkeypatch.setattr("rosward.outputs.graphs.svg._PROGRAM", "no-such-program")
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
     assert graph_svg(talker_and_listener()) == "<svg>drawn</svg>\n"
     monkeypatch.setenv("PATH", str(tmp_path))

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.mermaid import fenced, graph_mermaid
+from rosward.outputs.graphs.mermaid import fenced, graph_mermaid
 from rosward.ros.entities import EntityKind, Resolution
 
 from .networks import entity, fleet, node, pub, sub, talker_and_listener

@@ -17,7 +17,7 @@ from rosward._version import __version__
 from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.network_json import network_json
+from rosward.outputs.documents.network_json import network_json
 from rosward.ros.entities import Parameter
 from rosward.source.location import Place
 

@@ -11,7 +11,7 @@ import pytest
 import yaml
 from referencing import Registry, Resource
 
-from rosward.outputs.nodl import nodl_document
+from rosward.outputs.policies.nodl import nodl_document
 from rosward.ros.entities import EntityKind, Node, Parameter, Qos
 
 from .networks import entity, node, pub, sub

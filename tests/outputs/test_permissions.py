@@ -7,9 +7,9 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
+from rosward.enclaves.size import size_findings
 from rosward.network.connect import connect
-from rosward.outputs.permissions import permissions, permissions_xml
-from rosward.reduction.size import size_findings
+from rosward.outputs.policies.permissions import permissions, permissions_xml
 from rosward.ros.entities import Entity, EntityKind, Resolution
 
 from .networks import entity, node, pub, sub, system_entities, talker_and_listener

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.policy import policies, policy_xml
+from rosward.outputs.policies.policy import policies, policy_xml
 from rosward.ros.entities import EntityKind, Resolution
 from rosward.source.location import Place
 

@@ -11,12 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rosward.enclaves.widened import Widened
 from rosward.network.connect import connect
 from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, SetParameter, Shown
-from rosward.outputs.policy import policies
+from rosward.outputs.policies.policy import policies
 from rosward.outputs.report.document import Background, report_document
 from rosward.outputs.report.page import document_text
-from rosward.reduction.widened import Widened
 from rosward.ros.entities import EntityKind, Parameter, Qos, Resolution
 from rosward.source.location import Place
 

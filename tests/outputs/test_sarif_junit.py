@@ -13,10 +13,10 @@ import jsonschema
 import pytest
 
 from rosward.findings import RULES, Finding
-from rosward.outputs.junit import junit_xml
-from rosward.outputs.sarif import sarif_json
-from rosward.review.judge import Judged
+from rosward.outputs.documents.junit import junit_xml
+from rosward.outputs.documents.sarif import sarif_json
 from rosward.source.location import Place
+from rosward.suppression.judge import Judged
 
 SCHEMA: Final = Path(__file__).parent / "schemas" / "sarif-2.1.0.schema.json"
 GUIDE: Final = Path(__file__).parent.parent.parent / "docs" / "findings.md"

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from rosward.network.connect import connect
-from rosward.outputs.starts import starts_text
+from rosward.outputs.policies.starts import starts_text
 from rosward.ros.entities import Node
 from rosward.source.location import Place
 

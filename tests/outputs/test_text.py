@@ -12,7 +12,7 @@ from rich.console import Console
 from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.text import summary
+from rosward.outputs.terminal.summary import summary
 from rosward.source.location import Place
 
 from .networks import fleet, talker_and_listener
@@ -80,8 +80,8 @@ def test_plain_where_there_is_no_terminal() -> None:
 def test_outputs_are_light_to_import() -> None:
     """What the command line always needs must not draw in what renders and prints."""
     code = (
-        "import sys, rosward.network.connect, rosward.outputs.policy, rosward.outputs.permissions, "
-        "rosward.outputs.network_json, rosward.outputs.dot, rosward.outputs.text; "
+        "import sys, rosward.network.connect, rosward.outputs.policies.policy, rosward.outputs.policies.permissions, "
+        "rosward.outputs.documents.network_json, rosward.outputs.graphs.dot, rosward.outputs.terminal.summary; "
         "print(sorted({'rich', 'jinja2', 'subprocess'} & set(sys.modules)))"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rosward
-from rosward.outputs.permissions import permissions
-from rosward.outputs.policy import policies
+from rosward.outputs.policies.permissions import permissions
+from rosward.outputs.policies.policy import policies
 
 UNKNOWN: Final = "socket.gethostname()"
 CHARACTERS: Final = "ab/*?[]_~{}"

@@ -15,14 +15,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from outputs.networks import entity, node
 
+from rosward.enclaves.grants import enclaves
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import connect
 from rosward.network.contexts import EnclaveMode, with_enclaves
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
-from rosward.outputs.grants import enclaves
-from rosward.outputs.permissions import permissions
-from rosward.outputs.policy import policy_xml
+from rosward.outputs.policies.permissions import permissions
+from rosward.outputs.policies.policy import policy_xml
 from rosward.policies.compare import compare
 from rosward.policies.read import read_policy
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Resolution

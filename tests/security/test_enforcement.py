@@ -18,14 +18,14 @@ import pytest
 from outputs.networks import fleet, node, pub, sub
 
 from rosward import Network, Resolution
+from rosward.enclaves.compact import compact
+from rosward.enclaves.grants import Enclave, enclaves
+from rosward.enclaves.privileges import Privilege, on_dds
+from rosward.enclaves.size import LARGEST, size_findings
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import connect
-from rosward.outputs.grants import Enclave, enclaves
-from rosward.outputs.permissions import permissions, permissions_xml
+from rosward.outputs.policies.permissions import permissions, permissions_xml
 from rosward.policies.rights import Direction
-from rosward.reduction.compact import compact
-from rosward.reduction.privileges import Privilege, on_dds
-from rosward.reduction.size import LARGEST, size_findings
 
 from .cyclone import Cyclone, DdsError
 from .endpoints import Endpoint, endpoints_of, turned

@@ -24,7 +24,7 @@ from outputs.networks import node, pub, sub
 
 from rosward import Network, Resolution
 from rosward.network.connect import connect
-from rosward.outputs.permissions import permissions_xml
+from rosward.outputs.policies.permissions import permissions_xml
 
 from .cyclone import Cyclone, DdsError
 from .keystore import Keystore

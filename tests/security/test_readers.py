@@ -23,10 +23,10 @@ import xmlschema
 from outputs.networks import entity, node, pub, sub, talker_and_listener
 
 from rosward import Entity, EntityKind, Network
+from rosward.enclaves.grants import enclaves
 from rosward.network.connect import connect
-from rosward.outputs.grants import enclaves
-from rosward.outputs.permissions import permissions
-from rosward.outputs.policy import policies, policy_xml
+from rosward.outputs.policies.permissions import permissions
+from rosward.outputs.policies.policy import policies, policy_xml
 
 from .readers import Right, Seen, UnreadableError, comments, merged, rights, zenoh_rights
 from .systems import NAMES

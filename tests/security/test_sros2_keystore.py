@@ -21,7 +21,7 @@ import rosward
 from rosward import Network
 from rosward.cli import main
 from rosward.deployment.request import LaunchRequest, Request
-from rosward.outputs.grants import enclaves
+from rosward.enclaves.grants import enclaves
 
 from .cyclone import Cyclone
 from .test_enforcement import everything, rightful

@@ -22,7 +22,7 @@ from typing import Final
 import pytest
 from casefile import Case
 
-from rosward.outputs.permissions import permissions_xml
+from rosward.outputs.policies.permissions import permissions_xml
 
 from .cyclone import Cyclone
 from .endpoints import Endpoint, endpoints_of, turned

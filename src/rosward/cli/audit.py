@@ -25,13 +25,13 @@ from rosward.cli.shared import (
 from rosward.cli.snapshot import add_looks
 
 if TYPE_CHECKING:
+    from rosward.audit.accepted import Accepted
+    from rosward.audit.graph import LiveGraph
+    from rosward.audit.result import Audit
     from rosward.cli.shared import Commands
     from rosward.findings import Finding
-    from rosward.review.judge import Judged, Sources
     from rosward.ros.entities import Node
-    from rosward.running.accepted import Accepted
-    from rosward.running.graph import LiveGraph
-    from rosward.running.result import Audit
+    from rosward.suppression.judge import Judged, Sources
 
 _DISTRO: Final = "jazzy"
 
@@ -83,7 +83,7 @@ class _Said(NamedTuple):
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.running.compare import audit
+    from rosward.audit.compare import audit
     from rosward.source.json_fields import UnreadableError
 
     try:
@@ -99,21 +99,21 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _accepted(options: argparse.Namespace) -> Accepted:
-    from rosward.running.accepted import Accepted, read_accepted
+    from rosward.audit.accepted import Accepted, read_accepted
 
     lines = read_accepted(options.accept) if options.accept is not None else []
     return Accepted([*lines, *options.allow])
 
 
 def _graph(options: argparse.Namespace) -> LiveGraph:
-    from rosward.running.document import read_snapshot, snapshot_of
-    from rosward.running.node_info import read_node_info
+    from rosward.audit.document import read_snapshot, snapshot_of
+    from rosward.audit.node_info import read_node_info
 
     if options.snapshot is not None:
         return read_snapshot(options.snapshot)
     if options.node_info:
         return read_node_info({file: _text(file) for file in options.node_info})
-    from rosward.running.snapshot import take
+    from rosward.audit.snapshot import take
 
     try:
         return snapshot_of(take(options.seconds, options.domain_id, options.enclave))
@@ -122,8 +122,8 @@ def _graph(options: argparse.Namespace) -> LiveGraph:
 
 
 def _text(file: str) -> str:
+    from rosward.audit.node_info import LONGEST_TEXT
     from rosward.findings import Finding
-    from rosward.running.node_info import LONGEST_TEXT
     from rosward.source.text import read_bytes
 
     if file == "-":
@@ -136,7 +136,7 @@ def _text(file: str) -> str:
 
 def _earlier(options: argparse.Namespace) -> _Said:
     from rosward.network.network_file import read_network
-    from rosward.review.judge import Sources
+    from rosward.suppression.judge import Sources
 
     request = request_of(options)
     if options.paths or request.deploys or request.params:
@@ -146,7 +146,7 @@ def _earlier(options: argparse.Namespace) -> _Said:
 
 
 def _extracted(options: argparse.Namespace) -> _Said:
-    from rosward.review.judge import Sources
+    from rosward.suppression.judge import Sources
 
     result = extracted(options, options.paths, request_of(options))
     return _Said(result.network.nodes, result.findings, Sources(result.root, result.files))
@@ -154,7 +154,7 @@ def _extracted(options: argparse.Namespace) -> _Said:
 
 def _tell(found: Audit, said: _Said, options: argparse.Namespace) -> int:
     """Findings at places of the source and of the snapshot are reviewed apart: they are relative to different folders."""
-    from rosward.review.judge import Sources
+    from rosward.suppression.judge import Sources
 
     differences = {d.finding: None for d in found.differences}
     in_code = [f for f in differences if f.place.file != found.source]
@@ -178,11 +178,11 @@ def _tell(found: Audit, said: _Said, options: argparse.Namespace) -> int:
 def _output(
     found: Audit, known: set[Finding], shown: tuple[Judged, ...], said: _Said, options: argparse.Namespace
 ) -> str:
-    from rosward.outputs.audit_json import audit_json
-    from rosward.outputs.audit_text import audit_text
-    from rosward.outputs.github import github_commands
-    from rosward.outputs.junit import junit_xml
-    from rosward.outputs.sarif import sarif_json
+    from rosward.outputs.documents.audit_json import audit_json
+    from rosward.outputs.documents.github import github_commands
+    from rosward.outputs.documents.junit import junit_xml
+    from rosward.outputs.documents.sarif import sarif_json
+    from rosward.outputs.terminal.audit_text import audit_text
 
     match options.format:
         case "json":

@@ -24,7 +24,7 @@ from rosward.cli.shared import (
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
-    from rosward.outputs.checked import Checked
+    from rosward.explanation.checked import Checked
     from rosward.pipeline import Result
     from rosward.policies.records import Policy
 
@@ -65,9 +65,9 @@ def _run(options: argparse.Namespace) -> int:
 
 def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Checked:
     """Findings in the sources and in the policy are reviewed apart: their places are relative to different folders."""
-    from rosward.outputs.checked import checked
+    from rosward.explanation.checked import checked
     from rosward.policies.compare import compare
-    from rosward.review.judge import Sources
+    from rosward.suppression.judge import Sources
 
     differences = compare(result.network, policy) if policy.enclaves else ()
     sources, papers = Sources(result.root, result.files), Sources(Path.cwd(), ())
@@ -81,11 +81,11 @@ def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Che
 
 
 def _text(found: Checked, options: argparse.Namespace) -> str:
-    from rosward.outputs.check_json import check_json
-    from rosward.outputs.check_text import check_text
-    from rosward.outputs.github import github_commands
-    from rosward.outputs.junit import junit_xml
-    from rosward.outputs.sarif import sarif_json
+    from rosward.outputs.documents.check_json import check_json
+    from rosward.outputs.documents.github import github_commands
+    from rosward.outputs.documents.junit import junit_xml
+    from rosward.outputs.documents.sarif import sarif_json
+    from rosward.outputs.terminal.check_text import check_text
 
     match options.format:
         case "json":

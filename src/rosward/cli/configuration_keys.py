@@ -16,9 +16,9 @@ from typing import Final, NamedTuple
 
 from rosward.cli.shared import DISTROS, MODES
 from rosward.findings import RULES
-from rosward.review.ignore_in import IgnoreIn
 from rosward.source.exclude import Exclusion, PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, checked_variable
+from rosward.suppression.ignore_in import IgnoreIn
 
 __all__ = ["KEYS", "NEVER", "Key", "Value", "WrongValueError"]
 

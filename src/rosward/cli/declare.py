@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from rosward.cli.shared import COMPLETE, WrongUseError, told
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -116,10 +116,10 @@ def _check(text: str, package: str, program: str, file: Path) -> None:
 
 def _sketch(origin: Path, program: str, node: str | None) -> Sketch:
     """What a file, or a folder of source, says of a program."""
+    from rosward.audit.document import read_snapshot
+    from rosward.audit.node_info import read_node_info
     from rosward.declaring.running import NotRunningError, node_of, sketch_of
     from rosward.declaring.source import sketch_of_source
-    from rosward.running.document import read_snapshot
-    from rosward.running.node_info import read_node_info
     from rosward.source.json_fields import UnreadableError
 
     if origin.is_dir() or origin.suffix in _ENDINGS:

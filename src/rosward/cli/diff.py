@@ -50,8 +50,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.differences.compare import not_compared
-    from rosward.outputs.diff_text import diff_json, diff_markdown, diff_text
+    from rosward.diff.compare import not_compared
+    from rosward.outputs.terminal.diff_text import diff_json, diff_markdown, diff_text
 
     found = differences(options)
     write = {"text": diff_text, "markdown": diff_markdown, "json": diff_json}[options.format]

@@ -23,7 +23,7 @@ from rosward.cli.shared import (
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
-    from rosward.reduction.suggestion import Suggestion
+    from rosward.enclaves.suggestion import Suggestion
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -78,9 +78,9 @@ def _positive(text: str) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.outputs.enclaves_json import enclaves_json
-    from rosward.outputs.enclaves_text import enclaves_text
-    from rosward.reduction.suggestion import Wish, suggest
+    from rosward.enclaves.suggestion import Wish, suggest
+    from rosward.outputs.documents.enclaves_json import enclaves_json
+    from rosward.outputs.terminal.enclaves_text import enclaves_text
 
     wish, limit = Wish.FREE, 0
     if options.max is not None:
@@ -101,7 +101,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _write(found: Suggestion, file: str) -> None:
-    from rosward.outputs.enclaves_toml import enclaves_toml
+    from rosward.outputs.policies.enclaves_toml import enclaves_toml
 
     if not file.endswith(".toml"):
         raise WrongUseError(f"--write {file}: the name must end in .toml")

@@ -47,8 +47,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.outputs.explain import explain_json, explain_text
-    from rosward.outputs.explained import explained, rule_alone
+    from rosward.explanation.answers import explained, rule_alone
+    from rosward.outputs.terminal.explain import explain_json, explain_text
 
     request = request_of(options)
     alone = rule_alone(options.name) if not (options.paths or request.deploys) else None

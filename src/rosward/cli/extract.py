@@ -26,10 +26,10 @@ from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
+    from rosward.enclaves.widened import Widenings
     from rosward.findings import Finding
     from rosward.pipeline import Result
-    from rosward.reduction.widened import Widenings
-    from rosward.review.judge import Reviewed
+    from rosward.suppression.judge import Reviewed
 
 FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions", "sarif", "junit", "github", "none")
 DEFAULT_FORMATS: Final = ("json", "policy", "svg", "dot", "html")
@@ -98,7 +98,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.findings import Severity
-    from rosward.review.judge import Sources
+    from rosward.suppression.judge import Sources
 
     request = request_of(options)
     result = extracted(options, options.paths, request, shown=not options.quiet)
@@ -112,7 +112,7 @@ def _run(options: argparse.Namespace) -> int:
     if not options.quiet:
         steps(lambda: summarise(result, found, written, options), None, "the summary ends here")
     if "github" in options.format:
-        from rosward.outputs.github import github_commands
+        from rosward.outputs.documents.github import github_commands
 
         sys.stdout.write(steps(lambda: github_commands(found.shown), "", "the format github was not written"))
     note_failures(options, steps.findings)
@@ -123,8 +123,8 @@ def _run(options: argparse.Namespace) -> int:
 
 def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:
     """The same network, with what patterns do to the size of permissions among its findings."""
+    from rosward.enclaves.compact import compact
     from rosward.network.connect import with_findings
-    from rosward.reduction.compact import compact
 
     network = result.network
     steps = Steps()
@@ -147,7 +147,7 @@ def _write(
     """What was written, and the findings with those of writing."""
     from rosward.outputs.files import Scan, write_outputs
     from rosward.outputs.report.document import Background
-    from rosward.review.judge import of_no_file
+    from rosward.suppression.judge import of_no_file
 
     try:
         written = write_outputs(
@@ -174,7 +174,7 @@ def summarise(result: Result, found: Reviewed, written: list[str], options: argp
     """Print what was found, and what was written."""
     from rich.console import Console
 
-    from rosward.outputs.text import Unread, summary
+    from rosward.outputs.terminal.summary import Unread, summary
 
     console = Console(soft_wrap=not sys.stdout.isatty())
     network = replace(result.network, findings=found.new)

@@ -36,7 +36,7 @@ from rosward.cli.shared import (
 from rosward.source.text import read_bytes
 
 if TYPE_CHECKING:
-    from rosward.reduction.widened import Widenings
+    from rosward.enclaves.widened import Widenings
 
 __all__ = ["add_arguments", "run"]
 
@@ -91,8 +91,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.cli import command_line
-    from rosward.outputs.policy import policy_xml
-    from rosward.review.judge import Sources
+    from rosward.outputs.policies.policy import policy_xml
+    from rosward.suppression.judge import Sources
 
     options.command, options.commands = "extract_policy", command_line().get_default("commands")
     apply(options)

@@ -30,7 +30,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.deployment.request import Request, RequestError, parse_node
-    from rosward.outputs.nodl import nodl_document
+    from rosward.outputs.policies.nodl import nodl_document
     from rosward.outputs.whole_files import write_text
 
     try:

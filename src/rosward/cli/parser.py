@@ -15,7 +15,7 @@ import difflib
 from collections.abc import Sequence
 from typing import Any, NoReturn, final
 
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 
 __all__ = ["CommandParser"]
 

@@ -21,7 +21,7 @@ from rosward.guard import Steps
 if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.pipeline import Result
-    from rosward.review.judge import Judged, Reviewed, Sources
+    from rosward.suppression.judge import Judged, Reviewed, Sources
 
 __all__ = [
     "add_output_file",
@@ -50,8 +50,8 @@ def add_output_file(parser: argparse.ArgumentParser) -> None:
 
 def reviewed(findings: Sequence[Finding], sources: Sources, options: argparse.Namespace, *, unused: bool) -> Reviewed:
     """The findings without those that are to be ignored. `unused`: whether comments without a finding are told. Raises WrongUseError."""
-    from rosward.review.baseline import BaselineError, read_baseline
-    from rosward.review.judge import Wishes, review
+    from rosward.suppression.baseline import BaselineError, read_baseline
+    from rosward.suppression.judge import Wishes, review
 
     try:
         baseline = read_baseline(options.baseline) if options.baseline is not None else frozenset[str]()
@@ -84,7 +84,7 @@ def reviewed_result(
 
 def write_baseline(shown: Iterable[Judged], file: str) -> str:
     """Write the findings of a run as a baseline; returns the path. Raises WrongUseError."""
-    from rosward.review.baseline import baseline_text
+    from rosward.suppression.baseline import baseline_text
 
     return write_file(baseline_text(shown), file)
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
 from rosward.findings import INTERNAL_ERROR, UNREAD_ARGUMENT
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.source.exclude import PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, parse_variable, surroundings
 

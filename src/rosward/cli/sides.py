@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rosward.cli.shared import WrongUseError, extracted, request_of
 from rosward.guard import Steps
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.source.exclude import Exclusion
 
 if TYPE_CHECKING:
-    from rosward.differences.compare import Differences
-    from rosward.differences.snapshot import Snapshot
-    from rosward.revisions.git import Git
+    from rosward.diff.compare import Differences
+    from rosward.diff.snapshot import Snapshot
+    from rosward.git.git import Git
 
 __all__ = ["differences"]
 
@@ -47,7 +47,7 @@ class _Side(NamedTuple):
 
 def differences(options: argparse.Namespace) -> Differences:
     """What came and went, from the first side to the second. Raises WrongUseError."""
-    from rosward.differences.compare import compare
+    from rosward.diff.compare import compare
     from rosward.source.json_fields import UnreadableError
 
     try:
@@ -70,7 +70,7 @@ def differences(options: argparse.Namespace) -> Differences:
 
 
 def _of_file(path: str) -> Snapshot:
-    from rosward.differences.compare import read_snapshot
+    from rosward.diff.compare import read_snapshot
 
     if os.path.isdir(path):  # noqa: PTH112
         raise WrongUseError(f"{path} is a folder: compare two folders, or two files")
@@ -78,9 +78,9 @@ def _of_file(path: str) -> Snapshot:
 
 
 def _of_git(options: argparse.Namespace) -> Differences:
-    from rosward.revisions.folders import scratch_folder
-    from rosward.revisions.git import Git, GitError
-    from rosward.revisions.tree import write_commit, write_work_tree
+    from rosward.git.folders import scratch_folder
+    from rosward.git.git import Git, GitError
+    from rosward.git.tree import write_commit, write_work_tree
 
     with scratch_folder() as scratch:
         try:
@@ -117,7 +117,7 @@ def _revisions(git: Git, text: str) -> list[tuple[str, str | None]]:
 
 
 def _of_sources(options: argparse.Namespace, sides: Sequence[_Side], paths: Sequence[list[str]]) -> Differences:
-    from rosward.differences.compare import compare, not_compared
+    from rosward.diff.compare import compare, not_compared
 
     _check(options, sides)
     snapshots, told, steps = [], [], Steps()
@@ -153,14 +153,14 @@ def _relative(message: str, side: _Side) -> str:
 
 
 def _nothing() -> Snapshot:
-    from rosward.differences.snapshot import Snapshot
+    from rosward.diff.snapshot import Snapshot
     from rosward.policies.records import Policy
 
     return Snapshot("network", frozenset(), frozenset(), Policy(()))
 
 
 def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str], steps: Steps) -> Snapshot | None:
-    from rosward.differences.of_nodes import snapshot_of
+    from rosward.diff.of_nodes import snapshot_of
 
     own = _moved(options, side)
     result = extracted(own, paths, request_of(own))

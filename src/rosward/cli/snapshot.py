@@ -41,10 +41,10 @@ def add_looks(parser: argparse._ActionsContainer) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     if options.print_script:
-        sys.stdout.write(files("rosward.running").joinpath("snapshot.py").read_text(encoding="utf-8"))
+        sys.stdout.write(files("rosward.audit").joinpath("snapshot.py").read_text(encoding="utf-8"))
         return COMPLETE
     if options.output is None:
         raise WrongUseError("say where to write the snapshot: -o FILE")
-    from rosward.running.snapshot import run
+    from rosward.audit.snapshot import run
 
     return run(options.output, options.seconds, options.domain_id, options.enclave)

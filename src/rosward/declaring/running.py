@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from typing import Final
 
+from rosward.audit.graph import LiveGraph, LiveNode
+from rosward.audit.tools import tool_of
 from rosward.declaring.sketch import Seen, Sketch, is_usable
 from rosward.ros.distro import ClientLibrary, Distro, implicit_entities
 from rosward.ros.entities import ENTITY_LISTS, Entity, Qos
-from rosward.running.graph import LiveGraph, LiveNode
-from rosward.running.tools import tool_of
 
 __all__ = ["NotRunningError", "node_of", "sketch_of"]
 

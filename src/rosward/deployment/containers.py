@@ -19,9 +19,9 @@ from rosward.domain.choice import options
 from rosward.domain.series import Series
 from rosward.domain.text import concat, matches, readable
 from rosward.domain.values import NONE, Const, Unknown, Value
-from rosward.models.configuration import Configuration
-from rosward.models.effects import EffectLog, NodeEffect
-from rosward.models.ros_names import final_name
+from rosward.effects.configuration import Configuration
+from rosward.effects.log import EffectLog, NodeEffect
+from rosward.naming.final_name import final_name
 from rosward.network.launch_tree import CONTAINER
 
 if TYPE_CHECKING:

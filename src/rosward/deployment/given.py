@@ -12,9 +12,9 @@ from pathlib import Path
 
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.values import Const, Value
+from rosward.effects.configuration import Configuration
 from rosward.findings import Finding
 from rosward.guard import guarded
-from rosward.models.configuration import Configuration
 from rosward.source.location import Place
 from rosward.source.text import read_source
 

@@ -12,7 +12,7 @@ from rosward.deployment.execution.scene import LaunchFiles
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Hole, Value
-from rosward.models.variables import Variables
+from rosward.effects.variables import Variables
 
 __all__ = ["NamedFiles"]
 

@@ -26,9 +26,9 @@ import yaml
 
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Tuple, Unknown
+from rosward.effects.configuration import Given
 from rosward.findings import Finding
 from rosward.holes import literal
-from rosward.models.configuration import Given
 from rosward.ros.parameter_values import ParameterValue, effective_value, scalar_value
 from rosward.ros.validation import validate_namespace, validate_node_name
 from rosward.source.location import Place

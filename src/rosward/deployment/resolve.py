@@ -19,9 +19,9 @@ from rosward.deployment.started import Started, StartKind
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import readable
 from rosward.domain.values import Const, Value
+from rosward.effects.configuration import Configuration
+from rosward.effects.entry import Entry
 from rosward.findings import Finding
-from rosward.models.configuration import Configuration
-from rosward.processes import Entry
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:

@@ -18,8 +18,8 @@ from rosward.network.launch_tree import Inclusion
 
 if TYPE_CHECKING:
     from rosward.domain.values import Value
+    from rosward.effects.configuration import Configuration
     from rosward.findings import Finding
-    from rosward.models.configuration import Configuration
     from rosward.source.location import Place
 
 

@@ -11,8 +11,8 @@ from rosward.deployment.started import StartKind
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, Const, Unknown, Value
+from rosward.effects.log import EffectLog, NodeEffect
 from rosward.findings import Finding
-from rosward.models.effects import EffectLog, NodeEffect
 
 _ADDRESS = 1
 

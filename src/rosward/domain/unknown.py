@@ -11,6 +11,7 @@ import enum
 from collections.abc import Iterable
 from typing import Final, NamedTuple
 
+from rosward.findings import MADE_ANEW
 from rosward.source.location import Place
 
 
@@ -32,7 +33,7 @@ class Cause(enum.Enum):
     MODULE = "module that is not among the sources"
     CALLER = "argument that no caller in the sources gives"
     RANDOM = "time, random or host"
-    ANEW = "part that the program makes anew at each start"
+    ANEW = MADE_ANEW
     OPERATION = "operation on a value that is not known"
     LOOP = "value that changes in a loop"
     MANY = "more alternatives than are kept apart"
@@ -59,10 +60,6 @@ class Reason(NamedTuple):
 
 
 _SET_BY_NAME: Final = frozenset((Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT))
-
-
-MADE_ANEW: Final = Cause.ANEW.value
-"""The cause of what nobody can make known, since no two runs have it in common."""
 
 
 def causes_of(reasons: Iterable[Reason], place: Place) -> tuple[str, ...]:

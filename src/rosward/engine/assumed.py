@@ -17,10 +17,11 @@ from typing import TYPE_CHECKING
 from rosward.domain.choice import options
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Tuple, Unknown, Value
-from rosward.engine import attributes, declared
-from rosward.engine.binding import ANY, MAYBE
+from rosward.engine import declared
+from rosward.engine.python import attributes
+from rosward.engine.python.binding import ANY, MAYBE
 from rosward.findings import Finding
-from rosward.models.plain import with_origins
+from rosward.models.python.plain import with_origins
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from rosward.domain.values import UNBOUND, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.state import State, join_objects, join_registers, join_states
 from rosward.models.failures import tell_uncaught
-from rosward.models.plain import EXCEPTION_HINT
+from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter

@@ -16,8 +16,8 @@ from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.catcher import note
-from rosward.engine.equality import truth
 from rosward.engine.frame import Frame, Snapshot, join_into
+from rosward.engine.python.equality import truth
 from rosward.ir import ops
 from rosward.source.location import Place
 

@@ -7,6 +7,7 @@ import ast
 import re
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
@@ -24,10 +25,9 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import modules
 from rosward.engine.havoc import change
-from rosward.models.host import text_of
-from rosward.models.ros_effects import perform
+from rosward.engine.python import modules
+from rosward.models.ros.effects import perform
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter

@@ -18,7 +18,7 @@ from rosward.domain.choice import options
 from rosward.domain.values import BoundMethod, Class, Const, Function, Partial, Ref, Tuple, Unknown, Value
 from rosward.engine import declared, named
 from rosward.engine.havoc import change, contents, holds_node
-from rosward.models.contents import CONTENTS
+from rosward.models.python.contents import CONTENTS
 from rosward.models.readers import creates_nothing, only_reads
 
 if TYPE_CHECKING:

@@ -33,10 +33,10 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.engine import attributes
 from rosward.engine.catcher import note
+from rosward.engine.python import attributes
 from rosward.ir import ops
-from rosward.models.exceptions import member_of
+from rosward.models.python.exceptions import member_of
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame

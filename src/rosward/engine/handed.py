@@ -14,8 +14,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
-from rosward.engine import attributes, implicit, named
+from rosward.engine import named
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
+from rosward.engine.python import attributes, implicit
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

@@ -28,17 +28,16 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import (
+from rosward.engine import activation, catcher, escape, failing
+from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.python import (
     abandoned,
-    activation,
     assignment,
     attributes,
     calls,
-    catcher,
     contexts,
     equality,
-    escape,
-    failing,
     generators,
     instances,
     items,
@@ -50,21 +49,19 @@ from rosward.engine import (
     stepping,
     suspending,
 )
-from rosward.engine.budget import Budget, LimitReachedError
-from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.schedule import Schedule
 from rosward.engine.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.engine.transfer import HANDLERS
 from rosward.findings import Finding
 from rosward.ir import ops
-from rosward.models.containers_set import each_once
-from rosward.models.operators_compare import compares
+from rosward.models.python.containers.sets import each_once
+from rosward.models.python.operators.compare import compares
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
+    from rosward.effects.log import EffectLog
     from rosward.engine.library import Library
     from rosward.ir.program import Code
-    from rosward.models.effects import EffectLog
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 

@@ -15,20 +15,20 @@ from rosward.domain.heap import Obj
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Class, Const, External, Function, Hole, ModuleValue, Value
-from rosward.engine import modules
+from rosward.effects.log import EffectLog
+from rosward.effects.shell import Shell, shell
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import Found, Sources
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.model_units import absolute, units
+from rosward.engine.python import modules
 from rosward.engine.stub_files import StubFiles
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
-from rosward.models.effects import EffectLog
 from rosward.models.native import NativeFunction
-from rosward.models.shell import Shell, shell
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import options
 from rosward.domain.values import UNBOUND, Class, Const, Function, ModuleValue, Value
-from rosward.engine import modules
 from rosward.engine.frame import Frame
+from rosward.engine.python import modules
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

@@ -13,10 +13,10 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Descriptor, Function, Ref, Tuple, Unknown, Value
-from rosward.engine import attributes, equality
+from rosward.engine.python import attributes, equality
 from rosward.ir import ops
-from rosward.models.operators import is_default
-from rosward.models.plain import int_of
+from rosward.models.python.operators.operators import is_default
+from rosward.models.python.plain import int_of
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.domain.choice import join, join_all, options, reasons_of, widen
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
-from rosward.engine.binding import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
+from rosward.engine.python.binding import ANY
 from rosward.engine.state import State, join_objects, join_states
 from rosward.findings import Finding
 from rosward.ir.ops import Op
@@ -25,9 +25,9 @@ from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
+    from rosward.effects.log import EntityEffect
     from rosward.engine.interpreter import Interpreter
     from rosward.engine.named import Naming
-    from rosward.models.effects import EntityEffect
 
 
 def _fails(effect: EntityEffect) -> bool:

@@ -14,27 +14,26 @@ from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Const, Function, Ref, Slice, Value
-from rosward.engine import (
+from rosward.engine import control, narrowing
+from rosward.engine.frame import Frame
+from rosward.engine.python import (
     assignment,
     attributes,
     calls,
     classes,
     contexts,
-    control,
     equality,
     exceptions,
     items,
     iteration,
     modules,
-    narrowing,
     removal,
     suspending,
 )
-from rosward.engine.frame import Frame
 from rosward.ir import ops
-from rosward.models import ros_parameter_table
-from rosward.models.strings import format_value
-from rosward.models.strings_format import joined
+from rosward.models.python.strings.formatting import joined
+from rosward.models.python.strings.methods import format_value
+from rosward.models.ros import parameter_table
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -265,7 +264,7 @@ def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
         return DEAD if value.__class__ is Choice else None
     frame.registers[op.dst] = kept
     if kept != value:
-        ros_parameter_table.narrow(machine, value, kept)
+        parameter_table.narrow(machine, value, kept)
     return None
 
 

@@ -25,8 +25,8 @@ def natives() -> Mapping[str, NativeFunction]:
 
 def _collected() -> dict[str, NativeFunction]:
     table: dict[str, NativeFunction] = {}
-    for info in sorted(pkgutil.iter_modules(rosward.models.__path__), key=lambda i: i.name):
-        module = importlib.import_module(f"rosward.models.{info.name}")
+    for info in sorted(pkgutil.walk_packages(rosward.models.__path__, "rosward.models."), key=lambda i: i.name):
+        module = importlib.import_module(info.name)
         for name, function in getattr(module, "NATIVES", {}).items():
             if name in table:
                 raise ValueError(f"two models of {name}")

@@ -12,8 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
 from typing import Literal, TypeVar
 
-from rosward.domain.unknown import MADE_ANEW
-from rosward.findings import Finding
+from rosward.findings import MADE_ANEW, Finding
 from rosward.guard import Steps
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
 from rosward.network.graph import Network

@@ -7,27 +7,27 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Final, NamedTuple
 
+from rosward.enclaves.grants import NOT_WIDENED
+from rosward.enclaves.widened import Widenings
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import with_findings
 from rosward.network.graph import Network
-from rosward.outputs.dot import graph_dot
-from rosward.outputs.grants import NOT_WIDENED
-from rosward.outputs.junit import junit_xml
-from rosward.outputs.mermaid import fenced, graph_mermaid
-from rosward.outputs.network_json import network_json
-from rosward.outputs.permissions import permissions
-from rosward.outputs.policy import policies, policy_xml
+from rosward.outputs.documents.junit import junit_xml
+from rosward.outputs.documents.network_json import network_json
+from rosward.outputs.documents.sarif import sarif_json
+from rosward.outputs.graphs.dot import graph_dot
+from rosward.outputs.graphs.mermaid import fenced, graph_mermaid
+from rosward.outputs.graphs.svg import graph_svg
+from rosward.outputs.policies.permissions import permissions
+from rosward.outputs.policies.policy import policies, policy_xml
+from rosward.outputs.policies.starts import starts_text
 from rosward.outputs.report.document import Background
 from rosward.outputs.report.page import report_html
-from rosward.outputs.sarif import sarif_json
-from rosward.outputs.starts import starts_text
-from rosward.outputs.svg import graph_svg
 from rosward.outputs.whole_files import write_text
-from rosward.reduction.widened import Widenings
-from rosward.review.judge import Judged, of_no_file
 from rosward.source.location import Place
+from rosward.suppression.judge import Judged, of_no_file
 
 _LONGEST_PATH: Final = 250
 _ORDER: Final = ("json", "policy", "permissions", "dot", "mermaid", "svg", "html", "sarif", "junit")

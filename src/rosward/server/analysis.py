@@ -24,20 +24,19 @@ from typing import Final
 from rich.console import Console
 
 from rosward.deployment.request import LaunchRequest, Request
-from rosward.differences.compare import compare, read_snapshot
+from rosward.diff.compare import compare, read_snapshot
+from rosward.enclaves.grants import enclaves
 from rosward.findings import Severity
 from rosward.network.connect import with_findings
+from rosward.network.counts import counts_of
 from rosward.network.graph import Network
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
-from rosward.outputs.counts import counts_of
-from rosward.outputs.diff_text import diff_text
 from rosward.outputs.files import Scan, write_outputs
-from rosward.outputs.grants import enclaves
 from rosward.outputs.report.document import Background
-from rosward.outputs.text import summary
+from rosward.outputs.terminal.diff_text import diff_text
+from rosward.outputs.terminal.summary import summary
 from rosward.outputs.whole_files import write_text
 from rosward.pipeline import extract
-from rosward.review.judge import Sources, Wishes, of_no_file, review
 from rosward.server.job import Job
 from rosward.server.launch_files import launch_files
 from rosward.server.places import LeftOut, read_left_out, write_left_out
@@ -45,6 +44,7 @@ from rosward.server.settings import Settings
 from rosward.server.telling import Teller
 from rosward.server.unpacking import unpack
 from rosward.source.json_fields import UnreadableError
+from rosward.suppression.judge import Sources, Wishes, of_no_file, review
 
 __all__ = ["FORMATS", "analyse"]
 

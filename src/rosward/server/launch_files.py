@@ -13,7 +13,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from rosward.deep_stack import with_deep_stack
+from rosward.analysis.deep_stack import with_deep_stack
+from rosward.analysis.source_tree import SourceTree
 from rosward.deployment import tree
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
@@ -21,15 +22,14 @@ from rosward.deployment.execution.scene import Findings, Scene
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.python.code import LaunchPython
 from rosward.domain.text import readable
+from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.models.shell import shell
 from rosward.models.tables import natives
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.surroundings import surroundings
 from rosward.source.workspace import SourceFile
-from rosward.sources import SourceTree
 
 __all__ = ["Argument", "LaunchFile", "launch_files"]
 

@@ -17,7 +17,7 @@ from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup
 
 from rosward._version import __version__
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.server.examples import Example
 from rosward.server.limits import Limits
 from rosward.server.places import NOT_SOURCE, NOT_SOURCE_FOLDERS

@@ -18,7 +18,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Final, NamedTuple, final
 
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.server.limits import Limits
 
 __all__ = [

@@ -29,7 +29,7 @@ from starlette.routing import BaseRoute, Route
 from starlette.types import Receive, Scope, Send
 
 from rosward.findings import Finding
-from rosward.outputs.safe import encodable, printable
+from rosward.safe import encodable, printable
 from rosward.server.pages import ASSETS, asset
 from rosward.server.places import RefusedError
 from rosward.server.results import Result

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rosward.outputs.safe import encodable
+from rosward.safe import encodable
 from rosward.server.results import Result
 
 __all__ = ["in_short", "numbers_of"]

@@ -19,7 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.server.limits import Limits
 from rosward.server.places import LeftOut, Places, RefusedError, why_left_out
 

@@ -20,7 +20,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.types import Message
 
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.server.limits import Limits
 from rosward.server.places import LeftOut, Places, RefusedError, why_left_out, write_left_out
 from rosward.server.settings import Settings, read_settings

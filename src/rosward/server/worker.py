@@ -18,8 +18,8 @@ import threading
 import traceback
 from typing import NoReturn, TextIO
 
-from rosward.outputs.safe import printable
 from rosward.pipeline import NothingToReadError, UnknownRequestError
+from rosward.safe import printable
 from rosward.server.analysis import analyse
 from rosward.server.job import End, Job, read_job
 from rosward.server.limits import Limits

@@ -29,13 +29,13 @@ from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
+from rosward.effects.configuration import Configuration
+from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding
 from rosward.guard import guarded
 from rosward.holes import HOLE, Holed
-from rosward.models.command_line import given_to, read_words
-from rosward.models.configuration import Configuration
-from rosward.models.effects import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.models.ros_names import final_name, remaps_of
+from rosward.naming.command_line import given_to, read_words
+from rosward.naming.final_name import final_name, remaps_of
 from rosward.ros import names
 from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro

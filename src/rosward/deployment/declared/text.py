@@ -17,8 +17,8 @@ from rosward.domain.choice import join, lift, lift2, options, reasons_of
 from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Text, Tuple, Unknown, Value
-from rosward.models.command_line import ANY_NAME
-from rosward.models.plain import with_origins
+from rosward.models.python.plain import with_origins
+from rosward.naming.command_line import ANY_NAME
 from rosward.source.location import Place
 
 DEEPEST: Final = 8

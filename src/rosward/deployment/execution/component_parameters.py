@@ -25,7 +25,7 @@ from rosward.domain.choice import join, options, reasons_of
 from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Unknown, Value
-from rosward.models.configuration import Given
+from rosward.effects.configuration import Given
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

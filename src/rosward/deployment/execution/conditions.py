@@ -17,7 +17,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import matches, origins_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import Const, Text, Unknown, Value
-from rosward.models.shell import ORIGIN
+from rosward.effects.shell import ORIGIN
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

@@ -25,9 +25,9 @@ from rosward.deployment.started import Started
 from rosward.domain.text import make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Hole, Value
+from rosward.effects.shell import Shell, shell
+from rosward.effects.variables import Variables
 from rosward.findings import Finding
-from rosward.models.shell import Shell, shell
-from rosward.models.variables import Variables
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 from rosward.source.surroundings import surroundings

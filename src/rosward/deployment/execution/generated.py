@@ -29,7 +29,7 @@ from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
 from rosward.domain.text import origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole, Tuple, Unknown, Value
-from rosward.models.configuration import Given
+from rosward.effects.configuration import Given
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

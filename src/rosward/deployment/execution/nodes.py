@@ -24,8 +24,8 @@ from rosward.deployment.tree import Component, NodeKind, StartNode, Template
 from rosward.domain.choice import join, lift2, options
 from rosward.domain.text import concat
 from rosward.domain.values import Const, Value
+from rosward.effects.configuration import Configuration
 from rosward.holes import literal
-from rosward.models.configuration import Configuration
 from rosward.ros.validation import validate_namespace, validate_node_name
 
 if TYPE_CHECKING:

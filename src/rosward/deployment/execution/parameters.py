@@ -39,8 +39,8 @@ from rosward.domain.choice import lift, lift2, options, reasons_of
 from rosward.domain.text import concat, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Tuple, Unknown, Value
-from rosward.models.command_line import type_word
-from rosward.models.configuration import Given
+from rosward.effects.configuration import Given
+from rosward.naming.command_line import type_word
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

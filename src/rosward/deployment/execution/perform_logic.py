@@ -16,7 +16,7 @@ from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_
 from rosward.domain.text import matches, origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Unknown, Value
-from rosward.models.variables import Variables
+from rosward.effects.variables import Variables
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -17,7 +17,7 @@ from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_
 from rosward.domain.text import concat, make, readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
-from rosward.models.shell import ORIGIN
+from rosward.effects.shell import ORIGIN
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -16,7 +16,7 @@ from rosward.domain.choice import join, join_all, lift, lift2, reasons_of
 from rosward.domain.text import concat, origins_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
-from rosward.models.std_paths import dirname, join_two, normal
+from rosward.models.python.std.paths import dirname, join_two, normal
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -19,8 +19,8 @@ from rosward.deployment.tree import StartProcess
 from rosward.domain.choice import lift2, options
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.values import EMPTY, Const, Hole, Value
-from rosward.models.configuration import Configuration
-from rosward.models.std_paths import basename
+from rosward.effects.configuration import Configuration
+from rosward.models.python.std.paths import basename
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -16,7 +16,7 @@ from rosward.domain.choice import join, lift, options
 from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Tuple, Unknown, Value
-from rosward.models.configuration import Given
+from rosward.effects.configuration import Given
 from rosward.source.location import Place
 
 Pairs = Sequence[tuple[Value, Value]]

@@ -21,9 +21,9 @@ from rosward.domain.choice import lift, lift2, reasons_of
 from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
+from rosward.effects.shell import Shell
+from rosward.effects.variables import Variables
 from rosward.findings import Finding
-from rosward.models.shell import Shell
-from rosward.models.variables import Variables
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 

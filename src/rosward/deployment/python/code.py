@@ -39,15 +39,15 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import modules
+from rosward.effects.log import EffectLog
+from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
+from rosward.engine.python import modules
 from rosward.findings import Finding
 from rosward.frontends.python_module import lower_module
 from rosward.ir.ops import Op
-from rosward.models.effects import EffectLog
-from rosward.models.variables import Variables
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

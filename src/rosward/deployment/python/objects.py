@@ -29,7 +29,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.findings import Finding
-from rosward.models.launch_natives import FIELD, REQUIRED, place_of
+from rosward.models.launch.natives import FIELD, REQUIRED, place_of
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A file of the analysed packages that `open` has opened to be read as text (models/std_files.py)."""
+"""A file of the analysed packages that `open` has opened to be read as text (models/python/std/files.py)."""
 from _rosward import reads_only, unknown
 
 class TextFile:

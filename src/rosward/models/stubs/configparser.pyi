@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`configparser`: what text says that stands in the program, or in a file of the sources (models/std_tables.py), and what the program sets.
+"""`configparser`: what text says that stands in the program, or in a file of the sources (models/python/std/tables.py), and what the program sets.
 
 Once a text was read that is not known, there may be any section, and any value.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`csv`: rows of text that stands in the program, or in a file of the sources (models/std_tables.py)."""
+"""`csv`: rows of text that stands in the program, or in a file of the sources (models/python/std/tables.py)."""
 from _rosward import ask, native, unknown
 
 @native

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`dataclasses`: see models/std_records.py."""
+"""`dataclasses`: see models/python/std/records.py."""
 
 from _rosward import reads_only
 

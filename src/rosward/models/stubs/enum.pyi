@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`enum`: see models/std_enum.py for how members are made and found."""
+"""`enum`: see models/python/std/enums.py for how members are made and found."""
 from _rosward import native, reads_only
 
 @native

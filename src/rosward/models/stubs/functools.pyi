@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`functools`: partial application; decorators that keep the function. The rest is models/std_functional.py."""
+"""`functools`: partial application; decorators that keep the function. The rest is models/python/std/functional.py."""
 from _rosward import either, native, reads_only
 import functools
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`io`: text and bytes in memory; files are those of `open` (models/std_files.py)."""
+"""`io`: text and bytes in memory; files are those of `open` (models/python/std/files.py)."""
 from _opened import TextFile
 from _rosward import native, unknown
 

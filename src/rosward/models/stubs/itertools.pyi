@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`itertools`: exact on known inputs; those that never end are lists of unknown length. The rest is models/std_functional.py."""
+"""`itertools`: exact on known inputs; those that never end are lists of unknown length. The rest is models/python/std/functional.py."""
 import operator
 from _rosward import native
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`json`: text that stands in the program is read, files are not (models/std_data.py)."""
+"""`json`: text that stands in the program is read, files are not (models/python/std/data.py)."""
 
 from _rosward import ask, reads_only, unknown
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`math`: its functions are in models/std_numbers.py, exact on constants."""
+"""`math`: its functions are in models/python/std/numbers.py, exact on constants."""
 
 pi = 3.141592653589793
 e = 2.718281828459045

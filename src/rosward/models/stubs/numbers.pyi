@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`numbers`: what belongs to these classes, Python itself is asked (engine/instances.py)."""
+"""`numbers`: what belongs to these classes, Python itself is asked (engine/python/instances.py)."""
 from abc import ABCMeta
 
 class Number(metaclass=ABCMeta): ...

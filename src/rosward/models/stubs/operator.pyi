@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`operator`: the operators as functions; most of them in models/std_numbers.py."""
+"""`operator`: the operators as functions; most of them in models/python/std/numbers.py."""
 from _rosward import reads_only, unknown
 
 def neg(a, /):

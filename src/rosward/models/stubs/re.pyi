@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`re`: exact for short patterns on short constants (see models/std_text.py), else unknown."""
+"""`re`: exact for short patterns on short constants (see models/python/std/texts.py), else unknown."""
 from _rosward import native, reads_only, unknown
 
 @native

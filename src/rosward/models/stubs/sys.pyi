@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`sys`: the command line, the end of the program, the standard streams (`exit`: models/std_process.py)."""
+"""`sys`: the command line, the end of the program, the standard streams (`exit`: models/python/std/processes.py)."""
 from _rosward import native, reads_only, unknown
 
 reads_only(__name__)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`tomllib`: text that stands in the program, or in a file of the sources, is read (models/std_data.py)."""
+"""`tomllib`: text that stands in the program, or in a file of the sources, is read (models/python/std/data.py)."""
 from _rosward import native
 
 class TOMLDecodeError(ValueError): ...

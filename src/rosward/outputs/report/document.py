@@ -14,16 +14,17 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from rosward._version import __version__
+from rosward.enclaves.grants import NOT_WIDENED
+from rosward.enclaves.widened import Widenings
+from rosward.explanation.provenance import Start, Starts
 from rosward.findings import Finding, Severity
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import with_findings
+from rosward.network.counts import Count, counts_of
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.network.loose_ends import loose_ends
 from rosward.one_cause import alike
-from rosward.outputs.counts import Count, counts_of
-from rosward.outputs.grants import NOT_WIDENED
-from rosward.outputs.provenance import Start, Starts
 from rosward.outputs.report.belongs import Belongings
 from rosward.outputs.report.endpoints import endpoint_rows
 from rosward.outputs.report.members import entity_rows, node_row
@@ -31,7 +32,6 @@ from rosward.outputs.report.numbered import Member, Numbered, numbered
 from rosward.outputs.report.plain import place_row, shown
 from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
-from rosward.reduction.widened import Widenings
 from rosward.source.location import Place
 
 __all__ = ["VERSION", "Background", "report_document"]

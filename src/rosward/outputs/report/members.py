@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from rosward.explanation.provenance import Start, remap_rules, remedies, sources
 from rosward.network.launch_tree import LaunchEntry
-from rosward.outputs.provenance import Start, remap_rules, remedies, sources
 from rosward.outputs.report.numbered import End, Member
 from rosward.outputs.report.plain import place_row, place_rows, value_row
 from rosward.outputs.report.rights import NONE, Rights

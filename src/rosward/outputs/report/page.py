@@ -22,10 +22,10 @@ from markupsafe import Markup
 
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
+from rosward.outputs.graphs.svg import graph_svg
 from rosward.outputs.report.document import Background, report_document
 from rosward.outputs.report.packed import packed
-from rosward.outputs.safe import encodable, printable
-from rosward.outputs.svg import graph_svg
+from rosward.safe import encodable, printable
 
 __all__ = ["document_text", "report_html"]
 

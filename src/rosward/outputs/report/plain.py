@@ -13,7 +13,7 @@ import math
 from collections.abc import Iterable
 from typing import Final
 
-from rosward.outputs.safe import printable
+from rosward.safe import printable
 from rosward.source.location import Place
 
 __all__ = ["place_row", "place_rows", "shown", "value_row"]

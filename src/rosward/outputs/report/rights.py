@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
+from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Profile, enclaves
+from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.outputs.grants import NOT_WIDENED, Enclave, Grant, Profile, enclaves
-from rosward.outputs.policy import VERBS, policy_lines
+from rosward.outputs.policies.policy import VERBS, policy_lines
 from rosward.outputs.report.numbered import Numbered
 from rosward.outputs.report.plain import shown
-from rosward.reduction.widened import Widenings
 
 __all__ = ["NONE", "Right", "Rights", "rights"]
 

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from rosward.outputs.excerpts import Excerpts
+from rosward.explanation.excerpts import Excerpts
 from rosward.source.location import Place
 
 __all__ = ["SourceLines", "source_lines"]

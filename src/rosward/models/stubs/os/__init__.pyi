@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`os`: the environment, paths, and programs that are started (also models/std_process.py)."""
+"""`os`: the environment, paths, and programs that are started (also models/python/std/processes.py)."""
 from _rosward import default, either, environment, reads_only, spins, unknown, unset
 from _rosward.launch import removed, set_variable, variable
 from os import path as path

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which processes a workspace has, and how each starts.
+
+console script  talker = demo.talker:main      demo/talker: imports demo.talker, calls main
+file with a __main__ block, installed script    runs the file
+file that no other imports, of which nothing else starts    probed: runs the file; counts if it makes a node
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import NamedTuple
+
+from rosward.analysis.source_tree import SourceTree
+from rosward.effects.entry import Entry
+from rosward.engine.library import Library
+from rosward.engine.stub_files import STUBS
+from rosward.findings import Finding
+from rosward.ir import ops
+from rosward.ir.program import Module
+from rosward.ros.entities import assumed_label
+from rosward.source.workspace import ExecutableKind, SourceFile, Workspace
+
+
+class Plan(NamedTuple):
+    """The processes to interpret, and what is told about those that cannot be."""
+
+    entries: tuple[Entry, ...]
+    files: dict[str, SourceFile]
+    related: frozenset[str] = frozenset()  # the files that can have to do with ROS
+    findings: tuple[Finding, ...] = ()
+
+    def for_file(self, file: str) -> Entry:
+        """The process that runs a file that nothing else does."""
+        return _entry(self.files.get(file), file, probe=True)
+
+    def for_class(self, file: str, name: str) -> Entry:
+        """The process that instantiates a node class that nothing else does. Its label is not that of an executable: there is none."""
+        return _entry(self.files.get(file), file, classes=(name,))._replace(
+            label=assumed_label(file, name), assumed=True
+        )
+
+    def for_framework(self, file: str, name: str, *, alone: bool) -> Entry:
+        """The process in which a framework makes a class; named after it where the file has several."""
+        entry = _entry(self.files.get(file), file, classes=(name,))
+        return entry if alone else entry._replace(label=f"{entry.label}:{name}")
+
+
+def _entry(source: SourceFile | None, file: str, *, classes: tuple[str, ...] = (), probe: bool = False) -> Entry:
+    package = source.package.name if source is not None and source.package is not None else None
+    stem = file.rpartition("/")[2].removesuffix(".py")
+    label = f"{package}/{stem}" if package else file
+    module = (source.module if source is not None else None) or stem
+    return Entry(file, module, "", classes, package, None, label, probe)
+
+
+def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Plan:
+    """The processes of a workspace, in a fixed order, each with a label of its own."""
+    files = {f.relative: f for f in workspace.files}
+    related = _related(files, sources, library)
+    entries: list[Entry] = []
+    covered: dict[str, set[str]] = {}
+    for executable in workspace.executables:
+        if executable.file is None or executable.file.relative not in related:
+            continue
+        file = executable.file.relative
+        package = executable.package.name
+        label = f"{package}/{executable.name}"
+        if executable.kind is ExecutableKind.CONSOLE_SCRIPT:
+            function = executable.function or "main"
+            covered.setdefault(file, set()).add(function)
+            entries.append(Entry(file, executable.module or "", function, (), package, executable.name, label))
+        else:
+            covered.setdefault(file, set()).add("")
+            entries.append(Entry(file, "__main__", "", (), package, executable.name, label))
+    imported = _imported(files, related, sources, library)
+    for file in sorted(related):
+        module = sources.module(file)
+        if module is None or "" in covered.get(file, ()):
+            continue
+        if module.has_main:
+            if not (_main_calls(module) and _main_calls(module) <= covered.get(file, set())):
+                entries.append(_entry(files[file], file))
+        elif file not in covered and file not in imported:
+            entries.append(_entry(files[file], file, probe=True))
+    return Plan(tuple(_distinct(entries)), files, frozenset(related))
+
+
+def plain_plan(workspace: Workspace) -> Plan:
+    """What stands in for a plan that cannot be made: every file is run by itself, and counts where it makes a node."""
+    files = {f.relative: f for f in workspace.files}
+    entries = [_entry(source, file, probe=True) for file, source in sorted(files.items())]
+    return Plan(tuple(_distinct(entries)), files, frozenset(files))
+
+
+def _distinct(entries: list[Entry]) -> list[Entry]:
+    """Entries with labels of their own: the second of one label gets #2, and so on."""
+    seen: dict[str, int] = {}
+    result: list[Entry] = []
+    for entry in entries:
+        count = seen[entry.label] = seen.get(entry.label, 0) + 1
+        result.append(entry if count == 1 else entry._replace(label=f"{entry.label}#{count}"))
+    return result
+
+
+def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library) -> set[str]:
+    """The files whose imports lead, directly or through other files, to a modelled ROS library.
+
+    Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
+    """
+    links: dict[str, set[str]] = {}
+    related: set[str] = set()
+    for file in files:
+        module = sources.module(file)
+        if module is None:
+            continue
+        for name in module.imports:
+            top = name.lstrip(".").partition(".")[0]
+            if not name.startswith(".") and (_is_ros(top) or _is_interfaces(name)):
+                related.add(file)
+            found = _follow(name, file, library, sources)
+            if found:
+                links.setdefault(found, set()).add(file)
+    work = list(related)
+    while work:
+        for file in links.get(work.pop(), ()):
+            if file not in related:
+                related.add(file)
+                work.append(file)
+    return related & set(files)
+
+
+def _follow(name: str, file: str, library: Library, sources: SourceTree) -> str:
+    """The source file that an import name leads to, '' where it leads out of the sources."""
+    del library
+    level = len(name) - len(name.lstrip("."))
+    found = sources.find(name.lstrip("."), level, file)
+    return found.file if found is not None else ""
+
+
+def _is_ros(top: str) -> bool:
+    """Whether a top-level module is a modelled library that is neither Python's own nor free of ROS."""
+    if top in sys.stdlib_module_names or top in ("numpy", "yaml"):
+        return False
+    if len(top) > 200:  # no name of a file
+        return False
+    return (STUBS / top).is_dir() or (STUBS / f"{top}.pyi").is_file() or top in ("launch", "rclpy")
+
+
+def _is_interfaces(name: str) -> bool:
+    """Whether a module name is that of generated interfaces: who has a type can make an entity on a node that it is given."""
+    return name.split(".")[1:2] in (["msg"], ["srv"], ["action"])
+
+
+def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTree, library: Library) -> set[str]:
+    """The related files that another file imports."""
+    found: set[str] = set()
+    for file in files:
+        module = sources.module(file)
+        if module is None:
+            continue
+        for name in module.imports:
+            target = _follow(name, file, library, sources)
+            if target and target != file:
+                found.add(target)
+    return found & related
+
+
+def _main_calls(module: Module) -> set[str]:
+    """The functions that the `__main__` block calls, where it does nothing else; empty where it does more."""
+    block = next((op for op in module.code.ops if isinstance(op, ops.If) and op.then and _tests_name(module, op)), None)
+    if block is None:
+        return set()
+    names: set[str] = set()
+    for op in block.then:
+        if isinstance(op, ops.LoadGlobal):
+            names.add(op.name)
+        elif not isinstance(op, (ops.Call, ops.LoadAttr, ops.Const)):
+            return set()
+    return names - {"sys", "exit", "SystemExit"}
+
+
+def _tests_name(module: Module, wanted: ops.If) -> bool:
+    """Whether an `if` of the module tests `__name__`."""
+    before: list[ops.Op] = []
+    for op in module.code.ops:
+        if op is wanted:
+            break
+        before.append(op)
+    return any(isinstance(op, ops.LoadGlobal) and op.name == "__name__" and op.line == wanted.line for op in before)

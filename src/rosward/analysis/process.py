@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What runs: the processes of a set of sources, and the interpretation of each.
+
+A process is a console script, a script with a `__main__` block, a file that does something when run, or a file with node classes that
+nothing instantiates. Each of those is instantiated with unknown arguments, and its nodes are assumed: nothing is known to make them.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Final, NamedTuple
+
+from rosward.domain.text import make
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import UNBOUND, Class, External, Function, Hole, ModuleValue, Unknown, Value
+from rosward.effects.configuration import Configuration
+from rosward.effects.entry import Entry
+from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
+from rosward.engine import assumed, handed
+from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine.frame import Frame
+from rosward.engine.interpreter import Interpreter
+from rosward.engine.library import Library
+from rosward.engine.python import modules
+from rosward.engine.python.binding import ANY
+from rosward.engine.state import join_states
+from rosward.findings import Finding
+from rosward.guard import internal_error
+from rosward.models.readers import creates_nothing
+from rosward.source.location import Place
+
+
+@dataclass(slots=True)
+class _Imported:
+    """What the import of a file has made before a class of it is instantiated: that is told of the process that runs the file."""
+
+    nodes: tuple[NodeEffect, ...] = ()
+    entities: frozenset[EntityEffect] = frozenset()
+
+
+class Run(NamedTuple):
+    """What the interpretation of a process gave."""
+
+    entry: Entry
+    log: EffectLog
+    done: frozenset[tuple[object, ...]]
+    entered: frozenset[int]
+    instantiated: frozenset[Place]
+    reached: frozenset[int]
+    asked: frozenset[tuple[str, str, str]] = frozenset()
+
+
+def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
+    """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
+    log = EffectLog(configuration)
+    machine = Interpreter(library, budget, log)
+    imported = _Imported()
+    try:
+        _give_words(machine, entry, configuration)
+        _main(machine, entry, imported)
+    except LimitReachedError as limit:
+        place = limit.place
+        log.findings[
+            Finding(
+                "RW201",
+                f"{limit.what}: what the program does after this is missing",
+                place if place.file else Place(entry.file),
+            )
+        ] = None
+    except Exception as error:
+        log.findings[_failed(entry, error, "what the program does after this is missing", net=budget.net)] = None
+    done = log.final(machine.state)
+    if machine.ends is not None:
+        machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
+    machine.frames.clear()
+    machine.catchers.clear()
+    try:
+        _schedule_hook(machine)
+        machine.spin()
+        handed.follow(machine)
+        log.tell_spun()
+    except LimitReachedError as limit:
+        log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
+    except Exception as error:
+        log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
+    log.leave_out(imported.nodes, imported.entities)
+    return Run(
+        entry,
+        log,
+        done,
+        frozenset(machine.entered),
+        frozenset(machine.instantiated),
+        frozenset(machine.reached),
+        frozenset(machine.asked),
+    )
+
+
+def _failed(entry: Entry, error: Exception, missing: str, *, net: bool) -> Finding:
+    """RW299 where the program stands; without the net, the error itself."""
+    if not net:
+        raise error
+    return internal_error(error, _reached(error) or Place(entry.file), missing)
+
+
+def _reached(error: Exception) -> Place | None:
+    """Where in the analysed program the interpreter was when it failed: its own frames are gone by now, those of Python tell."""
+    found: Place | None = None
+    step = error.__traceback__
+    while step is not None:
+        frame = step.tb_frame.f_locals.get("frame")
+        if isinstance(frame, Frame) and not frame.stub:
+            found = frame.place
+        step = step.tb_next
+    return found
+
+
+def _give_words(machine: Interpreter, entry: Entry, configuration: Configuration | None) -> None:
+    """`sys.argv`: the path of the program, as `ros2 run` starts it, then the words of its command line, or what somebody types."""
+    module = machine.load_module("sys")
+    if isinstance(module, ModuleValue):
+        folder = Hole((Reason(Cause.FILE, "folder of the executable", Place(entry.file)),))
+        name = entry.executable or entry.file.rpartition("/")[2]
+        program = make((folder, f"/{name}")) if name and not entry.classes else Unknown(folder.reasons, "str")
+        if configuration is not None:
+            words = machine.new_list((program, *configuration.words))
+        else:
+            words = machine.new_list((program,), machine.unknown(Cause.ARGUMENT, "sys.argv", "str"))
+        machine.put(module.address, machine.at(module.address).with_attr("argv", words))
+
+
+def _schedule_hook(machine: Interpreter) -> None:
+    """`sys.excepthook` of the program, if it has one, may run at its end."""
+    module = machine.load_module("sys")
+    if isinstance(module, ModuleValue):
+        hooks = [machine.load_attr(module, name) for name in ("excepthook", "__excepthook__")]
+        if hooks[0] != hooks[1]:
+            machine.schedule(machine.load_attr(module, "_end"), (), "uncaught exception")
+
+
+def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
+    """The main body of a process."""
+    plain = not entry.function and not entry.classes
+    name = "__main__" if plain else entry.module
+    address = machine.place_key(("module", "__main__" if plain else entry.file))
+    module = ModuleValue(address, name, entry.file)
+    alive = (plain or modules.run_packages(machine, module)) and modules.run_module(machine, module, name)
+    if entry.function and alive:
+        function: Value = module
+        for part in entry.function.split("."):
+            function = (
+                modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
+            )
+        machine.call(function, (), {} if _needs_nothing(function) else {ANY: UNBOUND})
+    if entry.classes:
+        imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)
+    for qualname in entry.classes:
+        found = machine.at(address).attrs.get(qualname)
+        if isinstance(found, Class) and machine.library.node_class(machine) in found.mro:
+            assumed.make(machine, found)
+        elif isinstance(found, Class):
+            machine.handed[found] = found.place  # whoever calls it from outside has it
+
+
+def _needs_nothing(function: Value) -> bool:
+    """Whether a function can be called as a console script does, without arguments."""
+    return isinstance(function, Function) and (
+        len(function.code.parameters.positional) == len(function.defaults)
+        and len(function.code.parameters.kwonly) == len(function.kwdefaults)
+    )
+
+
+def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
+    """The node classes that no process instantiates and no other class inherits from, by file: their names."""
+    return _by_file(c for c in _unmade(runs) if node is not None and node in c.mro)
+
+
+def called_from_outside(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
+    """The classes that no process instantiates, but a framework may, by file: their names.
+
+    class ArmEnv(gymnasium.Env)                                    a framework that is not read makes what derives from its classes
+    class Driver: def init(self, robot, properties), def step      Webots makes what has these methods
+    """
+    return _by_file(
+        c for c in _unmade(runs) if node not in c.mro and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
+    )
+
+
+def _derives_from_outside(cls: Class) -> bool:
+    """Whether a class has a base that is not read, of a library that may know ROS."""
+    return any(
+        isinstance(b, External) and b.name.partition(".")[0] not in sys.stdlib_module_names and not creates_nothing(b)
+        for b in cls.mro
+    )
+
+
+_WEBOTS: Final = {"init": 3, "step": 1}
+"""The methods of a Webots plugin, and how many parameters each has, `self` among them."""
+
+
+def _is_webots_plugin(runs: Iterable[Run], cls: Class) -> bool:
+    """Whether a class has the methods that webots_ros2_driver calls."""
+    found = {
+        code.name: len(code.parameters.positional)
+        for run in runs
+        for code in run.log.functions.values()
+        if code.file == cls.place.file and code.qualname.rpartition(".")[0] == cls.qualname
+    }
+    return all(found.get(name) == number for name, number in _WEBOTS.items())
+
+
+def _by_file(classes: Iterable[Class]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for cls in classes:
+        found.setdefault(cls.place.file, []).append(cls.name)
+    return found
+
+
+def _unmade(runs: Iterable[Run]) -> Iterator[Class]:
+    """The classes of modules that no process instantiates and no other class inherits from, by their places."""
+    made: set[Place] = set()
+    inherited: set[Place] = set()
+    defined: dict[Place, Class] = {}
+    for each in runs:
+        made |= each.instantiated
+        for cls in each.log.classes:
+            defined[cls.place] = cls
+            work = [*cls.bases]
+            while work:
+                base = work.pop()
+                if isinstance(base, Class) and base.place not in inherited:
+                    inherited.add(base.place)
+                    work += base.bases
+    for place, cls in sorted(defined.items()):
+        if place not in made and place not in inherited and "." not in cls.qualname:
+            yield cls

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is read, before anything of it is interpreted?
+
+read_sources([Path("my_ws")], Distro.JAZZY, …)  ->  SourcesRead(workspace, sources, plan, library, …)
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from rosward.analysis.plan import Plan, make_plan, plain_plan
+from rosward.analysis.source_tree import SourceTree
+from rosward.deployment.request import Request
+from rosward.effects.shell import shell
+from rosward.engine.budget import Budget
+from rosward.engine.library import Library
+from rosward.guard import Steps
+from rosward.models.tables import natives
+from rosward.ros.distro import Distro
+from rosward.source.discover import discover
+from rosward.source.exclude import Exclusion, exclusions_of
+from rosward.source.surroundings import surroundings
+from rosward.source.workspace import Workspace
+
+__all__ = ["EVERYTHING", "NothingToReadError", "Progress", "SourcePath", "SourcesRead", "read_sources", "silent"]
+
+SourcePath = str | PathLike[str]
+Progress = Callable[[str, int, int], None]
+"""Told of each step: what, how many are done, how many there are."""
+
+EVERYTHING: Final = Request()
+
+
+class NothingToReadError(Exception):
+    """None of the paths holds a Python file."""
+
+
+class SourcesRead(NamedTuple):
+    """The sources, what is known of the libraries that they use, and with what they are analysed."""
+
+    workspace: Workspace
+    sources: SourceTree
+    plan: Plan
+    library: Library
+    models: tuple[Path, ...]
+    distro: Distro
+    budget: Budget
+
+
+def read_sources(
+    paths: Sequence[SourcePath],
+    distro: Distro,
+    models: Sequence[SourcePath] = (),
+    underlays: Sequence[SourcePath] = (),
+    budget: Budget | None = None,
+    progress: Progress | None = None,
+    request: Request = EVERYTHING,
+    *,
+    environment: Mapping[str, str] | None = None,
+    tests: bool = False,
+    exclude: Sequence[str | Exclusion] = (),
+    follow_links: bool = False,
+) -> SourcesRead:
+    """Read what is under `paths`, and the launch files that a request names by their path.
+
+    `environment` has the variables that are given. Raises SurroundingsError where one of them contradicts the distro.
+    """
+    variables = surroundings(distro.value, environment)
+    wanted = [Path(p) for p in paths] or [Path()]
+    named = [Path(r.file) for r in request.launches if r.package is None and os.path.isfile(r.file)]  # noqa: PTH113
+    patterns = exclusions_of(exclude, map(str, wanted))
+    bounds = budget or Budget()
+    workspace = discover(
+        wanted,
+        launch_files=named,
+        include_tests=tests,
+        exclude=patterns,
+        follow_links=follow_links,
+        environment=variables,
+        net=bounds.net,
+    )
+    if not (workspace.files or workspace.launch_files or request.nodes):
+        raise NothingToReadError(
+            f"nothing to read: no Python file and no launch file in {', '.join(map(str, wanted))} (C++ is not read)"
+        )
+    sources = SourceTree(workspace, [Path(u) for u in underlays], net=bounds.net)
+    tell = progress or silent
+    sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
+    folders = tuple(Path(m) for m in models)
+    library = Library(sources, natives(), folders, shell(variables), net=bounds.net)
+    steps = Steps(net=bounds.net)
+    missing = "each file is run by itself, under its own name, and not as an executable"
+    made = steps(lambda: make_plan(workspace, sources, library), None, missing)
+    plan = made or plain_plan(workspace)
+    plan = plan._replace(findings=(*plan.findings, *steps.findings))
+    return SourcesRead(workspace, sources, plan, library, folders, distro, bounds)
+
+
+def silent(_what: str, _done: int, _all: int) -> None:
+    """No progress is shown."""

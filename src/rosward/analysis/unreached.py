@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Entities in code that no process reaches: left out of the result, and told.
+
+RW205 where it surely is not run; RW204 where a library may reach it all the same; RW212 where something unknown may call it.
+
+class N(Node):
+    def later(self):                              # nothing calls it
+        self.create_publisher(String, 'late', 10)
+if MODE == 'laser': …                             # MODE is known to be 'camera'
+class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, but rqt may: RW204
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final, final
+
+from rosward.analysis.process import Run
+from rosward.domain.values import Class, External, Unknown, Value
+from rosward.engine.escape import name_of
+from rosward.engine.python.attributes import CREATING
+from rosward.findings import Finding
+from rosward.ir import ops
+from rosward.ir.program import Code, Module
+from rosward.source.location import Place
+
+_LIBRARY: Final = {
+    "ActionServer": "rclpy",
+    "ActionClient": "rclpy",
+    "wait_for_message": "rclpy",
+    "TransformListener": "tf2_ros",
+    "TransformBroadcaster": "tf2_ros",
+    "StaticTransformBroadcaster": "tf2_ros",
+    "BufferClient": "tf2_ros",
+    "BufferServer": "tf2_ros",
+    "Subscriber": "message_filters",
+    "Updater": "diagnostic_updater",
+    "BasicNavigator": "nav2_simple_commander",
+}
+"""What creates entities when it is called, and the library that it is known by."""
+
+
+def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
+    """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
+    entered: set[int] = set()
+    reached: set[int] = set()
+    for run in runs:
+        entered |= run.entered
+        reached |= run.reached
+    bases = _unknown_bases(runs)
+    unseen = _Unseen(runs)
+    found: dict[Finding, None] = {}
+    for module in modules:
+        libraries = {name.partition(".")[0] for name in module.imports}
+        names = {name for name, library in _LIBRARY.items() if library in libraries}
+        for code in _functions(module.code):
+            dead = id(code) not in entered
+            for name, op in _creations(code.ops, names):
+                base = bases.get((code.file, code.qualname.rpartition(".")[0]))
+                if dead and base is not None:
+                    what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
+                    found[Finding("RW204", what, Place(code.file, op.line, op.column))] = None
+                    continue
+                if dead and unseen.may_call(code):
+                    what = f"nothing that is known calls {code.qualname}, but something unknown may: its {name} is left out"
+                    found[Finding("RW212", what, Place(code.file, op.line, op.column))] = None
+                    continue
+                if dead:
+                    what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
+                elif name in CREATING and id(op) not in reached:
+                    what = f"no execution comes to this {name}, as far as the values are known: it is left out"
+                else:
+                    continue
+                found[Finding("RW205", what, Place(code.file, op.line, op.column))] = None
+    return list(found)
+
+
+@final
+class _Unseen:
+    """What may be called without that a call of it is seen."""
+
+    def __init__(self, runs: Sequence[Run]) -> None:
+        asked = {each for run in runs for each in run.asked}
+        self._names = {name for _, _, name in asked if name}  # read from something unknown
+        self._owners = {(file, owner) for file, owner, name in asked if not name}  # of which something unknown was read
+        self._made = {
+            (base.place.file, base.qualname)
+            for run in runs
+            for cls in run.log.classes
+            if cls.place in run.instantiated
+            for base in cls.mro
+            if isinstance(base, Class)
+        }
+
+    def may_call(self, code: Code) -> bool:
+        """Whether something unknown may call a function: a method of an object that there is, by name; or by a name that is not known."""
+        owner, _, name = code.qualname.rpartition(".")
+        return (code.file, owner) in self._owners or (name in self._names and (code.file, owner) in self._made)
+
+
+def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:
+    """The first base that is not among the sources, by file and qualified name of the class."""
+    found: dict[tuple[str, str], str] = {}
+    for run in runs:
+        first: dict[Value, Value | None] = {}
+        for cls in run.log.classes:
+            above = cls.bases[0] if len(cls.bases) == 1 else None
+            if above in first:  # its order is that of its only base
+                base = first[above]
+            else:
+                base = next((b for b in cls.mro if b.__class__ in (External, Unknown)), None)
+            first[cls] = base
+            if base is not None:
+                found[cls.place.file, cls.qualname] = name_of(base)
+    return found
+
+
+def _functions(code: Code) -> Iterator[Code]:
+    """The code itself and all functions in it."""
+    yield code
+    for op in _all_ops(code.ops):
+        if isinstance(op, ops.MakeFunction):
+            yield from _functions(op.code)
+
+
+def _creations(block: ops.Block, names: set[str]) -> Iterator[tuple[str, ops.Op]]:
+    """The reads of what creates an entity, in nested blocks too but not in functions."""
+    called: set[int] = set()
+    for op in reversed(list(_all_ops(block))):
+        if isinstance(op, ops.Call):
+            called.add(op.func)
+        elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
+            if (op.name in CREATING if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names) or (
+                isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names
+            ):
+                yield op.name, op
+
+
+def _all_ops(block: ops.Block) -> Iterator[ops.Op]:
+    """Every operation of a block, of the blocks in it, and of the bodies of its classes."""
+    for op in block:
+        yield op
+        if isinstance(op, ops.MakeClass):
+            yield from _all_ops(op.code.ops)
+        for inner in op.blocks:
+            yield from _all_ops(inner)

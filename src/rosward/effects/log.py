@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a process does to ROS, as the interpretation records it: nodes, entities, parameters, each with its place and values.
+
+An effect keeps abstract values; `network.collect` turns them into names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable
+from typing import TYPE_CHECKING, NamedTuple, final
+
+from rosward.domain.series import Series
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Class, External, Ref, Value
+from rosward.effects.variables import Variables
+from rosward.findings import Finding
+from rosward.ros.entities import Qos
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.effects.configuration import Configuration
+    from rosward.effects.launch_context import LaunchContext
+    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.state import State
+    from rosward.ir.program import Code
+
+
+class NodeEffect(NamedTuple):
+    """A node is created: the object at `address` becomes a node of that name."""
+
+    address: int
+    name: Value
+    namespace: Value
+    options: tuple[tuple[str, Value], ...]
+    words: Series  # its cli_args
+    global_words: Series  # those of its context, where it uses them
+    cls: Value
+    place: Place
+    late: bool  # created in a callback, or by one of several command lines
+    assumed: bool = False
+
+
+class EntityEffect(NamedTuple):
+    """An entity is created on the node at `address` (None: on a node that is not known)."""
+
+    kind: str
+    address: int | None
+    name: Value
+    type: Value
+    callback: str | None
+    qos: Qos | None
+    ros_prefix: bool
+    introspection: bool
+    place: Place
+    via: str | None
+
+
+class ParameterEffect(NamedTuple):
+    """A parameter is declared."""
+
+    address: int | None
+    name: Value
+    default: Value
+    value: Value
+    type: Value
+    place: Place
+
+
+@final
+class EffectLog:
+    """All effects of one process, each once, in the order in which they were first seen; and what else is worth telling."""
+
+    def __init__(self, configuration: Configuration | None = None) -> None:
+        self.configuration = configuration
+        self.launch: LaunchContext | None = None  # the launch whose Python code this is
+        self.variables = Variables()
+        self.nodes: dict[NodeEffect, None] = {}
+        self.entities: dict[EntityEffect, None] = {}
+        self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each
+        self.parameters: dict[ParameterEffect, None] = {}
+        self.findings: dict[Finding, None] = {}
+        self.failures: dict[
+            int, dict[Finding, None]
+        ] = {}  # what to tell of an exception of a library that nothing catches
+        self.classes: dict[Class, None] = {}
+        self.functions: dict[int, Code] = {}
+        self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
+        self.ends: list[frozenset[tuple[object, ...]]] = []
+        self._addresses: set[int] = set()
+
+    def add_node(self, machine: Interpreter, effect: NodeEffect) -> None:
+        """Record a node."""
+        self.nodes[effect] = None
+        self._addresses.add(effect.address)
+        self._done(machine, ("node", effect.address))
+
+    def add_entity(self, machine: Interpreter, effect: EntityEffect) -> None:
+        """Record an entity."""
+        if effect not in self.entities:
+            self.entities[effect] = None
+            self.paths[effect] = machine.path
+        self._done(machine, self.key(effect))
+
+    @staticmethod
+    def key(effect: EntityEffect) -> tuple[object, ...]:
+        """What tells an entity from others of its node."""
+        return ("entity", effect.kind, effect.address, effect.name, effect.type)
+
+    @staticmethod
+    def _done(machine: Interpreter, key: tuple[object, ...]) -> None:
+        state = machine.state
+        if key not in state.done:
+            state.done |= {key}
+            state.version = machine.fresh_version()
+
+    def tell_spun(self) -> None:
+        """The program spins a node that is not known, and makes none: whose node it is nobody can tell."""
+        if not self.nodes:
+            for place, why in self.spun.items():
+                self.findings[
+                    Finding(
+                        "RW208", f"the node that is spun here is not known, and this program makes none{why}", place
+                    )
+                ] = None
+
+    def is_node(self, address: int) -> bool:
+        """Whether the object at an address is a node."""
+        return address in self._addresses
+
+    def leave_out(self, nodes: Iterable[NodeEffect], entities: Container[EntityEffect]) -> None:
+        """Forget nodes that have nothing but these entities: they are told elsewhere."""
+        own = {e.address for e in self.entities if e not in entities}
+        for node in nodes:
+            if node.address not in own:
+                self.nodes.pop(node, None)
+
+    def assumed_node(self, machine: Interpreter, ref: Ref, base: Value) -> None:
+        """An object whose class is not wholly known is used as a node."""
+        if self.is_node(ref.address):
+            return
+        name = base.name if isinstance(base, External) else "a base class that is not known"
+        machine.report(
+            "RW204",
+            f"{name} is taken to be a node, since entities are created on it; its own entities and its name are not known",
+        )
+        unknown = machine.unknown(Cause.MODULE, name, "str")
+        cls = machine.obj(ref).cls
+        self.add_node(
+            machine, NodeEffect(ref.address, unknown, UNBOUND, (), Series(), Series(), cls, machine.place, False, True)
+        )
+
+    def defined(self, cls: Class) -> None:
+        """A class was made."""
+        if not cls.stub:
+            self.classes[cls] = None
+
+    def seen(self, code: Code, *, stub: bool) -> None:
+        """A function was made."""
+        if not stub:
+            self.functions[id(code)] = code
+
+    def blocks(self, machine: Interpreter) -> None:
+        """The program can stay here for ever: what surely happened so far is what an execution is sure of."""
+        if not machine.schedule_book.running:
+            self._end(machine)
+
+    def ends_early(self, machine: Interpreter) -> None:
+        """An exception that nothing catches ends the program here."""
+        if machine.schedule_book.running:
+            return
+        self._end(machine)
+
+    def _end(self, machine: Interpreter) -> None:
+        """The main body can end here: what was scheduled may still run from this state."""
+        self.ends.append(machine.state.done)
+        machine.keep_end()
+
+    def final(self, state: State) -> frozenset[tuple[object, ...]]:
+        """What every execution does, given the state behind the main body."""
+        done = state.done
+        for end in self.ends:
+            done &= end
+        return done

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Assignments to attributes: what does `value.name = x` change?
+
+self.rate = 5        `__setattr__` of the class, else the setter of a property or descriptor, else what the object itself holds
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join, options
+from rosward.domain.heap import Obj
+from rosward.domain.table import marked
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Ref,
+    Unknown,
+    Value,
+)
+from rosward.engine.escape import name_of
+from rosward.engine.python import attributes
+from rosward.engine.python.attributes import setter_of
+from rosward.engine.python.namespaces import slots_of
+from rosward.engine.python.removal import remove
+from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
+from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
+from rosward.models.python.std.records import FROZEN
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_OBJECT: Final = Native("builtins.object")
+
+
+def open_up(machine: Interpreter, value: Value) -> None:
+    """A library that is not read may have given a function attributes."""
+    if isinstance(value, Function):
+        address = machine.library.function_address(value)
+        record = machine.state.heap.get(address) or Obj("instance", NONE)
+        if ANY_ATTRIBUTE not in record.partial:
+            machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
+
+
+def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
+    """target.name = value; False where this raises for sure."""
+    several = target.__class__ is Choice
+    for option in options(target):
+        if option.__class__ is Ref:
+            if not _store_object(machine, option, name, value, weak=several):
+                return several
+        elif option.__class__ in (Class, ModuleValue):
+            address = option.address
+            if name == "__init_subclass__":
+                machine.unhooked = None
+            if isinstance(option, ModuleValue) and machine.library.is_model_file(option.file):
+                machine.may_call((value,))  # a library may call what the program puts in its place
+            record = machine.at(address)
+            old = record.attrs.get(name)
+            changed = record.with_attr(name, join(old, value) if several and old is not None else value)
+            if several and (old is None or name in record.partial):
+                changed.partial = marked(record.partial, name)
+            machine.put(address, changed)
+        elif option.__class__ is Function:
+            address = machine.library.function_address(option)
+            record = machine.state.heap.get(address) or Obj("instance", NONE)
+            machine.put(address, record.with_attr(name, value))
+        elif option.__class__ in (External, Unknown):
+            machine.escape((value,), name_of(option), option)
+    return True
+
+
+def store_past_hook(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
+    """What `object.__setattr__` does."""
+    _store_object(machine, ref, name, value, weak=weak, hooked=False)
+
+
+def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
+    obj = machine.obj(ref)
+    hook = attributes.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
+    if hook is not None and (hook.__class__ is Function or hook == FROZEN):
+        return machine.call(hook, (ref, Const(name), value)) is not UNBOUND
+    in_class = attributes.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
+    if in_class.__class__ is Descriptor and in_class.kind == "property":
+        if in_class.setter is not None:
+            return machine.call(in_class.setter, (ref, value)) is not UNBOUND
+        if not obj.many:
+            cls = obj.cls.name if obj.cls.__class__ is Class else ""
+            machine.report("RW209", f"{cls}.{name} is a property of the node that cannot be set: AttributeError")
+            machine.throw(Native("builtins.AttributeError"))
+            return False
+        return True
+    setter = setter_of(machine, in_class)
+    if setter is not None:
+        return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
+    if obj.kind == "instance" and _has_no_place(machine, obj.cls, name):
+        said = Const(f"'{obj.cls.name}' object has no attribute '{name}'")  # type: ignore[attr-defined]
+        if machine.die("AttributeError", f"no slot {name}", (said,), sure=True) is UNBOUND:
+            return False
+    if name == "__class__" and obj.kind == "instance":
+        _change_class(machine, ref, value, weak=weak)
+        return True
+    if name == TABLE and obj.kind == "instance":
+        give_table(machine, ref, value if not weak else join(machine.load_attr(ref, name), value))
+        return True
+    keep(machine, ref, name, value, weak=weak)
+    return True
+
+
+def keep(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
+    """`object.__dict__[name] = value` (UNBOUND: `del` of that): no `__setattr__`, property or slot has a say in it."""
+    if value is UNBOUND:
+        remove(machine, ref, name)
+        return
+    obj = machine.obj(ref)
+    if store_in_table(machine, obj, name, value, weak=weak):
+        return
+    old = obj.attrs.get(name)
+    if old is not None and (weak or obj.many):
+        value = join(old, value)
+    if old is not value or name in obj.partial:
+        one_of_several = weak or obj.many
+        absent = marked(obj.partial, name) if old is None and one_of_several else obj.partial
+        changed = obj.with_attr(name, value)
+        if name in absent and (weak or old is None):
+            changed.partial = absent
+        machine.put(ref.address, changed)
+
+
+def _change_class(machine: Interpreter, ref: Ref, cls: Value, *, weak: bool) -> None:
+    """`object.__class__ = cls`: from now on it is an object of that class."""
+    obj = machine.obj(ref)
+    if cls.__class__ is not Class or weak or obj.many:
+        machine.report("RW203", "an object may be given another class")
+        return
+    machine.instantiated.add(cls.place)
+    machine.put(ref.address, obj.replace(cls=cls))
+
+
+def _has_no_place(machine: Interpreter, cls: Value, name: str) -> bool:
+    """Whether all classes of an object say by `__slots__` which attributes it has, and this is none of them."""
+    if cls.__class__ is not Class:
+        return False
+    for base in cls.mro:
+        if base == _OBJECT:
+            continue
+        slots = slots_of(machine, base)
+        if slots is None or name in slots or "__dict__" in slots:
+            return False
+    return True

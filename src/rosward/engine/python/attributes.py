@@ -1,0 +1,432 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Attributes: which one `value.name` is.
+
+Order as in Python: properties of the class, the instance's own attributes, the class along its mro, `__getattr__`.
+What a class does not have is unknown with a reason, never an error: a write that the analysis did not see may have put it there.
+"""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join, join_all
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Range,
+    Ref,
+    Slice,
+    Super,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine.python import modules
+from rosward.engine.python.builtin_classes import of_class, of_exception_class
+from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
+from rosward.engine.python.namespaces import table_of
+from rosward.models.python.attribute_tables import TABLE, own_attribute
+from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE, may_hide
+from rosward.models.python.contents import KINDS
+from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
+from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+NODE_CLASS: Final = "rclpy.node.Node"
+NODE_METHODS: Final = frozenset(
+    ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
+)
+"""Methods by which a node is known where its class is not."""
+CREATING: Final = (NODE_METHODS - {"create_timer"}) | {"create_lifecycle_publisher"}
+"""Methods that create entities."""
+
+
+def load(machine: Interpreter, value: Value, name: str) -> Value:
+    """value.name; UNBOUND where the path ends here."""
+    cls = value.__class__
+    if cls is Ref:
+        return _of_object(machine, value, name)  # type: ignore[arg-type]
+    if cls is ModuleValue:
+        if name == "__dict__":
+            return table_of(machine, value.address)  # type: ignore[attr-defined]
+        return modules.attribute(machine, value, name)  # type: ignore[arg-type]
+    if cls is Class:
+        return _of_class(machine, value, name)  # type: ignore[arg-type]
+    if cls is External:
+        return _of_external(machine, value, name)  # type: ignore[arg-type]
+    if cls is Choice:
+        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))  # type: ignore[attr-defined]
+    if cls is Unknown:
+        return _of_unknown(machine, value, name)  # type: ignore[arg-type]
+    if cls is Super:
+        return _of_super(machine, value, name)  # type: ignore[arg-type]
+    if cls is Function:
+        return _of_function(machine, value, name)  # type: ignore[arg-type]
+    if cls is BoundMethod:
+        if name in ("__self__", "__func__"):
+            return value.receiver if name == "__self__" else value.function  # type: ignore[attr-defined,no-any-return]
+        return load(machine, value.function, name)  # type: ignore[attr-defined]
+    if cls is Native:
+        if name in ("__name__", "__qualname__"):
+            return Const(value.name.rpartition(".")[2])  # type: ignore[attr-defined]
+        base = value.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+        if is_exception(base):
+            return _of_native_class(machine, base, name) or of_exception_class(machine, base, name)
+        return of_class(base, name) or Native(f"{base}.{name}")
+    if cls is Descriptor:
+        return Partial(Native(f"descriptor.{name}"), (value,), ())
+    if cls is Partial and name in ("func", "args"):
+        return value.function if name == "func" else Tuple(value.arguments)  # type: ignore[attr-defined]
+    return _of_builtin(machine, value, name)
+
+
+def _of_external(machine: Interpreter, value: External, name: str) -> Value:
+    if name in INTERFACE_NAMES and is_interface(value):
+        return Const(interface_name(value.name, name))
+    if name in NODE_METHODS and "." in value.name and not is_interface(value):
+        return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)
+    return External(f"{value.name}.{name}")
+
+
+_OF_TYPE: Final = frozenset({"__new__", "__init__", "__call__", "__prepare__"})
+_OBJECT: Final = Native("builtins.object")
+_CLASS_METHODS: Final = {"dict.fromkeys": "from_keys"}
+"""Class methods of builtins that make what they are asked of, and write to it as the program says."""
+_TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
+
+
+def type_name(value: Value) -> str:
+    """The name of the builtin type of a value that is not an object of the heap."""
+    if value.__class__ is Const:
+        return value.value.__class__.__name__
+    return _TYPE_NAMES.get(value.__class__, "object")
+
+
+def _of_builtin(machine: Interpreter, value: Value, name: str) -> Value:
+    kind = type_name(value)
+    if kind == "slice" and name in ("start", "stop", "step"):
+        return value[("start", "stop", "step").index(name)]  # type: ignore[index,no-any-return]
+    if name == "__class__":
+        return Native(f"builtins.{kind}")
+    if value == NONE:
+        said = Const(f"'NoneType' object has no attribute '{name}'")
+        return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)  # type: ignore[attr-defined]
+    if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
+        return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
+    return BoundMethod(value, Native(f"{kind}.{name}"))
+
+
+def _of_unknown(machine: Interpreter, value: Unknown, name: str) -> Value:
+    if name in NODE_METHODS:
+        node = machine.library.node_class(machine)
+        found = lookup(machine, node, name) if node is not None else None
+        if found is not None:
+            return BoundMethod(value, found)
+    if value.hint in ("str", "list", "dict", "set", "int", "float", "bytes", "tuple") and machine.library.native(
+        f"{value.hint}.{name}"
+    ):
+        return BoundMethod(value, Native(f"{value.hint}.{name}"))
+    if any(r.cause is not Cause.MESSAGE for r in value.reasons):  # what a message holds is plain data
+        machine.asked.add(("", "", name))
+    reasons = tuple(
+        r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
+        for r in value.reasons
+    )
+    return Unknown(reasons)
+
+
+def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
+    """The attribute of a class along its mro, as it stands there; None where no known class has it."""
+    if cls.__class__ is not Class:
+        return _of_native_class(machine, cls.name, name) if is_builtin_exception(cls) else None  # type: ignore[attr-defined]
+    perhaps: Value = UNBOUND
+    for base in cls.mro:
+        if base.__class__ is Class:
+            record = machine.at(base.address)
+            found: Value | None = record.attrs.get(name)
+            if found is not None and found is not UNBOUND:
+                if name not in record.partial:
+                    return join(perhaps, found)
+                perhaps = join(perhaps, found)  # where this class has none, that of the next one
+        elif base.__class__ is Native:
+            inherited = _of_native_class(machine, base.name, name)
+            if inherited is not None:
+                return join(perhaps, inherited)
+    return None if perhaps is UNBOUND else perhaps
+
+
+def is_builtin_exception(cls: Value) -> bool:
+    """Whether a class is one of Python's own exceptions."""
+    return cls.__class__ is Native and is_exception(cls.name)
+
+
+def _of_native_class(machine: Interpreter, cls: str, name: str) -> Native | None:
+    """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
+    short = cls.removeprefix("builtins.")
+    if short in KINDS:
+        short = KINDS[short] if name != "__next__" else ""  # iterators are lists in models only
+    bases = [b.__name__ for b in getattr(builtins, short).__mro__] if is_exception(short) else [short]
+    return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
+
+
+def method(machine: Interpreter, value: Value, name: str) -> Value | None:
+    """A method of an object's class, bound; None where it has none."""
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
+        if obj.kind == "instance":
+            found = lookup(machine, obj.cls, name)
+            return None if found is None else bind(machine, found, value, obj.cls)
+        return BoundMethod(value, Native(f"{obj.kind}.{name}"))
+    if value.__class__ in (External, Unknown):
+        return None
+    return BoundMethod(value, Native(f"{type_name(value)}.{name}"))
+
+
+def bind(machine: Interpreter, found: Value, receiver: Value, cls: Value) -> Value:
+    """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
+    kind = found.__class__
+    if kind is Function or kind is Native:
+        return BoundMethod(receiver, found)
+    if kind is Descriptor:
+        if found.kind == "staticmethod":  # type: ignore[attr-defined]
+            return found.getter  # type: ignore[attr-defined,no-any-return]
+        if found.kind == "classmethod":  # type: ignore[attr-defined]
+            return BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
+        return machine.call(found.getter, (receiver,))  # type: ignore[attr-defined]
+    if kind is Choice:
+        return join_all(bind(machine, o, receiver, cls) for o in found.options)  # type: ignore[attr-defined]
+    if kind is Partial and found.function.__class__ is Native:  # type: ignore[attr-defined]
+        return BoundMethod(receiver, found)
+    if kind is Ref:
+        obj = machine.obj(found)  # type: ignore[arg-type]
+        getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
+        if getter is not None:
+            return machine.call(getter, (found, receiver, cls))
+    return found
+
+
+def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
+    obj = machine.obj(ref)
+    if obj.kind != "instance":
+        if name == "__class__":
+            return obj.cls
+        if obj.kind == "generator" and name.partition("_")[0] in ("gi", "cr", "ag"):
+            return machine.unknown(Cause.LIVE, f"generator.{name}")
+        return BoundMethod(ref, Native(f"{obj.kind}.{name}"))
+    if machine.hooked:
+        hook = lookup(machine, obj.cls, "__getattribute__")
+        if hook.__class__ is Function:
+            return _computed(machine, ref, name, lambda: machine.call(hook, (ref, Const(name))))
+    return plain_attribute(machine, ref, name)
+
+
+def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
+    """What `object.__getattribute__` gives."""
+    obj = machine.obj(ref)
+    cls = obj.cls
+    own, sure = own_attribute(machine, obj, name)
+    in_class = lookup(machine, cls, name)
+    if in_class.__class__ is Descriptor and in_class.kind == "property":
+        return _computed(machine, ref, name, lambda: bind(machine, in_class, ref, cls))
+    if setter_of(machine, in_class) is not None:  # a data descriptor goes before what the object holds itself
+        return _computed(machine, ref, name, lambda: bind(machine, in_class or NONE, ref, cls))
+    if own is not None and own is not UNBOUND:
+        if sure:
+            return own
+        if in_class is not None:
+            return join(own, bind(machine, in_class, ref, cls))
+        fallback = lookup(machine, cls, "__getattr__") if name in obj.partial or TABLE in obj.attrs else None
+        return own if fallback is None else join(own, machine.call(fallback, (ref, Const(name))))
+    if in_class is not None:
+        if in_class.__class__ is Function:
+            return BoundMethod(ref, in_class)
+        value = _computed(machine, ref, name, lambda: bind(machine, in_class, ref, cls))
+        if in_class.__class__ is Descriptor and in_class.kind == "cached_property" and value is not UNBOUND:
+            machine.update(ref, machine.obj(ref).with_attr(name, value))
+        return value
+    if name == "__class__":
+        return cls
+    if name == "__dict__":
+        return table_of(machine, ref.address)
+    if name in MEMBERS:
+        member = member_of(machine, obj, name)
+        if member is not None:
+            return member
+    fallback = lookup(machine, cls, "__getattr__")
+    if fallback is not None:
+        return machine.call(fallback, (ref, Const(name)))
+    return _missing(machine, ref, cls, name)
+
+
+def _computed(machine: Interpreter, ref: Ref, name: str, read: Callable[[], Value]) -> Value:
+    """What code of the program gives for an attribute; where it raises AttributeError, `__getattr__` is asked."""
+    fallback = lookup(machine, machine.obj(ref).cls, "__getattr__")
+    if fallback is None:
+        return read()
+    found, failed = machine.guarded(read, "AttributeError", unseen=False)
+    return join(found, machine.call(fallback, (ref, Const(name)))) if failed else found
+
+
+def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
+    """An attribute that no class we know has."""
+    if cls.__class__ is External:
+        cause = Cause.MESSAGE if is_interface(cls) else Cause.CALL
+        return machine.unknown(cause, f"{cls.name}.{name}")
+    if cls.__class__ is not Class:
+        return machine.unknown(Cause.ERROR, f"no attribute {name}")
+    outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
+    if outside and name in NODE_METHODS:
+        node = machine.library.node_class(machine)
+        found = lookup(machine, node, name) if node is not None else None
+        if found is not None:
+            machine.log.assumed_node(machine, ref, outside[0])
+            return BoundMethod(ref, found)
+    if outside:
+        base = outside[0]
+        subject = f"{base.name}.{name}" if base.__class__ is External else name
+        return machine.unknown(Cause.MODULE, subject)
+    if any(b.__class__ is Class and may_hide(machine, b, name) for b in cls.mro):
+        return machine.unknown(Cause.CALL, f"{cls.dotted}.{name}")
+    if name.startswith("__") and hasattr(object, name):
+        return BoundMethod(ref, Native(f"object.{name}"))
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+
+
+def is_interface(value: Value) -> bool:
+    """Whether an external name is that of a message, service or action type or a part of one."""
+    if value.__class__ is not External:
+        return False
+    parts = value.name.split(".")
+    return len(parts) >= 3 and parts[1] in ("msg", "srv", "action") and parts[-1][:1].isupper()
+
+
+def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
+    meta = in_metaclass(machine, cls, name)
+    if meta.__class__ is Descriptor and meta.kind == "property":
+        return bind(machine, meta, cls, metaclass_of(machine, cls))
+    found = lookup(machine, cls, name)
+    if found is not None:
+        if found.__class__ is Descriptor and found.kind in ("staticmethod", "classmethod"):
+            return found.getter if found.kind == "staticmethod" else BoundMethod(cls, found.getter)
+        if found.__class__ is Native and found.name in _CLASS_METHODS:
+            return BoundMethod(cls, machine.load_attr(machine.load_module("_lazy"), _CLASS_METHODS[found.name]))
+        return bind(machine, found, NONE, cls) if found.__class__ is Ref else found
+    if meta is not None:
+        return bind(machine, meta, cls, metaclass_of(machine, cls))
+    if name in ("__name__", "__qualname__"):
+        return Const(cls.name if name == "__name__" else cls.qualname)
+    if name == "__module__":
+        return Const(cls.module)
+    if name in ("__mro__", "mro"):
+        order = Tuple((*(b for b in cls.mro if b != _OBJECT), _OBJECT))
+        return order if name == "__mro__" else Partial(Native("builtins.list"), (order,), ())
+    if name == "__class__":
+        return metaclass_of(machine, cls)
+    if name == "__subclasses__":
+        below = Tuple(tuple(c for c in machine.log.classes if cls in c.bases))
+        return Partial(Native("builtins.list"), (below,), ())
+    if name == "__bases__":
+        return Tuple(cls.bases or (_OBJECT,))
+    if name == "__dict__":
+        return table_of(machine, cls.address)
+    for base in cls.mro:
+        if base.__class__ is External:
+            return External(f"{base.name}.{name}")
+    fallback = in_metaclass(machine, cls, "__getattr__")
+    if fallback is not None:
+        return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
+    if name in (
+        "__init__",
+        "__new__",
+        "__init_subclass__",
+        "__setattr__",
+        "__getattribute__",
+        "__repr__",
+        "__str__",
+        "__hash__",
+        "__eq__",
+    ):
+        return Native(f"object.{name}")
+    return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
+
+
+def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
+    receiver = value.receiver
+    cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
+    if cls.__class__ is Class and receiver is cls and value.after not in cls.mro:
+        cls = metaclass_of(machine, cls)
+    mro: tuple[Value, ...] = cls.mro if cls.__class__ is Class else ()
+    if name == "__class__":
+        return Native("builtins.super")
+    perhaps: Value = UNBOUND
+    for base in mro[mro.index(value.after) + 1 :] if value.after in mro else ():
+        if base.__class__ is Class:
+            record = machine.at(base.address)
+            found = record.attrs.get(name)
+            if found is not None and found is not UNBOUND:
+                bound = _through_super(machine, found, receiver, cls, name)
+                if name not in record.partial:
+                    return join(perhaps, bound)
+                perhaps = join(perhaps, bound)  # where this class has none, that of the next one
+        elif base.__class__ is External:
+            return join(perhaps, Partial(External(f"{base.name}.{name}"), (), ()))
+        elif base.__class__ is Unknown:
+            return join(perhaps, Unknown(base.reasons))
+        elif base.__class__ is Native:
+            if base.name == "builtins.type" and name in _OF_TYPE:
+                made = Native(f"type.{name}")
+                return made if name == "__new__" else BoundMethod(receiver, made)
+            inherited = _of_native_class(machine, base.name, name)
+            if inherited is not None:
+                return join(perhaps, inherited if name == "__new__" else BoundMethod(receiver, inherited))
+    if name == "__new__":
+        return join(perhaps, Native("object.__new__"))
+    return join(perhaps, BoundMethod(receiver, Native(f"object.{name}")))
+
+
+def _through_super(machine: Interpreter, found: Value, receiver: Value, cls: Value, name: str) -> Value:
+    """What an attribute of a base becomes when it is read through `super()`."""
+    if name == "__new__":  # a static method, without being called one
+        return found.getter if found.__class__ is Descriptor else found
+    if receiver is cls and found.__class__ is Function:
+        return found
+    return bind(machine, found, receiver, cls)
+
+
+def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
+    kept = machine.state.heap.get(machine.library.function_address(function))
+    found = kept.attrs.get(name) if kept is not None else None  # first: functools.wraps renames
+    if found is not None:
+        return found
+    if name in ("__name__", "__qualname__"):
+        return Const(function.code.name if name == "__name__" else function.code.qualname)
+    if name == "__module__":
+        return Const(function.module.name)
+    if name == "__doc__":
+        return Const(function.code.doc)
+    if kept is not None and ANY_ATTRIBUTE in kept.partial:
+        return machine.unknown(Cause.CALL, f"{function.code.name}.{name}")
+    return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
+
+
+def setter_of(machine: Interpreter, in_class: Value | None) -> Value | None:
+    """`__set__` of a descriptor that a class of the program defines."""
+    if not isinstance(in_class, Ref) or machine.obj(in_class).kind != "instance":
+        return None
+    return lookup(machine, machine.obj(in_class).cls, "__set__")

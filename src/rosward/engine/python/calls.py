@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: what a callable value does with arguments.
+
+A call of a function is interpreted with its own arguments, in its own context. The result is remembered where the call wrote nothing, so that
+call trees do not explode; recursion beyond a few levels is solved by a fixpoint over one summary of the function.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
+from rosward.domain.heap import Obj
+from rosward.domain.series import Series, concatenated
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    Native,
+    Partial,
+    Ref,
+    Super,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine import activation, declared
+from rosward.engine.alternatives import each_apart
+from rosward.engine.catcher import LIBRARY, note, note_call
+from rosward.engine.escape import escape, name_of
+from rosward.engine.python import assignment, attributes, classes, native_calls, object_methods
+from rosward.engine.python.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
+from rosward.engine.python.metaclass_of import metaclass_of
+from rosward.ir.ops import Argument
+from rosward.models.python.contents import bare
+from rosward.models.python.exceptions import is_exception
+
+if TYPE_CHECKING:
+    from rosward.engine.frame import Frame
+    from rosward.engine.interpreter import Interpreter
+
+Arguments = tuple[Value, ...]
+Keywords = dict[str, Value]
+
+
+def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
+    """A call as written, with starred and named arguments."""
+    keywords: Keywords = {}
+    several: list[Series] = []
+    loose: list[Value] = []
+    for argument in arguments:
+        value = registers[argument.register]
+        if argument.kind == "positional":
+            several.append(Series((value,)))
+        elif argument.kind == "keyword":
+            keywords[argument.name] = value
+        elif argument.kind == "star":
+            several.append(machine.series(value))
+        else:
+            loose.extend(_spread(machine, value, keywords))
+    args = concatenated(several)
+    behind = args.behind_head()  # what stands there may be any parameter that the head does not reach
+    if args.middle is not None and behind is not None:
+        if not loose:
+            keywords[ORDER] = Tuple((args.middle, *args.tail))
+        loose.append(behind)
+    if loose:
+        keywords[LOOSE] = join_all(loose)  # further arguments, of unknown number and name
+    return call(machine, function, args.head, keywords)
+
+
+def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Value]:
+    """Merge `**value` into keywords; returns the values whose names are not known."""
+    loose: list[Value] = []
+    tables: list[Keywords] = []
+    unsure: set[str] = set()
+    for option in options(bare(machine, value)):
+        if option.__class__ is Ref and machine.obj(option).kind == "dict":
+            obj = machine.obj(option)
+            table: Keywords = {}
+            for key, item in obj.entries.items():
+                if key.__class__ is Const and isinstance(key.value, str):
+                    table[key.value] = item
+                    if key in obj.maybe:
+                        unsure.add(key.value)
+                else:
+                    loose.append(item)
+            tables.append(table)
+            if obj.rest is not None:
+                loose.append(obj.rest)
+        elif option != NONE:
+            loose.append(machine.unknown(Cause.OPERATION, "**", ""))
+    for name in dict.fromkeys(n for t in tables for n in t):
+        joined = join_all(t[name] for t in tables if name in t)
+        if name in unsure or not all(name in t for t in tables):
+            keywords[MAYBE + name] = joined  # binding joins it with the default
+        else:
+            keywords[name] = joined
+    return loose
+
+
+def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywords) -> Value:
+    """function(*args, **keywords); UNBOUND where it never returns."""
+    cls = function.__class__
+    if cls is Function:
+        return call_function(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is BoundMethod:
+        return call(machine, function.function, (function.receiver, *args), keywords)  # type: ignore[attr-defined]
+    if cls is Class:
+        return classes.instantiate(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is Native:
+        return call_native(machine, function.name, args, keywords)  # type: ignore[attr-defined]
+    if cls is Partial:
+        merged = {**dict(function.keywords), **keywords} if function.keywords else keywords  # type: ignore[attr-defined]
+        return call(machine, function.function, (*function.arguments, *args), merged)  # type: ignore[attr-defined]
+    if cls is Choice:
+        return _call_choice(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is External:
+        return _call_external(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is Ref:
+        return _call_object(machine, function, args, keywords)  # type: ignore[arg-type]
+    if cls is Descriptor:
+        return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
+    if cls is Unknown:
+        note_call(machine)
+        if lost_behaviour(function):
+            machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
+        escape(machine, (*args, *keywords.values()), name_of(function), function)
+        return Unknown(function.reasons)  # type: ignore[attr-defined]
+    escape(machine, (*args, *keywords.values()), name_of(function))
+    return machine.unknown(Cause.ERROR, "call of something that is not callable")
+
+
+def _call_choice(machine: Interpreter, function: Choice, args: Arguments, keywords: Keywords) -> Value:
+    """Each alternative from the same state, results and states joined."""
+    callees = [o for o in function.options if o != NONE] or list(function.options)
+
+    def one(option: Value) -> Value:
+        machine.choosing = True
+        try:
+            return call(machine, option, args, keywords)
+        finally:
+            machine.choosing = False
+
+    return each_apart(machine, callees, one) if len(callees) > 1 else call(machine, callees[0], args, keywords)
+
+
+def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
+    obj = machine.obj(ref)
+    method = attributes.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
+    if method is not None:
+        return call(machine, attributes.bind(machine, method, ref, obj.cls), args, keywords)
+    name = obj.cls.name if isinstance(obj.cls, (Class, External)) else obj.kind
+    escape(machine, (*args, *keywords.values()), name)
+    return machine.unknown(Cause.CALL, name)
+
+
+_QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "ismethod", "isdata", "callable")
+"""How the names of functions begin that answer whether something is so."""
+
+
+def _call_external(machine: Interpreter, function: External, args: Arguments, keywords: Keywords) -> Value:
+    """Something of a library that is not modelled: its callable arguments may be called; an interface type makes a message."""
+    if attributes.is_interface(function):
+        named = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}
+        return machine.allocate(Obj("instance", function, attrs=named))
+    if machine.library.native(function.name):
+        return call_native(machine, function.name, args, keywords)
+    note_call(machine)
+    escape(machine, (*args, *keywords.values()), function.name, function)
+    asks = function.name.rpartition(".")[2].startswith(_QUESTIONS)
+    if len(args) == 1 and not keywords and not asks and args[0].__class__ in (Function, Class):
+        # `@library.decorator` or `@library.decorator(…)`: most return what they are given, and its callbacks were scheduled
+        assignment.open_up(machine, args[0])
+        return args[0]
+    return machine.unknown(Cause.CALL, function.name)
+
+
+def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
+    """A builtin, or a model in code."""
+    if name.startswith(("type.", "builtins.type")):
+        made = _of_type(machine, name.removeprefix("builtins."), args, keywords)
+        if made is not None:
+            return made
+    native = machine.library.native(name)
+    if native is not None:
+        return native_calls.invoke(machine, native, name, args, keywords)
+    args, keywords = native_calls.flattened(args, keywords)
+    short = name.removeprefix("builtins.")
+    if short == "super":
+        return _super(machine, args)
+    if "." not in short:
+        if is_exception(short):
+            return classes.exception_object(machine, Native(name), args, keywords)
+    if short == "object" or name.startswith("object."):
+        return object_methods.call(machine, short, args)
+    if short.endswith(".__new__") and args and args[0].__class__ is Class:
+        return classes.new_instance(machine, args[0], args[1:], keywords)
+    if short.startswith("descriptor."):
+        return _descriptor(args, short)
+    escape(machine, (*args, *keywords.values()), short, Native(name))
+    return machine.unknown(Cause.CALL, short)
+
+
+def _of_type(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value | None:
+    """The methods that every metaclass has from `type`; None for any other use of it."""
+    known = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY) and k[0] != MAYBE}
+    if name == "type.__new__" and len(args) >= 4:
+        return classes.make_by_call(machine, args[0], args[1:], known)
+    if name == "type" and len(args) == 3:
+        return classes.make_by_call(machine, Native("builtins.type"), args, known)
+    if name == "type.__call__" and args and args[0].__class__ is Class:
+        return classes.make_instance(machine, args[0], args[1:], keywords)
+    if name == "type.__init__":
+        return NONE
+    if name == "type.__prepare__":
+        return machine.new_dict({})
+    return None
+
+
+def _descriptor(args: Arguments, name: str) -> Value:
+    """`@x.getter`, `@x.setter`, `@x.deleter`."""
+    found, function = args[0], args[1] if len(args) > 1 else NONE
+    if found.__class__ is Descriptor and name == "descriptor.getter":
+        return found._replace(getter=function)
+    if found.__class__ is Descriptor and name == "descriptor.setter":
+        return found._replace(setter=function)
+    if found.__class__ is Descriptor and name == "descriptor.deleter":
+        return found._replace(deleter=function)
+    return found
+
+
+def _super(machine: Interpreter, args: Arguments) -> Value:
+    """`super()` in any of its forms."""
+    if len(args) >= 2:
+        return join_all(_super_of(machine, args[0], receiver) for receiver in options(args[1]))
+    for frame in reversed(machine.frames):
+        code = frame.code
+        if "__class__" in code.free and frame.registers:
+            cell = frame.cells[len(code.cells) + code.free.index("__class__")]
+            cls = machine.at(cell).attrs.get("value", UNBOUND)
+            receiver = _first_argument(machine, frame)
+            if cls is not UNBOUND and receiver is not UNBOUND:
+                return join_all(_super_of(machine, cls, each) for each in options(receiver))
+        if not frame.stub:
+            break
+    return machine.unknown(Cause.ERROR, "super() outside of a method")
+
+
+def _first_argument(machine: Interpreter, frame: Frame) -> Value:
+    """The first parameter of a function, also where an inner function shares it."""
+    code = frame.code
+    names = code.parameters.names
+    if names and names[0] in code.cells:
+        return machine.at(frame.cells[code.cells.index(names[0])]).attrs.get("value", UNBOUND)
+    return frame.registers[0]
+
+
+def _super_of(machine: Interpreter, after: Value, receiver: Value) -> Value:
+    """`super(after, receiver)`: where `after` is one of several classes, those that the receiver has. Python refuses the others."""
+    cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
+    order: Arguments = cls.mro if cls.__class__ is Class else ()
+    meta = metaclass_of(machine, receiver)
+    if receiver.__class__ is Class and meta.__class__ is Class:  # a method of a metaclass
+        order = (*order, *meta.mro)
+    fitting = [Super(each, receiver) for each in options(after) if each in order]
+    if fitting:
+        return join_all(fitting)
+    open_ = [each for each in (*options(after), *order, cls) if each.__class__ in (Unknown, External)]
+    if open_:  # what stands behind the class is not known
+        return Unknown(reasons_of(open_[0]) or machine.unknown(Cause.CALL, name_of(open_[0])).reasons)
+    return machine.unknown(Cause.ERROR, "super(): the object is not of that class")
+
+
+def call_method(machine: Interpreter, value: Value, name: str, args: Arguments) -> Value:
+    """value.name(*args), NONE where a value of unknown or builtin type has no such method."""
+    method = attributes.load(machine, value, name)
+    return call(machine, method, args, {})
+
+
+def call_function(machine: Interpreter, function: Function, args: Arguments, keywords: Keywords) -> Value:
+    """A function of the program or of a model."""
+    code = function.code
+    try:
+        registers = bind_arguments(machine, function, args, keywords)
+    except BadCallError as error:
+        # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
+        if not declared.is_model(function) or function.module.name.startswith(("rclpy.", "launch")):
+            raises = "may raise" if machine.choosing else "raises"
+            machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
+        note(machine)
+        keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
+        registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
+    if machine.catchers and declared.may_raise(function, registers):
+        note(machine, LIBRARY)
+    if function.effects:
+        answer = declared.apply(machine, function, registers)
+        if answer is not None:
+            return answer
+    if code.is_stub and declared.is_model(function):
+        return declared.result(machine, function, registers)
+    if code.is_generator or code.is_coroutine:
+        return machine.make_generator(function, registers)
+    return activation.invoke(machine, function, registers)
+
+
+def wait_for(machine: Interpreter, value: Value) -> Value:
+    """`await value`."""
+    if value.__class__ is Choice:
+        return join_all(wait_for(machine, o) for o in value.options)
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
+        if obj.kind == "generator":
+            return machine.run_out(value)[1]
+        for name in ("__await__", "result"):
+            method = attributes.method(machine, value, name) if obj.kind == "instance" else None
+            if method is not None:
+                result = call(machine, method, (), {})
+                return wait_for(machine, result) if name == "__await__" and result != value else result
+    return value if value.__class__ is Unknown else machine.unknown(Cause.CALL, "await")

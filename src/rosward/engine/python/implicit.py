@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may Python or a modelled library call on the program's own objects, where no line of the program says so?
+
+class Job:
+    def __lt__(self, other): …                  heapq calls it, sorted, min, …
+    def __del__(self): …                        whenever nothing holds the object any more
+class Mine(logging.Filter):
+    def filter(self, record): …                 declared in the model, which does not call it: the library does
+
+Where Python's call is followed (`FOLLOWED`), what was run is known. All else may run at any time, with anything: when the rest has come
+to rest it is run so, and what it creates is conditional. `docs/special-methods.md` has the table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all
+from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
+from rosward.engine.declared import is_model
+from rosward.engine.python.metaclass_of import metaclass_of
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+FOLLOWED: Final = frozenset(
+    {
+        "__init__", "__new__", "__init_subclass__", "__set_name__", "__class_getitem__", "__prepare__",
+        "__mro_entries__", "__instancecheck__", "__subclasscheck__", "__subclasshook__",
+        "__getattr__", "__getattribute__", "__setattr__", "__delattr__", "__get__", "__set__", "__delete__",
+        "__call__", "__enter__", "__exit__", "__aenter__", "__aexit__", "__await__", "__aiter__", "__anext__",
+        "__iter__", "__next__", "__getitem__", "__setitem__", "__delitem__", "__missing__", "__contains__",
+        "__bool__", "__format__", "__abs__", "__round__", "__divmod__", "__neg__", "__pos__", "__invert__",
+        *(f"__{p}{n}__" for n in (
+            "add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "matmul", "and", "or", "xor", "lshift", "rshift",
+        ) for p in ("", "i", "r")),
+    }
+)  # fmt: skip
+"""Special methods that the engine calls wherever Python does: one that was never run is called by nothing that is read."""
+
+DATA: Final = frozenset({"__slots__", "__match_args__", "__doc__", "__module__", "__annotations__", "__dict__"})
+"""Names of the data model that are not called."""
+
+AT_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__set_name__", "__class_getitem__"})
+"""Called when a class or an object is made, never later."""
+
+
+def callbacks(machine: Interpreter) -> Iterator[Value]:
+    """Methods of objects that there are, bound, that something may call at any time."""
+    for cls, objects in _objects(machine).items():
+        receiver = join_all(objects)
+        for function in _uncalled(machine, cls):
+            yield BoundMethod(receiver, function)
+
+
+def _objects(machine: Interpreter) -> dict[Class, list[Value]]:
+    """The objects of classes of the program, classes with a metaclass among them."""
+    found: dict[Class, list[Value]] = {}
+    for address, obj in machine.state.heap.items():
+        if isinstance(obj.cls, Class) and not obj.cls.stub and obj.kind not in ("class", "module", "cell"):
+            found.setdefault(obj.cls, []).append(Ref(address))
+    for cls in machine.log.classes:
+        meta = metaclass_of(machine, cls)
+        if isinstance(meta, Class) and not meta.stub:
+            found.setdefault(meta, []).append(cls)
+    return found
+
+
+def _uncalled(machine: Interpreter, cls: Class) -> Iterator[Function]:
+    seen: set[str] = set()
+    for number, base in enumerate(cls.mro):
+        if not isinstance(base, Class) or base.stub:
+            continue
+        for name, value in machine.at(base.address).attrs.items():
+            if name in seen:
+                continue
+            seen.add(name)
+            function = value.getter if isinstance(value, Descriptor) and value.kind == "property" else value
+            if not isinstance(function, Function) or is_model(function):
+                continue
+            run = id(function.code) in machine.entered
+            special = name.startswith("__") and name.endswith("__") and name not in AT_MAKING
+            if (special and not (run and name in FOLLOWED)) or (
+                not special and not run and _is_declared(machine, cls.mro[number + 1 :], name)
+            ):
+                yield function
+
+
+def _is_declared(machine: Interpreter, bases: tuple[Value, ...], name: str) -> bool:
+    """Whether the next class that has a method is a model that says nothing of what it does: then the library may call it."""
+    for base in bases:
+        found = machine.at(base.address).attrs.get(name) if isinstance(base, Class) else None
+        if isinstance(found, Function):
+            return is_model(found) and found.code.is_stub and not found.module.name.startswith("rclpy")
+    return False

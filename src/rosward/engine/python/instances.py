@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is an instance of what? True, False, or None where both may be.
+
+isinstance([1], collections.abc.Sequence)      Python itself is asked: True
+isinstance(self, Runs)                         a Protocol: whether each of its members is there
+isinstance(x, Base)                            Base.register, __subclasshook__, __instancecheck__ of its metaclass
+isinstance(x, library.Thing)                   not known
+"""
+
+from __future__ import annotations
+
+import builtins
+import collections.abc
+import contextlib
+import numbers
+import os
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import options
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Ref,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine.python import attributes, metaclasses
+from rosward.engine.python.metaclass_of import metaclass_of
+from rosward.engine.python.specials import NOT_IMPLEMENTED
+from rosward.models.python.asked import REGISTERED
+from rosward.models.python.builtins.attributes import has_attribute
+from rosward.models.python.containers.lists import ITERATOR, VIEW
+from rosward.models.python.plain import LOOSE_HINTS
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+_ABSTRACT: Final = {"collections.abc": collections.abc, "numbers": numbers, "os": os, "contextlib": contextlib}
+"""Modules of Python whose abstract classes decide by themselves what belongs to them."""
+
+_STRUCTURAL: Final[dict[str, tuple[str, ...]]] = {
+    "Hashable": ("__hash__",), "Awaitable": ("__await__",), "AsyncIterable": ("__aiter__",),
+    "AsyncIterator": ("__anext__", "__aiter__"), "Iterable": ("__iter__",), "Iterator": ("__next__", "__iter__"),
+    "Reversible": ("__reversed__", "__iter__"), "Sized": ("__len__",), "Container": ("__contains__",),
+    "Collection": ("__len__", "__iter__", "__contains__"), "Callable": ("__call__",), "Buffer": ("__buffer__",),
+    "Generator": ("__iter__", "__next__", "send", "throw", "close"),
+    "Coroutine": ("__await__", "send", "throw", "close"),
+    "AsyncGenerator": ("__aiter__", "__anext__", "asend", "athrow", "aclose"),
+    "PathLike": ("__fspath__",), "AbstractContextManager": ("__enter__", "__exit__"),
+    "AbstractAsyncContextManager": ("__aenter__", "__aexit__"),
+}  # fmt: skip
+"""Abstract classes to which whatever has these methods belongs."""
+
+_SUSPENDED: Final = ("GeneratorType", "CoroutineType", "AsyncGeneratorType")
+_KINDS: Final[dict[type, tuple[str, ...]]] = {
+    Function: ("FunctionType", "LambdaType"),
+    BoundMethod: ("MethodType",),
+    ModuleValue: ("ModuleType",),
+}
+"""The classes of module `types` that values belong to."""
+
+
+def type_of(machine: Interpreter, value: Value) -> Value | None:
+    """The class of a value; None where it is not known."""
+    kind = value.__class__
+    if kind is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        # a generator, a coroutine, what `iter` gives, a view of a dict
+        return None if obj.kind == "generator" or obj.payload in (ITERATOR, VIEW) else obj.cls
+    if kind in (Const, Text, Tuple):
+        return Native(f"builtins.{attributes.type_name(value)}")
+    if kind is Unknown and value.hint and value.hint not in LOOSE_HINTS:  # type: ignore[attr-defined]
+        return Native(f"builtins.{value.hint}")  # type: ignore[attr-defined]
+    if kind is Class:
+        return metaclass_of(machine, value)
+    if kind is Native:
+        found = getattr(builtins, value.name.removeprefix("builtins."), None)  # type: ignore[attr-defined]
+        return Native("builtins.type") if isinstance(found, type) else None
+    if kind in (Function, BoundMethod, Partial):
+        return Native("builtins.function")
+    if kind is ModuleValue:
+        return Native("builtins.module")
+    return None
+
+
+def is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | None:
+    """isinstance(value, wanted)."""
+    answers = {_is_instance(machine, v, w) for v in options(value) for w in options(wanted)}
+    return answers.pop() if len(answers) == 1 else None
+
+
+def _is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | None:
+    if wanted.__class__ is Tuple:
+        return _any([is_instance(machine, value, w) for w in wanted.items])
+    if wanted.__class__ is not Class:
+        cls = type_of(machine, value)
+        return None if cls is None else is_subclass(machine, cls, wanted)
+    checked = _by_metaclass(machine, wanted, "__instancecheck__", value)
+    if checked is not UNBOUND:
+        return machine.truth(checked)
+    members = _members(machine, wanted)
+    if members is not None:
+        found = [has_attribute(machine, value, name) for name in members]
+        return False if False in found else (None if None in found else True)
+    if wanted.module == "types" and wanted.stub:
+        return _of_kind(machine, value, wanted.name)
+    if wanted.name == "Callable" and value.__class__ in (Function, BoundMethod, Partial, Class, Native):
+        return True
+    cls = type_of(machine, value)
+    return None if cls is None else is_subclass(machine, cls, wanted)
+
+
+def _of_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
+    """isinstance with a class of module `types`."""
+    if isinstance(value, Ref):
+        kind = machine.obj(value).kind
+        cls = type_of(machine, value)
+        named = isinstance(cls, Class) and any(isinstance(b, Class) and b.name == name for b in cls.mro)
+        return named if kind != "generator" else (None if name in _SUSPENDED else False)
+    if value.__class__ in _KINDS:
+        return name in _KINDS[value.__class__]
+    return False if value.__class__ in (Const, Text, Tuple, Class) else None
+
+
+def is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
+    """issubclass(cls, wanted)."""
+    answers = {_is_subclass(machine, c, w) for c in options(cls) for w in options(wanted)}
+    return answers.pop() if len(answers) == 1 else None
+
+
+def _is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
+    if wanted.__class__ is Tuple:
+        return _any([is_subclass(machine, cls, w) for w in wanted.items])
+    if cls == wanted or wanted == Native("builtins.object"):
+        return True
+    if wanted.__class__ is Native and cls.__class__ is Native:
+        return _of_python(cls.name, _python_class(wanted.name))
+    if cls.__class__ not in (Native, Class) or wanted.__class__ not in (Native, Class):
+        return None
+    if wanted.__class__ is Class:
+        decided = _by_metaclass(machine, wanted, "__subclasscheck__", cls)
+        if decided is UNBOUND:
+            decided = _by_hook(machine, wanted, cls)
+        if decided is not UNBOUND:
+            return machine.truth(decided)
+        if cls.__class__ is Class and wanted in cls.mro:
+            return True
+        abstract = _abstract(wanted)
+        if abstract is not None:
+            return _any([_of_abstract(machine, cls, abstract), _registered(machine, cls, wanted)])
+        return _any([_nominal(cls, wanted), _registered(machine, cls, wanted)])
+    return _nominal(cls, wanted)
+
+
+def _any(answers: list[bool | None]) -> bool | None:
+    return True if True in answers else (None if None in answers else False)
+
+
+def _nominal(cls: Value, wanted: Value) -> bool | None:
+    """By the bases that are written."""
+    if cls.__class__ is Native:
+        return False  # of a class of Python only another one is a base
+    mro: tuple[Value, ...] = cls.mro  # type: ignore[attr-defined]
+    if wanted in mro:
+        return True
+    theirs = _python_class(wanted.name) if wanted.__class__ is Native else None
+    natives = [_of_python(b.name, theirs) for b in mro if b.__class__ is Native] if wanted.__class__ is Native else []
+    unknown = any(b.__class__ in (External, Unknown) for b in mro)
+    return _any([*natives, None if unknown else False])
+
+
+def _of_python(name: str, theirs: object) -> bool | None:
+    """The order of classes of Python, asked of Python itself (exceptions, bool of int, abstract classes)."""
+    ours = _python_class(name)
+    if isinstance(ours, type) and isinstance(theirs, type):
+        return issubclass(ours, theirs)
+    return None
+
+
+def _python_class(name: str) -> object:
+    return _PYTHON.get(name, getattr(builtins, name.removeprefix("builtins."), None))
+
+
+_PYTHON: Final[dict[str, type]] = {
+    "builtins.generator": type(_ for _ in ()),
+    "builtins.function": type(_of_python),
+    "builtins.NoneType": type(None),
+}
+
+
+def _abstract(wanted: Class) -> type | None:
+    """The abstract class of Python that a model stands for."""
+    module = _ABSTRACT.get(wanted.module) if wanted.stub else None
+    found = getattr(module, wanted.name, None) if module is not None else None
+    return found if isinstance(found, type) and type(found).__name__ == "ABCMeta" else None
+
+
+def _of_abstract(machine: Interpreter, cls: Value, abstract: type) -> bool | None:
+    if cls.__class__ is Native:
+        return _of_python(cls.name, abstract)
+    assert isinstance(cls, Class)
+    by_base: list[bool | None] = []
+    for base in cls.mro:
+        if base.__class__ is Native:
+            by_base.append(_of_python(base.name, abstract))
+        elif base.__class__ is Class:
+            theirs = _abstract(base)
+            by_base.append(theirs is not None and issubclass(theirs, abstract))
+        else:
+            by_base.append(None)
+    methods = _STRUCTURAL.get(abstract.__name__)
+    if methods is not None:
+        by_base.append(_has_methods(machine, cls, methods))
+    return _any(by_base)
+
+
+def _has_methods(machine: Interpreter, cls: Class, methods: tuple[str, ...]) -> bool | None:
+    """Whether a class has each method, and None in the place of none (`__hash__ = None`)."""
+    answers: list[bool | None] = []
+    for name in methods:
+        found = attributes.lookup(machine, cls, name)
+        if found is None:
+            answers.append(name == "__hash__" and attributes.lookup(machine, cls, "__eq__") is None)
+        else:
+            answers.append(None if found.__class__ in (Unknown, Choice) else found != NONE)
+    return False if False in answers else (None if None in answers else True)
+
+
+def _by_metaclass(machine: Interpreter, wanted: Value, name: str, value: Value) -> Value:
+    """What `__instancecheck__` or `__subclasscheck__` of a metaclass says; UNBOUND where no program has one."""
+    found = metaclasses.method(machine, wanted, name)
+    return UNBOUND if found is None else machine.call(found, (value,))
+
+
+def _by_hook(machine: Interpreter, wanted: Class, cls: Value) -> Value:
+    """What `__subclasshook__` says; UNBOUND where there is none, or it leaves the answer to the rules."""
+    hook = attributes.lookup(machine, wanted, "__subclasshook__")
+    if hook.__class__ is not Descriptor:
+        return UNBOUND
+    found = machine.call(BoundMethod(wanted, hook.getter), (cls,))
+    if found == NOT_IMPLEMENTED or found is UNBOUND:
+        return UNBOUND
+    if NOT_IMPLEMENTED in options(found):
+        return machine.unknown(Cause.OPERATION, "issubclass", "bool")
+    return found
+
+
+def _registered(machine: Interpreter, cls: Value, wanted: Class) -> bool | None:
+    """Whether a class was given to `register` of an abstract one, or of one derived from it."""
+    given = machine.at(wanted.address).attrs.get(REGISTERED)
+    if given is None:
+        return False
+    answers: list[bool | None] = []
+    for option in options(given):
+        answers += [is_subclass(machine, cls, each) for each in getattr(option, "items", ())]
+    found = _any(answers)
+    return found if given.__class__ is Tuple else (None if found else found)
+
+
+def _members(machine: Interpreter, wanted: Class) -> list[str] | None:
+    """What a Protocol asks for; None where the class is none."""
+    if wanted.stub or not any(_is_protocol(b) for b in wanted.bases):
+        return None
+    names: dict[str, None] = {}
+    for base in wanted.mro:
+        if isinstance(base, Class) and not base.stub:
+            attrs = machine.at(base.address).attrs
+            table = attrs.get("__annotations__")
+            annotated = machine.obj(table).entries if isinstance(table, Ref) else {}
+            written = [*attrs, *(k.value for k in annotated if isinstance(k, Const))]
+            names.update(dict.fromkeys(str(n) for n in written if n not in _OF_CLASSES))
+    return list(names)
+
+
+_OF_CLASSES: Final = frozenset(
+    {
+        "__doc__",
+        "__module__",
+        "__qualname__",
+        "__annotations__",
+        "__slots__",
+        "__init__",
+        "__dict__",
+        "__weakref__",
+        REGISTERED,
+    }
+)
+
+
+def _is_protocol(base: Value) -> bool:
+    return isinstance(base, Class) and base.stub and base.name == "Protocol"

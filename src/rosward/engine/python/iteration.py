@@ -1,0 +1,321 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Iteration: what a value yields, and loops over it.
+
+for n in ['a', 'b']: …           a known sequence is followed item by item, a list as it stands at each turn (it may grow meanwhile)
+for n in Names(): …              `__next__` is called before each turn, until it raises StopIteration
+for n in words(): …              a generator runs to its next `yield` before each turn: it and the loop see what the other wrote
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.series import Series
+from rosward.domain.suspended import ANY_TURN
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    Choice,
+    Class,
+    External,
+    Function,
+    Native,
+    Ref,
+    Tuple,
+    Unknown,
+    Value,
+)
+from rosward.engine.alternatives import each_apart
+from rosward.engine.control import behind, turn, until_stable
+from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.python import abandoned, attributes, calls, classes, contents, metaclasses, stepping
+from rosward.engine.state import element, join_states
+from rosward.ir import ops
+from rosward.models.native import Items
+from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series
+from rosward.models.python.operators import operators
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+class Begun(NamedTuple):
+    """A turn that was suspended: its number, what the loop runs over, what is ahead, and how the turn is finished."""
+
+    turn: int
+    source: Value
+    ahead: Items
+    finish: Callable[[], bool]
+
+
+def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun | None = None) -> bool | None:
+    """A loop over what a value yields. `begun`: go on in a turn that was suspended."""
+    frame.op, frame.sequence = op, 0
+    saved, context = (frame.exits.broken, frame.exits.continued), frame.context
+    frame.exits.broken = frame.exits.continued = None
+    returned, raised = frame.exits.returned, machine.raised
+    if begun is None:
+        source = stepping.made(machine, frame.registers[op.iterable], asynchronous=op.is_async)
+    else:
+        source = begun.source
+    machine.begin_loop(op)
+    if source is UNBOUND:
+        alive = False
+    elif stepping.steps(machine, source, asynchronous=op.is_async):
+        source = stepping.iterator_of(machine, source, asynchronous=op.is_async)
+        alive = _over_iterator(machine, op, frame, context, source, begun)
+    else:
+        found = iterate(machine, source) if begun is None else begun.ahead
+        alive = _over_items(machine, op, frame, context, source, found, begun)
+    machine.end_loop(op)
+    frame.context = context
+    for left in (frame.exits.broken, frame.exits.returned):
+        if left is not None and left is not returned:
+            abandoned.close_behind(machine, left, source)
+    abandoned.watch_raising(machine, source, raised)
+    if alive:
+        alive = machine.run(op.orelse, frame)
+    return behind(machine, frame, alive, saved)
+
+
+def _enter_turn(
+    machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
+) -> None:
+    """A turn begins: what it makes is told apart from what others make."""
+    frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
+    if frame.yielded is not None:
+        rest = UNBOUND if ahead.rest is None else ahead.rest
+        frame.turns[id(op)] = (number, source, Tuple(ahead.known), rest)
+
+
+def _over_items(
+    machine: Interpreter,
+    op: ops.ForEach,
+    frame: Frame,
+    context: int,
+    source: Value,
+    found: Items,
+    begun: Begun | None,
+) -> bool:
+    """Item by item; any number of turns where items are too many or of unknown number."""
+    known, rest = found
+    live = source if isinstance(source, Ref) and _is_list(machine, source) else None
+    drained = source if begun is None and isinstance(source, Ref) and _is_drained(machine, source) else None
+    sizes = _sizes(machine, source)
+    budget = machine.budget
+    number, offset, alive = 0, 0, True
+    if begun is not None:
+        number = begun.turn
+        _enter_turn(machine, op, frame, context, number, source, found)
+        if not begun.finish():
+            return False
+        number = offset = number + 1 if number >= 0 else budget.unroll
+        if begun.turn == ANY_TURN:
+            rest = _any_of(found)
+            known = ()
+            rest = UNBOUND if rest is None else rest
+    if machine.coarse or len(known) > budget.unroll or machine.turns + len(known) > budget.turns:
+        rest = _any_of(Items(known, rest))
+        known = ()
+    while rest is None or number - offset < len(known):
+        if live is not None:  # as the list stands now: a turn may have changed it
+            record = machine.obj(live)
+            if record.items is None or number >= budget.unroll or machine.turns >= budget.turns:
+                rest = element(record)
+                break
+            known, offset = record.items, 0
+        if drained is not None:  # what is left of it: a turn may have taken some
+            left_over = machine.obj(drained).series()
+            if not left_over.head:
+                rest = element(machine.obj(drained))
+                break
+            known, offset = left_over.head, number
+            write_series(machine, drained, left_over.without(1))
+        if number - offset >= len(known):
+            break
+        machine.turns += 1
+        ahead = Items(() if live is not None else known[number - offset + 1 :], rest)
+        _enter_turn(machine, op, frame, context, number, source, ahead)
+        frame.registers[op.item] = known[number - offset]
+        alive = turn(machine, op.body, frame)
+        if not alive:
+            return False
+        number += 1
+        machine.check_time()
+        if machine.coarse:
+            now = known if live is None else machine.obj(live).items
+            left = Items((now or ())[number - offset :], rest)
+            if now is not None and _any_of(left) is None:
+                return True
+            rest, known = _any_of(left), ()
+            break
+    if rest is None and live is None and _sizes(machine, source) != sizes:
+        rest = _elements_now(machine, source)
+    if rest is None:
+        return True
+    if isinstance(source, Ref) and machine.obj(source).payload == ITERATOR:
+        write_series(machine, source, Series((), rest))  # how many are taken is not known
+    _enter_turn(machine, op, frame, context, ANY_TURN, source, Items((), rest))
+    anything = rest
+
+    def feed() -> tuple[Value, Snapshot]:
+        return join(anything, _elements_now(machine, source)), machine.snapshot(frame)
+
+    return until_stable(machine, op, frame, None, feed)
+
+
+def _any_of(items: Items) -> Value | None:
+    """Any of the items; None where there are none."""
+    found = [*items.known, *(() if items.rest is None else (items.rest,))]
+    return join_all(found) if found else None
+
+
+def _is_list(machine: Interpreter, value: Ref) -> bool:
+    """Whether a value is a list itself, not an iterator over one."""
+    record = machine.obj(value)
+    return record.kind == "list" and record.payload in (None, VIEW)
+
+
+def _is_drained(machine: Interpreter, value: Ref) -> bool:
+    """Whether a value is an iterator over known items, from which a loop takes them one by one."""
+    record = machine.obj(value)
+    return record.kind == "list" and record.payload == ITERATOR and not record.many
+
+
+def _sizes(machine: Interpreter, source: Value) -> list[int | None]:
+    """The lengths of the lists that a choice of them holds."""
+    if not isinstance(source, Choice):
+        return []
+    records = [machine.obj(o) for o in source.options if isinstance(o, Ref) and _is_list(machine, o)]
+    return [None if r.items is None else len(r.items) for r in records]
+
+
+def _elements_now(machine: Interpreter, source: Value) -> Value:
+    """What the lists among the sources hold at this moment."""
+    found = [element(machine.obj(o)) for o in options(source) if isinstance(o, Ref) and _is_list(machine, o)]
+    return join_all(e for e in found if e is not None)
+
+
+# Iterators that are advanced
+
+
+def _over_iterator(
+    machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, iterator: Value, begun: Begun | None
+) -> bool:
+    """An item, a turn, an item, a turn, …: one by one while it surely gives an item, then to a fixpoint."""
+    nothing = Items(())
+    number, any_number = 0, False
+    if begun is not None:
+        _enter_turn(machine, op, frame, context, begun.turn, iterator, nothing)
+        if not begun.finish():
+            return False
+        number, any_number = begun.turn + 1, begun.turn == ANY_TURN or frame.uncertain > 0
+    most = machine.budget.unroll if stepping.is_generator(machine, iterator) else machine.budget.unroll_while
+    while not any_number and number < most and machine.turns < machine.budget.turns and not machine.coarse:
+        _enter_turn(machine, op, frame, context, number, iterator, nothing)
+        before = machine.snapshot(frame)
+        item, ended, _ = stepping.step(machine, iterator, asynchronous=op.is_async)
+        if item is UNBOUND:
+            if ended is None:
+                return False
+            machine.state = ended
+            return True
+        if ended is not None or (item.__class__ is Unknown and not stepping.is_generator(machine, iterator)):
+            machine.resume(frame, before)
+            break
+        frame.registers[op.item] = item
+        if not turn(machine, op.body, frame):
+            return False
+        if machine.state.version == before.state.version:
+            break
+        number += 1
+        machine.turns += 1
+        machine.check_time()
+    _enter_turn(machine, op, frame, context, ANY_TURN, iterator, nothing)
+
+    def feed() -> tuple[Value, Snapshot | None]:
+        start = None if stepping.is_generator(machine, iterator) else machine.state.copy()
+        item, ended, _ = stepping.step(machine, iterator, asynchronous=op.is_async)
+        if start is not None:  # an object of the program may end any time
+            ended = start if ended is None else join_states(start, ended, machine.fresh_version)
+        return item, None if ended is None else Snapshot(frame.registers.copy(), ended)
+
+    return until_stable(machine, op, frame, None, feed)
+
+
+# What a value yields
+
+
+def iterate(machine: Interpreter, value: Value) -> Items:
+    """What `for x in value` sees."""
+    cls = value.__class__
+    if cls is Choice:
+        return _iterate_choice(machine, value)  # type: ignore[arg-type]
+    if cls is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind == "generator":
+            return machine.run_out(value)[0]  # type: ignore[arg-type]
+        if obj.kind == "instance":
+            return _iterate_instance(machine, value)
+    if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
+        return machine.iterate(machine.call(Native("enum.iterate"), (value,)))
+    of_class = metaclasses.method(machine, value, "__iter__") if cls is Class else None
+    if of_class is not None:
+        return machine.iterate(machine.call(of_class, ()))
+    if cls in (External, Native, Function, Class):
+        return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
+    return operators.iterate(machine, value)
+
+
+def series(machine: Interpreter, value: Value) -> Series:
+    """What `for x in value` sees, as far as the order is known."""
+    if isinstance(value, Ref) and machine.obj(value).kind == "instance":
+        iterator = stepping.made(machine, value, asynchronous=False)
+        if iterator is UNBOUND:
+            return Series()
+        if iterator != value:
+            return machine.series(iterator)
+    if isinstance(value, Ref) and machine.obj(value).kind not in ("list", "set", "dict"):
+        return Series(*machine.iterate(value))
+    return operators.series(machine, value)
+
+
+def _iterate_choice(machine: Interpreter, value: Choice) -> Items:
+    """Item by item where all alternatives have one length, else any number of any item. Each alternative runs from the same state."""
+    all_items: list[Items] = []
+
+    def one(option: Value) -> Value:
+        all_items.append(machine.iterate(option))
+        return NONE
+
+    each_apart(machine, [o for o in value.options if o != NONE], one)
+    if not all_items:
+        return Items(())
+    lengths = {len(i.known) for i in all_items if i.rest is None}
+    if len(lengths) == 1 and all(i.rest is None for i in all_items):
+        return Items(tuple(join_all(column) for column in zip(*(i.known for i in all_items), strict=True)))
+    elements = [e for i in all_items for e in (*i.known, *(() if i.rest is None else (i.rest,)))]
+    return Items((), join_all(elements)) if elements else Items(())
+
+
+def _iterate_instance(machine: Interpreter, value: Value) -> Items:
+    method = attributes.method(machine, value, "__iter__")
+    held = contents.iterated(machine, value, method)
+    if held is not None:
+        return machine.iterate(held)
+    if method is not None:
+        iterator = calls.call(machine, method, (), {})
+        if iterator is UNBOUND:
+            return Items(())
+        if iterator != value:
+            return machine.iterate(iterator)
+    if attributes.method(machine, value, "__next__") is not None:
+        return stepping.drain(machine, value)[0]
+    method = attributes.method(machine, value, "__getitem__")
+    if method is not None:
+        item = calls.call(machine, method, (machine.unknown(Cause.OPERATION, "index", "int"),), {})
+        return Items(()) if item is UNBOUND else Items((), item)
+    return Items((), machine.unknown(Cause.OPERATION, "iteration"))

@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Modules: importing them, their variables, and the builtins behind them.
+
+A module is a source file of the analysis, else a model (a stub file), else external: known by its dotted name only.
+"""
+
+from __future__ import annotations
+
+import builtins
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
+from rosward.engine.alternatives import each_apart
+from rosward.engine.catcher import note_import
+from rosward.engine.found import Found
+from rosward.engine.frame import Frame
+from rosward.engine.python import import_path
+from rosward.engine.python.relative_imports import Relative, main_package, relative
+from rosward.ir import ops
+from rosward.models.failures import fail
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_STARS: Final = "*"
+"""The variable of a module that lists the external modules of which it took everything."""
+
+
+def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
+    """import a.b.c [as d]."""
+    leaf = load_asked(machine, op.module, frame)
+    if leaf is UNBOUND or op.leaf or "." not in op.module:
+        return leaf
+    return load(machine, op.module.partition(".")[0], frame)
+
+
+def load_asked(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
+    """The module of a name that the program asks for; a handler of ImportError may be reached where it may not be there."""
+    module = load(machine, name, frame, level)
+    if module is not UNBOUND and not _surely_there(machine, module):
+        note_import(machine)
+    return module
+
+
+def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value:
+    """from a.b import c."""
+    module = load(machine, op.module, frame, op.level)
+    if module is UNBOUND:
+        return UNBOUND
+    if module.__class__ is not ModuleValue:
+        note_import(machine)
+        return machine.load_attr(module, op.name)
+    value = attribute(machine, module, op.name, importing=True)
+    defined = machine.at(module.address).attrs.get(op.name, UNBOUND) is not UNBOUND
+    if _surely_there(machine, module) and (defined or value.__class__ is ModuleValue):
+        return value
+    if value.__class__ is External:
+        machine.library.expect(frame.module, module, op.name, value)
+    note_import(machine)
+    if machine.catchers and _surely_there(machine, module) and value.__class__ is Unknown:
+        machine.throw(Native("builtins.ImportError"))
+        return UNBOUND
+    return value
+
+
+def _surely_there(machine: Interpreter, module: Value) -> bool:
+    """Whether the import of a module cannot fail: it is among the sources. What is modelled may be of another version."""
+    return module.__class__ is ModuleValue and not machine.library.is_model_file(module.file)
+
+
+def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> bool:
+    """from a.b import *; False where no execution goes on."""
+    module = load(machine, op.module, frame, op.level)
+    if module is UNBOUND:
+        return False
+    if not _surely_there(machine, module):
+        note_import(machine)
+    here = machine.at(frame.module.address)
+    if module.__class__ is not ModuleValue:
+        stars = here.attrs.get(_STARS, Tuple(()))
+        assert isinstance(stars, Tuple)
+        machine.put(frame.module.address, here.with_attr(_STARS, Tuple((*stars.items, module))))
+        return True
+    record = machine.at(module.address)
+    names = [n for n in record.attrs if not n.startswith("_")]
+    listed = record.attrs.get("__all__")
+    if listed is not None:
+        known, rest = machine.iterate(listed)
+        if rest is None and all(isinstance(k, Const) and isinstance(k.value, str) for k in known):
+            names = [k.value for k in known if isinstance(k, Const) and isinstance(k.value, str)]
+    taken = {n: attribute(machine, module, n) for n in names if n != _STARS}
+    here = machine.at(frame.module.address)
+    attrs = {**here.attrs, **taken}
+    theirs = record.attrs.get(_STARS)
+    if isinstance(theirs, Tuple):
+        before = here.attrs.get(_STARS)
+        attrs[_STARS] = Tuple((*(before.items if isinstance(before, Tuple) else ()), *theirs.items))
+    machine.put(frame.module.address, here.replace(attrs=attrs))
+    return True
+
+
+def load(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
+    """The module of a name as written in `frame`, run if it has not been; UNBOUND where no execution goes on."""
+    return load_for(machine, name, frame.module if frame is not None else None, level)
+
+
+def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, level: int = 0) -> Value:
+    """The module of a name as written in the module `importer`; the packages around it are run first."""
+    for_models = level == 0 and name.startswith("_rosward")
+    if for_models and (importer is None or machine.library.is_model_file(importer.file)):
+        return External(name)
+    meant = Relative(name)
+    if level and importer is not None and not machine.library.is_model_file(importer.file):
+        meant = relative(machine, importer, name, level)
+        if meant.refused and not meant.may:
+            return fail(
+                machine, Native("builtins.ImportError"), f"ImportError: {meant.refused}", (Const(meant.refused),)
+            )
+        if meant.may:
+            note_import(machine)
+        if importer.name == "__main__" and machine.library.find(meant.name, 0, importer) is not None:
+            name, level = meant.name, 0
+    own = not level and (importer is None or not machine.library.is_model_file(importer.file))
+    if own and (given := import_path.registered(machine, name)) is not None:
+        return given
+    found = machine.library.find(name, level, importer)
+    if not own:
+        return _load_found(machine, meant, name, importer, level, found)
+    ways = import_path.on_path(machine, name, importer, found)
+    return each_apart(machine, ways, lambda way: _load_found(machine, meant, name, importer, level, way))
+
+
+def _load_found(
+    machine: Interpreter, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: Found | None
+) -> Value:
+    """The module that an import of a name leads to."""
+    if found is None and not level and name.startswith("_rosward"):  # a program's own, and not among the sources
+        return machine.unknown(Cause.MODULE, name)
+    if found is None and not level and (space := machine.place_key(("module", name))) in machine.state.heap:
+        return ModuleValue(space, name, "")
+    if found is None:
+        ours = machine.library.sources.belongs(name) if not level else name and not machine.catchers
+        if ours and not _is_interface_module(name):
+            missing = f"{'.' * level}{name}"
+            machine.report("RW207", f"{missing} is not among the sources", (f"module {missing}",))
+        return External(name or "." * level)
+    if found.model:
+        return machine.library.load_model(found)
+    whole = meant.name if level and meant.name else found.name
+    parts = whole.split(".")
+    parent: Value | None = None
+    if len(parts) > 1 and whole == meant.name:
+        above = name.rpartition(".")[0] if name else ""
+        parent = load_for(machine, above, importer, level if name or not level else level + 1)
+        if parent is UNBOUND:
+            return UNBOUND
+        if parent.__class__ is External and not found.guess:  # a namespace package of folders alone
+            parent = ModuleValue(machine.place_key(("module", above)), ".".join(parts[:-1]), "")
+            run_module(machine, parent, parent.name)
+    address = machine.place_key(("module", found.key))
+    if address in machine.state.heap:
+        address = import_path.imported(machine, whole, found, address)
+    module = ModuleValue(address, whole, found.file)
+    if address not in machine.state.heap:
+        if not run_module(machine, module, whole):
+            return UNBOUND
+        given = None if level else import_path.registered(machine, whole)
+        if given is not None:
+            return given
+    if parent.__class__ is ModuleValue and parent != module:
+        record = machine.at(parent.address)
+        if record.attrs.get(parts[-1]) != module:
+            machine.put(parent.address, record.with_attr(parts[-1], module))
+    return module
+
+
+def run_packages(machine: Interpreter, module: ModuleValue) -> bool:
+    """Run the packages around a module that an entry point names, from the outermost; False where one does not come to its end."""
+    parts = module.name.split(".")
+    for number in range(1, len(parts)):
+        name = ".".join(parts[:number])
+        found = machine.library.find(name, 0, module)
+        if found is None or found.model or not found.file:
+            continue
+        address = machine.place_key(("module", found.key))
+        package = ModuleValue(address, name, found.file)
+        if address not in machine.state.heap and not run_module(machine, package, name):
+            return False
+    return True
+
+
+def _is_interface_module(name: str) -> bool:
+    """Whether a module name is that of generated interfaces: `package.msg`, `package.srv.…`."""
+    parts = name.split(".")
+    return len(parts) > 1 and parts[1] in ("msg", "srv", "action")
+
+
+def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int = 0) -> bool:
+    """Run the top level of a module; False where it does not come to its end. `turn` tells apart that a file is run again."""
+    package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
+    attrs: dict[str, Value] = {
+        "__name__": Const(name),
+        "__file__": machine.library.file_value(machine, module),
+        "__package__": join_all(main_package(machine, module.file)) if name == "__main__" else Const(package),
+        "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
+    }
+    lowered = machine.library.module(module.file)
+    if lowered is not None:
+        attrs["__doc__"] = Const(lowered.code.doc)
+    machine.put(module.address, Obj("module", Native("builtins.module"), attrs=attrs))
+    ours = not machine.library.is_model_file(module.file)
+    if ours:
+        import_path.register(machine, name, module)
+    if lowered is None:
+        return True
+    code = lowered.code
+    context = machine.context("module", module.file, turn)
+    frame = Frame(code, [UNBOUND] * code.registers, (), module, context, not ours)
+    frame.cells = tuple(machine.new_cells(code, context))
+    frames, machine.frames = machine.frames, [frame]
+    machine.entered.add(id(code))
+    try:
+        return machine.run(code.ops, frame)
+    finally:
+        machine.frames = frames
+
+
+def attribute(machine: Interpreter, module: ModuleValue, name: str, *, importing: bool = False) -> Value:
+    """module.name."""
+    record = machine.at(module.address)
+    found = record.attrs.get(name)
+    if found is not None and found is not UNBOUND:
+        return found
+    dotted = f"{module.name}.{name}"
+    importer = module if module.file or not machine.frames else machine.frames[-1].module
+    if machine.library.find(dotted, 0, importer) is not None or (module.file.endswith("__init__.py") and importing):
+        sub = load_below(machine, module, name)
+        if sub is not None:
+            return sub
+    if machine.library.native(dotted):
+        return Native(dotted)
+    if machine.library.is_model_file(module.file):
+        return External(dotted)
+    star = _from_stars(machine, record, name)
+    if star is not None:
+        return star
+    fallback = record.attrs.get("__getattr__")
+    if fallback is not None:
+        return machine.call(fallback, (Const(name),))
+    if not module.file:
+        return machine.library.missing(machine, dotted)
+    return machine.unknown(Cause.ERROR, f"no name {name} in {module.file}")
+
+
+def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | None:
+    """The submodule of a package, if there is one."""
+    found = machine.library.find(name, 1, module) if not machine.library.is_model_file(module.file) else None
+    if found is None:
+        importer = module if module.file or not machine.frames else machine.frames[-1].module
+        found = machine.library.find(f"{module.name}.{name}", 0, importer)
+    if found is None:
+        return None
+    if found.model:
+        return machine.library.load_model(found)
+    address = machine.place_key(("module", found.key))
+    value = ModuleValue(address, f"{module.name}.{name}", found.file)
+    if address not in machine.state.heap and not run_module(machine, value, value.name):
+        return UNBOUND
+    return value
+
+
+def _from_stars(machine: Interpreter, record: Obj, name: str, *, sure: bool = False) -> Value | None:
+    """A name that came by `from package import *` from an external module; where `sure`, only from one that is known to have it."""
+    stars = record.attrs.get(_STARS)
+    if not isinstance(stars, Tuple) or not stars.items or name.startswith("_"):
+        return None
+    modules = [m.name for m in stars.items if isinstance(m, External)]
+    knowing = [m for m in modules if machine.library.interface_has(m, name)]
+    open_ = [m for m in modules if machine.library.interface_has(m, name) is None]
+    if knowing:
+        return External(f"{knowing[0]}.{name}")
+    if sure:
+        return None
+    if len(open_) == 1:
+        return External(f"{open_[0]}.{name}")
+    if open_:
+        return machine.unknown(Cause.MODULE, f"{' or '.join(open_)}: {name}")
+    return None
+
+
+def load_global(machine: Interpreter, module: ModuleValue, name: str, *, quiet: bool = False) -> Value:
+    """A name that is not (or not yet) a variable of the module: from a star import, or a builtin."""
+    builtin = hasattr(builtins, name)
+    star = _from_stars(machine, machine.at(module.address), name, sure=builtin)
+    if star is not None:
+        return star
+    if name == "__builtins__":
+        return machine.unknown(Cause.LIVE, name)
+    if builtin or machine.library.native(f"builtins.{name}"):
+        return Native(f"builtins.{name}")
+    if quiet:
+        return machine.unknown(Cause.ERROR, name)
+    return machine.unknown(Cause.ERROR, f"name {name} is not defined")
+
+
+def store_global(machine: Interpreter, module: ModuleValue, name: str, value: Value) -> None:
+    """Assign a variable of a module."""
+    record = machine.at(module.address)
+    if record.attrs.get(name) is not value:
+        machine.update(Ref(module.address), record.with_attr(name, value))

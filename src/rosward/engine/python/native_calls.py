@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How is a model in code called? With what the call surely gives; what else may be given is told apart.
+
+len()                     TypeError of the program: the model is not entered, or ends where it reads what is not there
+max(*unknown)             the model sees the unknown number of arguments as `loose`
+sorted(x, **options)      keywords that may be missing are `unsure`
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join, options
+from rosward.domain.series import Series
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Choice, Ref, Value
+from rosward.engine.alternatives import each_apart
+from rosward.engine.python import contents
+from rosward.engine.python.binding import ANY, LOOSE, MAYBE, ORDER
+from rosward.models.native import NativeCall, NativeFunction, perform
+from rosward.models.python.containers.lists import ITERATOR, write_series
+from rosward.models.python.contents import KINDS
+from rosward.models.python.contents import contents as held_by
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_NOTHING: Final[frozenset[str]] = frozenset()
+_HELD: Final = frozenset(KINDS.values())
+_TAKE_LOOSE: Final = frozenset({"builtins.dict", "builtins.print", "builtins.zip"})
+"""Natives that look at `loose` themselves. Others see it as one more argument, and may give something else than what they give for that."""
+
+_RUN_THROUGH: Final = frozenset(
+    {
+        *(f"builtins.{name}" for name in ("list", "tuple", "set", "frozenset", "dict", "sorted", "sum", "min", "max")),
+        *("str.join", "list.extend", "set.update", "dict.update"),
+    }
+)
+"""What takes all that an iterator has: nothing is left of it."""
+
+
+def invoke(
+    machine: Interpreter, native: NativeFunction, name: str, args: tuple[Value, ...], keywords: dict[str, Value]
+) -> Value:
+    """What the native gives for the arguments."""
+    loose, unsure, anything = keywords.get(LOOSE), _NOTHING, ANY in keywords
+    is_open = loose is not None or anything
+    if is_open or any(k[:1] == MAYBE for k in keywords):
+        unsure = frozenset(k[1:] for k in keywords if k[:1] == MAYBE)
+        keywords = flattened((), keywords)[1]
+    frame = machine.frames[-1] if machine.frames else None
+    op = frame.op if frame is not None else None
+    given = args if loose is None or name in _TAKE_LOOSE else (*args, loose)
+    if anything and loose is None:
+        loose = machine.unknown(Cause.CALLER, name)
+    value = _on_contents(machine, native, NativeCall(machine, name, given, keywords, loose, unsure))
+    if name in _RUN_THROUGH:
+        for arg in args:
+            if isinstance(arg, Ref) and machine.obj(arg).payload == ITERATOR:
+                write_series(machine, arg, Series(()))
+    if frame is not None and op is not None:
+        frame.op = op
+    if is_open and value is not UNBOUND and name not in _TAKE_LOOSE and not name.startswith("_rosward."):
+        return join(value, machine.unknown(Cause.CALL, name.removeprefix("builtins.")))
+    return value
+
+
+def _on_contents(machine: Interpreter, native: NativeFunction, call: NativeCall) -> Value:
+    """A method of a builtin type, on an object of a subclass, acts on what the object holds."""
+    kind, _, method = call.name.rpartition(".")
+    if kind not in _HELD or not call.args:
+        return perform(native, call)
+
+    def one(receiver: Value) -> Value:
+        held = held_by(machine, receiver)
+        if held is None:
+            return perform(native, call._replace(args=(receiver, *call.args[1:])))
+        if call.name == "dict.__getitem__" and len(call.args) == 2:
+            value = contents.missing(machine, receiver, held, call.args[1])
+            if value is not None:
+                return value
+        value = perform(native, call._replace(args=(held, *call.args[1:])))
+        return receiver if method in contents.IN_PLACE else value
+
+    receiver = call.args[0]
+    if receiver.__class__ is Choice and any(held_by(machine, o) is not None for o in receiver.options):
+        return each_apart(machine, options(receiver), one)
+    return one(receiver)
+
+
+def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:
+    """All arguments in plain form, for what does not care how many there are."""
+    loose = keywords.get(LOOSE)
+    args = args if loose is None else (*args, loose)
+    return args, {k.removeprefix(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Attributes that are deleted: what `del value.name` calls, and what is gone then."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import options
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Descriptor, Function, ModuleValue, Ref, Value
+from rosward.engine.alternatives import each_apart
+from rosward.engine.python import attributes
+from rosward.models.python.attribute_tables import remove_from_table
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def delete(machine: Interpreter, target: Value, name: str) -> None:
+    """del target.name."""
+
+    def one(option: Value) -> Value:
+        if option.__class__ is Ref and machine.obj(option).kind == "instance":
+            cls = machine.obj(option).cls
+            hook = attributes.lookup(machine, cls, "__delattr__")
+            if hook.__class__ is Function:
+                return machine.call(hook, (option, Const(name)))
+            found = attributes.lookup(machine, cls, name)
+            if found.__class__ is Descriptor and found.deleter is not None:
+                return machine.call(found.deleter, (option,))
+            if found.__class__ is Ref and machine.obj(found).kind == "instance":
+                deleter = attributes.lookup(machine, machine.obj(found).cls, "__delete__")
+                if deleter is not None:
+                    return machine.call(deleter, (found, option))
+        remove(machine, option, name)
+        return NONE
+
+    several = options(target)
+    if len(several) == 1:
+        one(target)
+    else:
+        each_apart(machine, several, one)
+
+
+def remove(machine: Interpreter, target: Value, name: str) -> None:
+    """What an object, class or module holds under a name is gone."""
+    if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
+        record = machine.at(target.address)
+        if target.__class__ is Ref and remove_from_table(machine, record, name):
+            return
+        if name in record.attrs and not record.many:
+            machine.put(target.address, record.with_attr(name, UNBOUND))

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Going on behind a `yield`: the rest of its block, then the rest of the block around it, to the end of the body.
+
+for n in names:              the rest of this turn, then the turns that are ahead
+    with opened(n) as f:     the rest of the `with`, then `__exit__`; it is not entered again
+        yield f              what is sent becomes the value of `yield`; what is thrown is raised here
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.domain.choice import join
+from rosward.domain.suspended import ANY_TURN, EACH, KEPT, Path
+from rosward.domain.unknown import Cause
+from rosward.domain.values import UNBOUND, Value
+from rosward.engine import control
+from rosward.engine.frame import Frame, Snapshot, join_into
+from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
+from rosward.engine.python.equality import truth
+from rosward.engine.python.iteration import Begun
+from rosward.engine.python.stepping import Action
+from rosward.ir import ops
+from rosward.models.native import Items
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def go_on(machine: Interpreter, block: ops.Block, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
+    """Go on in a block at the yield to which `path` leads; True where control comes out at its end. `kept`: what its loops keep."""
+    step, inner = path[0], path[1:]
+    op: Any = block[step.number]
+    if inner:
+        alive = _INSIDE[op.__class__](machine, op, frame, path, kept, action)
+    else:
+        alive = _behind(machine, op, frame, step.turn, kept, action)
+    return alive is not False and machine.run(block[step.number + 1 :], frame)
+
+
+def _behind(
+    machine: Interpreter, op: ops.Yield, frame: Frame, turn: int, kept: list[Value], action: Action
+) -> bool | None:
+    """At the yield itself."""
+    frame.op, frame.sequence = op, 0
+    if op.many:
+        source, ahead, rest = kept
+        if stepping.steps(machine, source):
+            number = turn if turn < 0 else turn + 1 if turn < machine.budget.unroll else ANY_TURN
+            return suspending.delegate(machine, op, frame, source, number, action)
+        if action.kind not in ("throw", "close"):
+            known, more = machine.iterate(ahead)
+            others = join(rest, UNBOUND if more is None else more)
+            left = Items(known, None if others is UNBOUND else others)
+            return suspending.give(machine, op, frame, source, left, turn + 1 if turn >= 0 else ANY_TURN)
+    if action.kind in ("throw", "close"):
+        exceptions.thrown_in(machine, action.value)
+        return False
+    frame.registers[op.dst] = action.value
+    return None
+
+
+def _inside(
+    machine: Interpreter, op: ops.Op, frame: Frame, path: Path, kept: list[Value], action: Action
+) -> Callable[[], bool]:
+    """Going on in the block of `op` that the path leads into, when the statement around it is ready."""
+    block = dict(suspending.parts(op))[path[0].part]
+    return lambda: go_on(machine, block, frame, path[1:], kept, action)
+
+
+def _if(machine: Interpreter, op: ops.If, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
+    return _inside(machine, op, frame, path, kept, action)()
+
+
+def _while(
+    machine: Interpreter, op: ops.While, frame: Frame, path: Path, kept: list[Value], action: Action
+) -> bool | None:
+    finish = _inside(machine, op, frame, path, kept, action)
+    part, turn = path[0].part, path[0].turn
+    if part == "orelse":
+        return finish()
+
+    def rest_of_turn() -> bool:
+        alive = finish()
+        if part == "condition" and alive:
+            decided = truth(machine, frame.registers[op.test])
+            before = machine.snapshot(frame)
+            if decided is not True and machine.run(op.orelse, frame):
+                left = Snapshot(frame.registers, machine.state)
+                frame.exits.broken = join_into(machine, frame.exits.broken, left)
+            machine.resume(frame, before)
+            alive = decided is not False and machine.run(op.body, frame)
+        return control.end_turn(machine, frame, alive=alive)
+
+    return control.loop(machine, op, frame, (turn, rest_of_turn))
+
+
+def _for_each(
+    machine: Interpreter, op: ops.ForEach, frame: Frame, path: Path, kept: list[Value], action: Action
+) -> bool | None:
+    if path[0].part != EACH:
+        return _inside(machine, op, frame, path, kept, action)()
+    finish = _inside(machine, op, frame, path, kept[KEPT:], action)
+    source, ahead, rest = kept[:KEPT]
+    known, more = machine.iterate(ahead)
+    others = join(rest, UNBOUND if more is None else more)
+    left = Items(known, None if others is UNBOUND else others)
+
+    def rest_of_turn() -> bool:
+        return control.end_turn(machine, frame, alive=finish())
+
+    return iteration.for_each(machine, op, frame, Begun(path[0].turn, source, left, rest_of_turn))
+
+
+def _try(machine: Interpreter, op: ops.Try, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
+    part, finish = path[0].part, _inside(machine, op, frame, path, kept, action)
+    if part == "final":
+        return _in_finally(machine, frame, finish)
+    if part == "body":
+        return exceptions.attempt(machine, op, frame, body=finish)
+    return exceptions.attempt(machine, op, frame, handled=finish)
+
+
+def _in_finally(machine: Interpreter, frame: Frame, finish: Callable[[], bool]) -> bool:
+    """Behind a `finally` that was suspended: on any of the ways that lead through one."""
+    if not finish():
+        return False
+    exits, here = frame.exits, machine.snapshot(frame)
+    exits.value = join(exits.value, machine.unknown(Cause.CALL, "finally"))
+    exits.returned = join_into(machine, exits.returned, here)
+    return True
+
+
+def _with(
+    machine: Interpreter, op: ops.With, frame: Frame, path: Path, kept: list[Value], action: Action
+) -> bool | None:
+    return contexts.with_context(machine, op, frame, body=_inside(machine, op, frame, path, kept, action))
+
+
+_INSIDE: Final[dict[type[ops.Op], Callable[..., bool | None]]] = {
+    ops.If: _if,
+    ops.While: _while,
+    ops.ForEach: _for_each,
+    ops.Try: _try,
+    ops.With: _with,
+}

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which special method of two operands goes first, and what if it gives NotImplemented?
+
+a + b      type(a).__add__(a, b), else type(b).__radd__(b, a); the other way round where b is of a subclass that has one of its own
+a < b      type(a).__lt__(a, b), else type(b).__gt__(b, a)
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.values import Class, Native, Ref, Value
+from rosward.engine.python import attributes, metaclasses
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+NOT_IMPLEMENTED: Final = Native("builtins.NotImplemented")
+
+Try = tuple[Value, str, Value]
+"""An operand, its method, and what that is called with."""
+
+
+def special(machine: Interpreter, value: Value, name: str) -> Value | None:
+    """The special method of an instance of a class, or of a class of a metaclass, bound; None where there is none."""
+    if value.__class__ is Class:
+        return metaclasses.method(machine, value, name)
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
+        if obj.kind == "instance" and obj.cls.__class__ is Class:
+            found = attributes.lookup(machine, obj.cls, name)
+            if found is not None:
+                return attributes.bind(machine, found, value, obj.cls)
+    return None
+
+
+def goes_first(machine: Interpreter, left: Value, right: Value, name: str) -> bool:
+    """Whether the right operand is asked first: its class derives from that of the left one."""
+    if not isinstance(left, Ref) or not isinstance(right, Ref):
+        return False
+    ours, theirs = machine.obj(left).cls, machine.obj(right).cls
+    if not isinstance(ours, Class) or not isinstance(theirs, Class) or ours == theirs or ours not in theirs.mro:
+        return False
+    return attributes.lookup(machine, theirs, name) != attributes.lookup(machine, ours, name)
+
+
+def first_of(machine: Interpreter, tries: list[Try]) -> Value | None:
+    """What the first method gives that does not refuse; NotImplemented where all refuse, None where there is none."""
+    found: list[Value] = []
+    for operand, name, argument in tries:
+        method = special(machine, operand, name)
+        if method is None:
+            continue
+        made = machine.call(method, (argument,))
+        answers = [o for o in options(made) if o != NOT_IMPLEMENTED]
+        found += answers
+        if len(answers) == len(options(made)):
+            return join_all(found)
+    return (join_all(found) if found else NOT_IMPLEMENTED) if found or _any(machine, tries) else None
+
+
+def refused(made: Value) -> bool:
+    """Whether every method that was asked gave NotImplemented."""
+    return made == NOT_IMPLEMENTED
+
+
+def _any(machine: Interpreter, tries: list[Try]) -> bool:
+    return any(special(machine, operand, name) is not None for operand, name, _ in tries)

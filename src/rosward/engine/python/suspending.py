@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What `yield` does: the call is suspended at this point, its values are kept, and control goes to who advanced it.
+
+yield name                  a point, the registers, the item
+yield from words(child)     the same for each item of another iterator; behind its end the call goes on with what that returned
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.domain.choice import join
+from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, YIELD, Path, Point, Step, join_values
+from rosward.domain.values import NONE, UNBOUND, Tuple, Value
+from rosward.engine.frame import Frame
+from rosward.engine.python import stepping
+from rosward.engine.state import join_states
+from rosward.ir import ops
+from rosward.models.native import Items
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+    from rosward.ir.program import Code
+
+Way = tuple[tuple[int, str, ops.Op], ...]
+"""How blocks lead to a yield: the index in each, the part that leads on, and the operation."""
+
+_PARTS: Final[dict[type[ops.Op], tuple[tuple[str, str], ...]]] = {
+    ops.If: (("then", "then"), ("orelse", "orelse")),
+    ops.While: (("condition", "condition"), ("turn", "body"), ("orelse", "orelse")),
+    ops.ForEach: ((EACH, "body"), ("orelse", "orelse")),
+    ops.With: (("body", "body"),),
+    ops.Try: (("body", "body"), ("orelse", "orelse"), ("final", "final")),
+}
+_TURNING: Final = frozenset({"condition", "turn", EACH})
+
+
+def parts(op: ops.Op) -> list[tuple[str, ops.Block]]:
+    """The blocks of an operation, each under the name of its part."""
+    found = [(part, getattr(op, field)) for part, field in _PARTS.get(op.__class__, ())]
+    if isinstance(op, ops.Try):
+        for number, handler in enumerate(op.handlers):
+            found += [(f"handler {number}", handler.body), (f"match {number}", handler.match)]
+    return found
+
+
+def ways(machine: Interpreter, code: Code) -> dict[int, Way]:
+    """The way to each yield of a body, by id() of the operation."""
+    found = machine.ways.get(id(code))
+    if found is None:
+        found = machine.ways[id(code)] = {}
+        _find(code.ops, (), found)
+    return found
+
+
+def _find(block: ops.Block, before: Way, found: dict[int, Way]) -> None:
+    for index, op in enumerate(block):
+        if isinstance(op, ops.Yield):
+            found[id(op)] = (*before, (index, YIELD if op.many else "", op))
+        for part, inner in parts(op):
+            _find(inner, (*before, (index, part, op)), found)
+
+
+def yield_(machine: Interpreter, op: ops.Yield, frame: Frame) -> bool | None:
+    """The handler of `yield` and `yield from`."""
+    frame.op, frame.sequence = op, 0
+    source = frame.registers[op.src]
+    if not op.many:
+        _suspend(machine, op, frame, source)
+        return False
+    source = stepping.made(machine, source)
+    if source is UNBOUND:
+        return False
+    if stepping.steps(machine, source):
+        iterator = stepping.iterator_of(machine, source)
+        first = NO_TURN if stepping.is_generator(machine, iterator) else 0
+        return delegate(machine, op, frame, iterator, first, stepping.NEXT)
+    return give(machine, op, frame, source, machine.iterate(source), 0)
+
+
+def delegate(
+    machine: Interpreter, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: stepping.Action
+) -> bool | None:
+    """`yield from` an iterator that is advanced: its next item; behind its end this call goes on. A generator counts its turns itself."""
+    context = frame.context
+    frame.context = machine.context(context, frame.code.key, op.number, turn)
+    item, ended, value = stepping.step(machine, iterator, action)
+    frame.context = context
+    if item is not UNBOUND:
+        _suspend(machine, op, frame, item, turn, (iterator, Tuple(()), UNBOUND))
+    if ended is None:
+        return False
+    machine.state = ended
+    frame.registers[op.dst] = value
+    return None
+
+
+def give(machine: Interpreter, op: ops.Yield, frame: Frame, source: Value, items: Items, turn: int) -> bool | None:
+    """`yield from` items: the first of those that are ahead."""
+    known, rest = items
+    if known:
+        if turn >= machine.budget.unroll:
+            turn = ANY_TURN
+            rest, known = join_all_items(items), ()
+        else:
+            kept = (source, Tuple(known[1:]), UNBOUND if rest is None else rest)
+            _suspend(machine, op, frame, known[0], turn, kept)
+            return False
+    if rest is not None:
+        _suspend(machine, op, frame, rest, ANY_TURN, (source, Tuple(()), rest))
+    frame.registers[op.dst] = NONE
+    return None
+
+
+def join_all_items(items: Items) -> Value:
+    """Any of some items."""
+    value: Value = UNBOUND if items.rest is None else items.rest
+    for item in items.known:
+        value = join(value, item)
+    return value
+
+
+def _suspend(
+    machine: Interpreter,
+    op: ops.Yield,
+    frame: Frame,
+    item: Value,
+    turn: int = NO_TURN,
+    kept: tuple[Value, ...] = (),
+) -> None:
+    """Here the call is suspended, in this state."""
+    yielded = frame.yielded
+    if yielded is None:  # no call of a generator: the text of such a program would not compile
+        return
+    path, own = _here(ways(machine, frame.code)[id(op)], frame, turn)
+    function = yielded.function
+    point = Point(function, yielded.context, frame.cells, path)
+    values = (*frame.registers, *own, *kept)
+    before = yielded.points.get(point)
+    yielded.points[point] = values if before is None else join_values(before, values)
+    yielded.item = join(yielded.item, item)
+    if yielded.state is None:
+        yielded.state = machine.state.copy()
+    else:
+        yielded.state = join_states(yielded.state, machine.state.copy(), machine.fresh_version)
+
+
+def _here(way: Way, frame: Frame, turn: int) -> tuple[Path, list[Any]]:
+    """The path of the way that led to a yield now, and what the loops on it keep."""
+    path: list[Step] = []
+    kept: list[Value] = []
+    for index, part, op in way:
+        if part in _TURNING:
+            number, *values = frame.turns[id(op)]
+            path.append(Step(index, part, number))
+            kept.extend(values)
+        else:
+            path.append(Step(index, part))
+    path[-1] = path[-1]._replace(turn=turn)
+    return tuple(path), kept

@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The module `_rosward.launch` that the models of launch import: objects that keep what they are given, and questions to the launch.
+
+Node(package='demo', executable='talker')   the object keeps `launch.package`, `launch.executable` and the place of this call
+context.launch_configurations['robot']      the value that the launch has now, where one is going on
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.domain.certain import text_of
+from rosward.domain.choice import join, join_all, lift, options
+from rosward.domain.heap import Obj
+from rosward.domain.text import readable
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, External, Native, Ref, Tuple, Unknown, Value
+from rosward.models.host import host
+from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.effects.launch_context import LaunchContext
+
+FIELD: Final = "launch."
+"""How the attributes begin in which an object keeps what it was given: no program can name them."""
+
+PLACE: Final = FIELD + "place"
+REQUIRED: Final = External("_rosward.launch.REQUIRED")
+_LIVE: Final = frozenset({"actions", "composable_node_descriptions", "event_handler", "function", "on_exit"})
+"""What launch keeps as it is; everything else it copies, so that later changes of a list do not count."""
+
+_OLD: Final = {
+    "node_executable": "executable",
+    "node_name": "name",
+    "node_namespace": "namespace",
+    "node_plugin": "plugin",
+}
+"""Keywords of early releases, which raise TypeError now."""
+
+_DEEPEST: Final = 6
+_MOST: Final = 5_000
+
+
+# Objects
+
+
+def _keep(call: NativeCall) -> Value:
+    """keep(self, kwargs, name=value, …): at the end of the chain of classes, `kwargs` are the keywords that none of them takes."""
+    machine = call.machine
+    place = machine.place
+    fields = dict(call.keywords)
+    for ref in options(call.args[0]):
+        if not isinstance(ref, Ref) or machine.obj(ref).kind != "instance":
+            continue
+        obj = machine.obj(ref)
+        copier = _Copier(machine)
+        kept = {FIELD + n: v if n in _LIVE else copier.copy(v, (n,)) for n, v in fields.items()}
+        attrs = {**obj.attrs, **kept, PLACE: Tuple((Const(place.file), Const(place.line), Const(place.column)))}
+        if len(call.args) > 1 and isinstance(call.args[1], Ref):
+            attrs = _checked(machine, obj, attrs, call.args[1])
+        machine.update(ref, obj.replace(attrs=attrs))
+    return NONE
+
+
+def _class_name(obj: Obj) -> str:
+    return obj.cls.name if isinstance(obj.cls, (Class, External)) else "object"
+
+
+def _checked(machine: Machine, obj: Obj, attrs: dict[str, Value], kwargs: Ref) -> dict[str, Value]:
+    """What an object keeps, with keywords that nothing takes: a mistake, and those of early releases still say what was meant."""
+    given = {text_of(key): value for key, value in machine.obj(kwargs).entries.items()}
+    missing = [n.removeprefix(FIELD) for n, v in attrs.items() if v == REQUIRED]
+    if given:
+        names = ", ".join(f"'{name}'" for name in given)
+        machine.report("RW320", f"{_class_name(obj)}() got unexpected keyword arguments: {names}")
+    elif missing and machine.obj(kwargs).rest is None:
+        names = ", ".join(f"'{name}'" for name in missing)
+        machine.report("RW320", f"{_class_name(obj)}() misses the arguments {names}")
+    return {**attrs, **{FIELD + _OLD[name]: value for name, value in given.items() if name in _OLD}}
+
+
+@final
+class _Copier:
+    """Copies a value as it is now, with all lists and dicts in it, up to a number of elements: what is beyond it is shared."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        self._left = _MOST
+
+    def copy(self, value: Value, path: tuple[object, ...]) -> Value:
+        self._left -= 1
+        if len(path) > _DEEPEST or self._left < 0:
+            return value
+        if isinstance(value, Tuple):
+            return Tuple(tuple(self.copy(v, (*path, n)) for n, v in enumerate(value.items)))
+        if isinstance(value, Ref):
+            return self._object(value, path)
+        found = options(value)
+        return value if len(found) == 1 else join_all(self.copy(v, (*path, n)) for n, v in enumerate(found))
+
+    def _object(self, ref: Ref, path: tuple[object, ...]) -> Value:
+        machine, site = self._machine, ("copy", path)
+        obj = machine.obj(ref)
+        if obj.kind in ("list", "set") and obj.items is None:
+            return machine.allocate(obj.replace(kind="list", many=False), site)
+        if obj.kind in ("list", "set", "generator"):
+            known, rest = machine.iterate(ref)
+            items = tuple(self.copy(v, (*path, n)) for n, v in enumerate(known))
+            return machine.allocate(_listed(items, rest), site)
+        if obj.kind == "dict":
+            entries = {k: self.copy(v, (*path, n)) for n, (k, v) in enumerate(obj.entries.items())}
+            return machine.allocate(obj.replace(entries=entries, many=False), site)
+        return ref
+
+
+def _listed(items: tuple[Value, ...], rest: Value | None) -> Obj:
+    if rest is None:
+        return Obj("list", Native("builtins.list"), items=items)
+    return Obj("list", Native("builtins.list"), items=None, rest=join_all([*items, rest]))
+
+
+def place_of(obj: Obj) -> Place:
+    """Where an object was made."""
+    found = options(obj.attrs.get(PLACE, NONE))[0]
+    if isinstance(found, Tuple):
+        file, line, column = (i.value if isinstance(i, Const) else 0 for i in found.items)
+        return Place(str(file), int(line or 0), int(column or 0))  # type: ignore[arg-type]
+    return Place("", 0)
+
+
+# Questions to the launch
+
+
+def _launch(call: NativeCall) -> LaunchContext | None:
+    """The launch that is going on. Its answers may be others next time, so no call that asks is remembered."""
+    machine = host(call.machine)
+    launch = machine.log.launch
+    if launch is not None:
+        machine.state.version = machine.fresh_version()
+    return launch
+
+
+def _perform(call: NativeCall) -> Value:
+    launch = _launch(call)
+    if launch is None:
+        return call.machine.unknown(Cause.ARGUMENT, "launch", "str")
+    return launch.perform(call.args[0])
+
+
+def _evaluate(call: NativeCall) -> Value:
+    launch = _launch(call)
+    if launch is None:
+        return call.machine.unknown(Cause.ARGUMENT, "launch", "bool")
+    return launch.evaluate(call.args[0])
+
+
+def _not_known(call: NativeCall, name: Value, hint: str = "str") -> Unknown:
+    return call.machine.unknown(Cause.ARGUMENT, readable(name), hint)
+
+
+def _configuration(call: NativeCall) -> Value:
+    """launch_configurations[name], or with a default."""
+    launch = _launch(call)
+
+    def one(name: Value) -> Value:
+        if launch is None:
+            return _not_known(call, name)
+        if not isinstance(name, Const):
+            every = [v for k, v in launch.configurations().items()]
+            return join_all([*every, *call.args[1:2], _not_known(call, name)])
+        found = launch.configuration(text_of(name))
+        if found is not None:
+            return found
+        if len(call.args) > 1:
+            return call.args[1]
+        if not host(call.machine).catchers:
+            call.machine.report("RW320", f"the launch configuration '{text_of(name)}' is not set")
+        return call.machine.die("KeyError", text_of(name))
+
+    return lift(one, call.args[0])
+
+
+def _has_configuration(call: NativeCall) -> Value:
+    launch = _launch(call)
+
+    def one(name: Value) -> Value:
+        if launch is None or not isinstance(name, Const):
+            return _not_known(call, name, "bool")
+        return FALSE if launch.configuration(text_of(name)) is None else TRUE
+
+    return lift(one, call.args[0])
+
+
+def _configurations(call: NativeCall) -> Value:
+    """A dict of them all."""
+    launch = _launch(call)
+    if launch is None:
+        return call.machine.unknown(Cause.ARGUMENT, "launch_configurations", "dict")
+    return call.machine.new_dict({Const(k): v for k, v in launch.configurations().items()})
+
+
+def _set_configuration(call: NativeCall) -> Value:
+    """launch_configurations[name] = value; a value of None removes it. On a way that need not be taken the old value stays possible."""
+    launch = _launch(call)
+    if launch is not None:
+        _assign(call, launch.configuration, launch.set_configuration)
+    return NONE
+
+
+def _assign(call: NativeCall, read: Callable[[str], Value | None], write: Callable[[str, Value | None], None]) -> None:
+    name, value = call.exactly(2)
+    sure = not any(f.uncertain for f in host(call.machine).frames)
+    for each in options(name):
+        if not isinstance(each, Const):
+            continue
+        old = read(text_of(each))
+        if value == NONE:
+            if sure:
+                write(text_of(each), None)
+        else:
+            write(text_of(each), value if sure or old is None else join(old, value))
+
+
+def _variable(call: NativeCall) -> Value:
+    """The value that an environment variable has in the launch, else None."""
+    launch = _launch(call)
+    name = call.args[0]
+    if launch is None or not isinstance(name, Const):
+        return NONE
+    return launch.variable(text_of(name)) or NONE
+
+
+def _removed(call: NativeCall) -> Value:
+    """Whether launch has removed an environment variable."""
+    launch = _launch(call)
+    name = call.args[0]
+    return Const(launch is not None and isinstance(name, Const) and launch.removed(text_of(name)))
+
+
+def _set_variable(call: NativeCall) -> Value:
+    launch = _launch(call)
+    if launch is not None:
+        _assign(call, launch.variable, launch.set_variable)
+    return NONE
+
+
+def _folder(cause: Cause) -> NativeFunction:
+    """Where a package is installed: unknown, and known to be that of the package."""
+
+    def of(call: NativeCall) -> Value:
+        def one(name: Value) -> Value:
+            subject = text_of(name) or readable(name)
+            return Unknown((Reason(cause, subject, call.machine.place),), "str")
+
+        return lift(one, call.args[0])
+
+    return of
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "_rosward.launch.keep": _keep,
+    "_rosward.launch.perform": _perform,
+    "_rosward.launch.evaluate": _evaluate,
+    "_rosward.launch.configuration": _configuration,
+    "_rosward.launch.has_configuration": _has_configuration,
+    "_rosward.launch.configurations": _configurations,
+    "_rosward.launch.set_configuration": _set_configuration,
+    "_rosward.launch.variable": _variable,
+    "_rosward.launch.removed": _removed,
+    "_rosward.launch.set_variable": _set_variable,
+    "_rosward.launch.share_folder": _folder(Cause.SHARE),
+    "_rosward.launch.prefix_folder": _folder(Cause.PREFIX),
+}

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Data that stands in the program as text, and data in files: `json`, `yaml`, `tomllib`.
+
+json.loads('{"topic": "/scan"}')          a dict with 'topic': '/scan'
+yaml.safe_load(open(share + '/a.yaml'))   what is in the file, if it is one of the analysed packages
+yaml.safe_load(open('/etc/a.yaml'))       unknown because of "content of a file: /etc/a.yaml"
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Final
+
+import yaml
+
+from rosward.domain.choice import lift, reasons_of
+from rosward.domain.text import origins_of, readable
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.std.support import MAX_DEPTH, NotKnown, from_plain, text_of, to_plain, unknown_from
+from rosward.source.toml import read_toml
+
+MAX_TEXT: Final = 1_000_000
+_MAX_ALIASES: Final = 100
+_MAX_MERGED: Final = 12  # aliases, where mappings are merged: each may double what there is
+_MAX_EVENTS: Final = 50_000
+_LOADER: Final = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+def _json(text: str) -> object:
+    return json.loads(text)
+
+
+def _yaml(text: str) -> object:
+    try:
+        _bound(text)
+        return yaml.load(text, Loader=_LOADER)
+    except yaml.constructor.ConstructorError as error:  # a tag: a loader of the program may know it
+        raise NotKnown from error
+    except yaml.YAMLError as error:
+        raise ValueError(str(error).partition("\n")[0]) from error
+
+
+def _toml(text: str) -> object:
+    return read_toml(text)
+
+
+def _bound(text: str) -> None:
+    """Raises NotKnown for what is too large, too deep, or grows with its aliases."""
+    depth = aliases = 0
+    most = _MAX_MERGED if "<<" in text else _MAX_ALIASES
+    for number, event in enumerate(yaml.parse(text, Loader=_LOADER)):
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        aliases += isinstance(event, yaml.AliasEvent)
+        if number > _MAX_EVENTS or depth > MAX_DEPTH or aliases > most:
+            raise NotKnown
+
+
+def _read(parse: Callable[[str], object], call: NativeCall, source: Value) -> Value:
+    """The data in a text; of a file, nothing is known but which."""
+
+    def one(value: Value) -> Value:
+        option = _left_in(call, value) or value
+        plain = (
+            option.value.decode("utf-8", "replace")
+            if isinstance(option, Const) and isinstance(option.value, bytes)
+            else text_of(option)
+        )
+        if plain is None:
+            return _of_file(call, value)
+        if len(plain) > MAX_TEXT:
+            return call.machine.unknown(Cause.LIMIT, f"{call.name} of a long text")
+        try:
+            return from_plain(call.machine, parse(plain), origins_of(option))
+        except NotKnown:
+            return call.machine.unknown(Cause.LIMIT, call.name)
+        except (ValueError, TypeError, AttributeError) as error:
+            kind = "JSONDecodeError" if call.name.startswith("json") else "YAMLError"
+            return call.machine.die(kind, f"{call.name}: {error}")
+        except RecursionError:
+            return call.machine.unknown(Cause.LIMIT, f"nesting in {call.name}")
+
+    return lift(one, source)
+
+
+def _left_in(call: NativeCall, source: Value) -> Const | None:
+    """What is still to be read of a file of the sources that `open` gave (stubs/_opened.pyi)."""
+    left = call.machine.obj(source).attrs.get("_left") if isinstance(source, Ref) else None
+    return left if isinstance(left, Const) and isinstance(left.value, (str, bytes)) else None
+
+
+def _of_file(call: NativeCall, source: Value) -> Value:
+    if isinstance(source, Unknown) and reasons_of(source):
+        return Unknown(source.reasons)
+    if isinstance(source, Text):
+        return unknown_from(call, "", (source,))
+    name = ""
+    if isinstance(source, Ref):
+        where = call.machine.obj(source).attrs.get("name")
+        name = readable(where) if where is not None else ""
+    return call.machine.unknown(Cause.FILE, "" if name == "*" else name)
+
+
+def _reader(parse: Callable[[str], object], name: str) -> NativeFunction:
+    def read(call: NativeCall) -> Value:
+        source = call.arg(0, name)
+        if source is None:
+            return call.machine.die("TypeError", f"{call.name}() missing 1 required positional argument: '{name}'")
+        if _hooked(call):
+            return unknown_from(call, "", (source,))
+        loader = call.arg(1, "Loader") if call.name == "yaml.load" else None
+        if isinstance(loader, Class) and loader.name == "BaseLoader":  # it leaves every scalar a text
+            return unknown_from(call, "", (source,))
+        return _read(parse, call, source)
+
+    return read
+
+
+def _all_documents(call: NativeCall) -> Value:
+    source = call.arg(0, "stream")
+    return call.machine.new_list(
+        (), _of_file(call, source) if isinstance(source, (Ref, Unknown)) else unknown_from(call, "", call.args)
+    )
+
+
+_HOOKS: Final = ("default", "cls", "object_hook", "object_pairs_hook", "parse_float", "parse_int", "parse_constant")
+
+
+def _hooked(call: NativeCall) -> bool:
+    """Whether functions or classes of the program are given that take part: they are called."""
+    hooks = [v for k, v in call.keywords.items() if k in _HOOKS and v != NONE]
+    call.machine.escape(hooks, call.name)
+    return bool(hooks)
+
+
+def _dumps(call: NativeCall) -> Value:
+    """json.dumps / yaml.dump of what is known; else an unknown text. Written to a file: None."""
+    if _hooked(call):
+        return unknown_from(call, "str", call.args)
+    try:
+        value, origins = to_plain(call.machine, call.args[0])
+        options = {k: to_plain(call.machine, v)[0] for k, v in call.keywords.items()}
+        if len(call.args) > 1 or not options.keys() <= {
+            "indent",
+            "sort_keys",
+            "ensure_ascii",
+            "separators",
+            "default_flow_style",
+        }:
+            raise NotKnown
+        dump: Callable[..., str] = json.dumps if call.name.startswith("json") else yaml.safe_dump
+        return Const(dump(value, **options), origins)
+    except NotKnown:
+        return unknown_from(call, "str", call.args)
+    except (IndexError, TypeError, ValueError, yaml.YAMLError, RecursionError) as error:
+        return call.machine.die("TypeError", f"{call.name}: {error}")
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "json.loads": _reader(_json, "s"),
+    "json.load": _reader(_json, "fp"),
+    "json.dumps": _dumps,
+    "tomllib.loads": _reader(_toml, "s"),
+    "tomllib.load": _reader(_toml, "fp"),
+    "simplejson.loads": _reader(_json, "s"),
+    "simplejson.load": _reader(_json, "fp"),
+    "yaml.safe_load": _reader(_yaml, "stream"),
+    "yaml.load": _reader(_yaml, "stream"),
+    "yaml.full_load": _reader(_yaml, "stream"),
+    "yaml.unsafe_load": _reader(_yaml, "stream"),
+    "yaml.safe_load_all": _all_documents,
+    "yaml.load_all": _all_documents,
+    "yaml.safe_dump": _dumps,
+    "yaml.dump": _dumps,
+}

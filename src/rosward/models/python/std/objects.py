@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Copies of objects, values merged over a container, context managers made of generators.
+
+b = copy.deepcopy(a)               a new list, dict or instance of the same content
+with opened('x') as f: …           the generator function runs at the `with`; f is what it yields first
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from rosward.domain.choice import join, lift, options
+from rosward.domain.unknown import Cause
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Class,
+    Const,
+    Function,
+    ModuleValue,
+    Native,
+    Ref,
+    Tuple,
+    Value,
+)
+from rosward.models.host import host
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.contents import CONTENTS, contents
+from rosward.models.python.plain import EXCEPTION_HINT
+from rosward.models.python.std.support import class_obj, joined_elements, place, unknown_from
+
+_COPIED: Final = frozenset({"list", "set", "dict", "instance"})
+_MAX_DEPTH: Final = 40
+
+
+def _shallow(call: NativeCall) -> Value:
+    def one(value: Value) -> Value:
+        if not isinstance(value, Ref) or call.machine.obj(value).kind not in _COPIED:
+            return value
+        hook = _hook(call, value, "__copy__")
+        if hook is not None:
+            return call.machine.call(hook, (value,))
+        made = _reduced(call, value, lambda part: part)
+        return _again(call, value) if made is None else made
+
+    return lift(one, call.args[0]) if call.args else NONE
+
+
+_REDUCE: Final = ("__reduce_ex__", "__reduce__")
+_KEPT: Final = 2
+"""How many parts of what `__reduce__` gives are followed: what is called, its arguments, and the state."""
+
+
+def _reduced(call: NativeCall, value: Ref, copied: Callable[[Value], Value]) -> Value | None:
+    """A copy as the program's `__reduce__`, `__getstate__`, `__setstate__` make it; None where it has none of them."""
+    machine = call.machine
+    reduce = next((h for h in (_own_hook(call, value, name) for name in _REDUCE) if h is not None), None)
+    getter, setter = _own_hook(call, value, "__getstate__"), _own_hook(call, value, "__setstate__")
+    if reduce is None and getter is None and setter is None:
+        return None
+    state: Value = NONE
+    if reduce is not None:
+        given = machine.call(reduce, (value, Const(4)) if _own_hook(call, value, "__reduce_ex__") else (value,))
+        if not isinstance(given, Tuple) or len(given.items) < _KEPT:
+            return machine.unknown(Cause.CALL, "copy")
+        arguments = machine.iterate(given.items[1])
+        made = machine.call(given.items[0], tuple(copied(a) for a in arguments.known))
+        state = given.items[_KEPT] if len(given.items) > _KEPT else NONE
+    else:
+        made = place(machine, machine.obj(value).replace(many=False, attrs={}), value.address)
+        state = machine.call(getter, (value,)) if getter is not None else machine.load_attr(value, "__dict__")
+    if state == NONE or made is UNBOUND or state is UNBOUND:
+        return made
+    state = copied(state)
+    restore = _own_hook(call, made, "__setstate__") if isinstance(made, Ref) else None
+    if restore is not None:
+        machine.call(restore, (made, state))
+    else:
+        machine.call(machine.load_attr(machine.load_attr(made, "__dict__"), "update"), (state,))
+    return made
+
+
+def _own_hook(call: NativeCall, value: Value, name: str) -> Value | None:
+    """A special method that the program defines for an object."""
+    cls = call.machine.obj(value).cls if isinstance(value, Ref) else None
+    for base in cls.mro if isinstance(cls, Class) else ():
+        if isinstance(base, Class) and not base.stub and name in (attrs := call.machine.obj(class_obj(base)).attrs):
+            return attrs[name]
+    return None
+
+
+def _again(call: NativeCall, ref: Ref) -> Ref:
+    made = place(call.machine, call.machine.obj(ref).replace(many=False), ref.address)
+    held = contents(call.machine, ref)
+    if isinstance(held, Ref):
+        copied = place(call.machine, call.machine.obj(held).replace(many=False), ("contents", ref.address))
+        call.machine.update(made, call.machine.obj(made).with_attr(CONTENTS, copied))
+    return made
+
+
+def _hook(call: NativeCall, ref: Ref, name: str) -> Value | None:
+    cls = call.machine.obj(ref).cls
+    for base in cls.mro if isinstance(cls, Class) else ():
+        if isinstance(base, Class) and name in (attrs := call.machine.obj(class_obj(base)).attrs):
+            return attrs[name]
+    return None
+
+
+def _deep(call: NativeCall) -> Value:
+    """copy.deepcopy: what is reached more than once is copied once."""
+    machine = call.machine
+    made: dict[int, Ref] = {}
+
+    def copied(value: Value, depth: int) -> Value:
+        return lift(lambda option: one(option, depth), value)
+
+    def one(value: Value, depth: int) -> Value:
+        if isinstance(value, Tuple):
+            return Tuple(tuple(copied(v, depth + 1) for v in value.items))
+        if not isinstance(value, Ref) or depth > _MAX_DEPTH:
+            return value
+        if value.address in made:
+            return made[value.address]
+        obj = machine.obj(value)
+        if obj.kind not in _COPIED:
+            return value
+        hook = _hook(call, value, "__deepcopy__")
+        if hook is not None:
+            return machine.call(hook, (value, machine.new_dict({})))
+        reduced = _reduced(call, value, lambda part: copied(part, depth + 1)) if obj.kind == "instance" else None
+        if reduced is not None:
+            return reduced
+        ref = made[value.address] = _again(call, value)
+        machine.update(
+            ref,
+            machine.obj(ref).replace(
+                attrs={k: copied(v, depth + 1) for k, v in obj.attrs.items()},
+                items=None if obj.items is None else tuple(copied(v, depth + 1) for v in obj.items),
+                rest=None if obj.rest is None else copied(obj.rest, depth + 1),
+                ends=None if obj.ends is None else obj.ends.mapped(lambda v: copied(v, depth + 1)),
+                entries={k: copied(v, depth + 1) for k, v in obj.entries.items()},
+            ),
+        )
+        return ref
+
+    return copied(call.args[0], 0) if call.args else NONE
+
+
+def _begin(call: NativeCall) -> Value:
+    """contextlib._begin(generator): runs it to its `yield`, gives what it yields."""
+    return call.machine.next_of(call.args[0], "next", NONE)
+
+
+_STOPPED: Final = Native("contextlib.stopped")
+
+
+def _end(call: NativeCall) -> Value:
+    """contextlib._end(generator, exception): runs it on from there. True where it swallows the exception; one that it raises goes outward.
+
+    A generator that yields once more is a RuntimeError.
+    """
+    generator, exception = call.exactly(2)
+    machine = call.machine
+    answer = machine.next_of(generator, "next" if exception == NONE else "throw", exception, _STOPPED)
+    if answer is UNBOUND:
+        return answer
+    stopped = _STOPPED in options(answer)
+    if answer != _STOPPED and isinstance(generator, Ref) and not machine.obj(generator).many:
+        message = "generator didn't stop" if exception == NONE else "generator didn't stop after throw()"
+        if not stopped:
+            machine.close_generator(generator)
+        host(machine).throw(machine.call(Native("builtins.RuntimeError"), (Const(message),)))
+        if not stopped:
+            return UNBOUND
+    return Const(exception != NONE)
+
+
+def _or_any(call: NativeCall, known: Value) -> Value:
+    """The exceptions that are known to be uncaught, or any other one (an interrupt, say)."""
+    return join(known, call.machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT))
+
+
+def _unwind(call: NativeCall) -> Value:
+    """contextlib._unwind(exits, exception): what leaving a stack of context managers does, the last first."""
+    exits, exception = call.exactly(2)
+    items = call.machine.iterate(exits)
+    known = items.known if items.rest is None else (*items.known, items.rest)
+    return host(call.machine).unwind(known, exception)
+
+
+def _any_of(call: NativeCall) -> Value:
+    """queue._any(items): one of them; what another thread may put, where there are none."""
+    found = joined_elements(call, call.args[0])
+    return call.machine.unknown(Cause.CALL, call.name.replace("._any", ".Queue.get")) if found is UNBOUND else found
+
+
+def _alone(call: NativeCall) -> Value:
+    """queue._alone(): whether nothing else runs that could put or take something, now or before."""
+    book = host(call.machine).schedule_book
+    return Const(not book.entries and not book.running)
+
+
+def _elements(call: NativeCall) -> Value:
+    """numpy._elements(items, dtype): the items where an array keeps them as they are, else unknown ones."""
+    machine = call.machine
+    items, dtype = call.exactly(2)
+    found = machine.iterate(items)
+    kinds = {_kind(call, v) for v in found.known}
+    if found.rest is None and len(kinds) == 1 and dtype == NONE and kinds <= {"int", "str", "list", "tuple"}:
+        return machine.new_list(found.known)
+    element = unknown_from(call, "", found.known)
+    if found.rest is None:
+        return machine.new_list([element] * len(found.known))
+    return machine.new_list((), element)
+
+
+def _kind(call: NativeCall, value: Value) -> str:
+    if isinstance(value, Ref):
+        return call.machine.obj(value).kind
+    if isinstance(value, Tuple):
+        return "tuple"
+    return type(getattr(value, "value", None)).__name__
+
+
+_KINDS: Final[dict[type, str]] = {
+    Class: "class", Function: "function", BoundMethod: "method", ModuleValue: "module", Native: "builtin",
+}  # fmt: skip
+
+
+def _kind_of(call: NativeCall) -> Value:
+    """inspect._kind_of(object): what the predicates of inspect tell apart."""
+
+    def one(value: Value) -> Value:
+        if isinstance(value, BoundMethod) and isinstance(value.function, Native):
+            return Const("builtin")
+        return Const(_KINDS.get(value.__class__, "value"))
+
+    return lift(one, call.args[0]) if call.args else NONE
+
+
+def _function_of(value: Value) -> Function | None:
+    """The function of a method."""
+    while isinstance(value, BoundMethod):
+        value = value.function
+    return value if isinstance(value, Function) else None
+
+
+def _yields(call: NativeCall) -> Value:
+    """inspect._yields(function): whether it is a generator function."""
+    found = _function_of(call.args[0]) if call.args else None
+    return _kinds_known(call) if found is None else Const(found.code.is_generator and not found.code.is_coroutine)
+
+
+def _awaits(call: NativeCall) -> Value:
+    """inspect._awaits(function): whether it is a coroutine function."""
+    found = _function_of(call.args[0]) if call.args else None
+    return _kinds_known(call) if found is None else Const(found.code.is_coroutine and not found.code.is_generator)
+
+
+def _kinds_known(call: NativeCall) -> Value:
+    return call.machine.unknown(Cause.CALL, call.name, "bool")
+
+
+def _method(call: NativeCall) -> Value:
+    """types.MethodType(function, object): the function, bound to the object."""
+    return lift(lambda function: BoundMethod(call.args[1], function), call.args[0])
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "types._method": _method,
+    "copy.copy": _shallow,
+    "copy.deepcopy": _deep,
+    "contextlib._begin": _begin,
+    "contextlib._end": _end,
+    "contextlib._unwind": _unwind,
+    "sys._handled": lambda call: host(call.machine).handled,
+    "sys._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.main_raised),
+    "threading._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.threads_raised),
+    "inspect._awaits": _awaits,
+    "inspect._kind_of": _kind_of,
+    "inspect._yields": _yields,
+    "queue._any": _any_of,
+    "queue._alone": _alone,
+    "asyncio._any": _any_of,
+    "numpy._elements": _elements,
+}

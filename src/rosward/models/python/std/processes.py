@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Programs that a program starts, its end, and what it is given: `subprocess`, `os.system`, `sys.exit`, `sys.argv`.
+
+subprocess.Popen(['ros2', 'launch', 'demo', 'demo.launch.py'])   RW210: what it starts is not in the result
+sys.exit(1)                                                      the path ends with SystemExit
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import options
+from rosward.domain.text import parts_of, readable
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Const, Ref, Text, Tuple, Value
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.std.support import text_of
+
+_STARTERS: Final = frozenset({"ros2", "rosrun", "roslaunch", "rviz2", "rqt", "gzserver", "gzclient", "gazebo"})
+
+
+def _words(call: NativeCall, command: Value) -> list[str]:
+    """The words of a command, `*` for what is not known of them."""
+    if isinstance(command, Text) or text_of(command) is not None:
+        return "".join(p if isinstance(p, str) else "*" for p in parts_of(command)).split()
+    if not isinstance(command, (Ref, Tuple)):
+        return []
+    if isinstance(command, Ref) and call.machine.obj(command).kind != "list":
+        return []
+    items = call.machine.iterate(command)
+    found: list[str] = []
+    for item in items.known:
+        option = options(item)[0]
+        found.extend(readable(option).split() or [""])
+    return found
+
+
+def launches(call: NativeCall, command: Value) -> None:
+    """Report a command that starts ROS programs or Python ones."""
+    for option in options(command):
+        words = _words(call, option)
+        names = [w.rpartition("/")[2].strip("'\"();&|") for w in words]
+        if names and names[0] in _ONLY_LOOK:
+            continue
+        if any(n in _STARTERS or n.endswith((".launch.py", ".launch.xml")) for n in names) or _runs_python(names):
+            code = "RW211" if _is_tool(names) else "RW210"
+            message = f"{call.name.removesuffix('._launches')} starts `{' '.join(words)[:200]}`"
+            call.machine.report(code, message, (f"call ({call.machine.place})",))
+            return
+
+
+_ONLY_LOOK: Final = frozenset({"pgrep", "pkill", "killall", "kill", "grep", "echo", "which"})
+"""Programs that look for others, or end them: what stands behind starts nothing."""
+
+_STARTING: Final = frozenset({"run", "launch", "component", "bag"})
+"""Subcommands of ros2 by which nodes are started."""
+
+
+def _is_tool(names: list[str]) -> bool:
+    """Whether a command is one of ROS's own tools that asks or tells something and starts no node."""
+    return (
+        len(names) > 1 and names[0] == "ros2" and names[1].isalpha() and names[1] not in _STARTING and "&&" not in names
+    )
+
+
+def _runs_python(names: list[str]) -> bool:
+    return bool(names) and names[0].startswith("python") and any(n.endswith(".py") for n in names[1:])
+
+
+def _command(call: NativeCall) -> Value:
+    """subprocess._launches(command): the finding alone."""
+    if call.args:
+        launches(call, call.args[0])
+    return NONE
+
+
+def _system(call: NativeCall) -> Value:
+    command = call.arg(0, "command") or call.arg(0, "cmd")
+    if command is not None:
+        launches(call, command)
+    return call.machine.unknown(Cause.CALL, call.name, "int" if call.name.endswith("system") else "")
+
+
+def _exec(call: NativeCall) -> Value:
+    """os.exec*: the program is replaced by another one."""
+    flat: list[Value] = []
+    for arg in call.args[1:]:
+        flat.extend(call.machine.iterate(arg).known if isinstance(arg, (Ref, Tuple)) else (arg,))
+    launches(call, Tuple(tuple(flat)))
+    return call.machine.die("SystemExit", "replaced by another program")
+
+
+def _exit(call: NativeCall) -> Value:
+    status = call.args[0] if call.args else NONE
+    return call.machine.die("SystemExit", str(status.value) if isinstance(status, Const) else "", call.args)
+
+
+def _argv(call: NativeCall) -> Value:
+    """The program, then what somebody types."""
+    word = call.machine.unknown(Cause.ARGUMENT, "sys.argv", "str")
+    return call.machine.new_list((word,), word)
+
+
+def _made_at_run_time(call: NativeCall) -> Value:
+    what = next((t for t in map(text_of, call.args) if t), "")
+    call.machine.report(
+        "RW203",
+        f"{call.name}({what!r}) runs code that is not followed"
+        if what
+        else f"{call.name} runs code that is not followed",
+    )
+    return call.machine.unknown(Cause.MODULE, call.name)
+
+
+def _input(cause: Cause, hint: str, subject: str = "") -> NativeFunction:
+    def read(call: NativeCall) -> Value:
+        return call.machine.unknown(cause, subject or call.name, hint)
+
+    return read
+
+
+_FILES_AS_LIST: Final = ("os.scandir", "os.walk", "fnmatch.filter")
+
+
+def _listing(call: NativeCall) -> Value:
+    """A list of unknown length: of texts, or of what the system tells of files."""
+    where = (text_of(call.args[0]) if call.args else None) or call.name
+    hint = "" if call.name in {"os.walk", "os.scandir"} else "str"
+    return call.machine.new_list((), call.machine.unknown(Cause.FILE, where, hint))
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "sys.exit": _exit,
+    "os._exit": _exit,
+    "os.abort": _exit,
+    "sys._argv": _argv,
+    "os.system": _system,
+    "os.popen": _system,
+    "pexpect.spawn": _system,
+    "subprocess._launches": _command,
+    **{f"os.exec{suffix}": _exec for suffix in ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")},
+    "runpy.run_path": _made_at_run_time,
+    "runpy.run_module": _made_at_run_time,
+    "importlib.util.spec_from_file_location": _made_at_run_time,
+    "importlib.machinery.SourceFileLoader": _made_at_run_time,
+    **dict.fromkeys(_FILES_AS_LIST, _listing),
+    "os.getcwd": _input(Cause.LIVE, "str", "current directory"),
+    "select.select": _input(Cause.INPUT, "tuple"),
+    "sys._read": _input(Cause.INPUT, "str", "standard input"),
+    "getpass.getpass": _input(Cause.INPUT, "str"),
+}

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Regular expressions on constants, within bounds of time; `textwrap`, `shlex`, `fnmatch`.
+
+re.sub('[^a-z]', '_', 'my robot')   Const('my_robot')
+re.sub('(a+)+b', '', 'aaaa…')       unknown: there are too many ways to match this pattern against this text
+"""
+
+from __future__ import annotations
+
+import ast
+import fnmatch
+import re
+import shlex
+import string
+import textwrap
+from collections.abc import Callable
+from typing import Any, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Const, Value
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.std.pattern_cost import work
+from rosward.models.python.std.support import NotKnown, apply_plain, from_plain, text_of, to_plain, unknown_from
+
+MAX_NAME: Final = 200
+MAX_REPLACEMENT: Final = 200
+_WAYS_A_STEP: Final = 2_000
+"""How many ways through a pattern Python tries in the time of one step of the interpreter."""
+
+
+def _compiled(call: NativeCall, pattern: object, flags: object, text: object) -> re.Pattern[str]:
+    """The pattern, where matching it against this text takes little time."""
+    if not isinstance(pattern, str) or not isinstance(text, str) or not isinstance(flags, int):
+        raise NotKnown
+    cost = work(pattern, flags, text)
+    if cost is None:
+        raise NotKnown
+    call.machine.spend(cost // _WAYS_A_STEP)
+    try:
+        return re.compile(pattern, flags)
+    except (re.error, OverflowError, RecursionError) as error:
+        raise NotKnown from error
+
+
+def _find(call: NativeCall) -> Value:
+    """re._find(how, pattern, flags, text): None or a dict of groups by number and name; unknown may be either."""
+
+    def run(how: Any, pattern: Any, flags: Any, text: Any) -> object:
+        match = getattr(_compiled(call, pattern, flags, text), how)(text)
+        return None if match is None else _groups(match)
+
+    found = apply_plain(call, run, call.args)
+    if any(option not in (NONE,) and not _is_ref(option) for option in options(found)):
+        return join_all((NONE, found))
+    return found
+
+
+def _is_ref(value: Value) -> bool:
+    return value.__class__.__name__ == "Ref"
+
+
+def _groups(match: re.Match[str]) -> dict[object, object]:
+    found: dict[object, object] = {0: match.group(), "": list(match.span())}
+    found.update({i + 1: g for i, g in enumerate(match.groups())})
+    found.update(match.groupdict())
+    return found
+
+
+def _find_all(call: NativeCall) -> Value:
+    """re._find_all(pattern, flags, text): a list of dicts of groups."""
+
+    def run(pattern: Any, flags: Any, text: Any) -> object:
+        return [_groups(m) for m in _compiled(call, pattern, flags, text).finditer(text)]
+
+    return _list_of(call, run, call.args, "")
+
+
+def _split(call: NativeCall) -> Value:
+    """re._split(pattern, flags, text, maxsplit)."""
+
+    def run(pattern: Any, flags: Any, text: Any, count: Any) -> object:
+        return _compiled(call, pattern, flags, text).split(text, count)
+
+    return _list_of(call, run, call.args, "str")
+
+
+def _list_of(call: NativeCall, run: Callable[..., object], values: tuple[Value, ...], hint: str) -> Value:
+    found = apply_plain(call, run, values, "list")
+    if found is UNBOUND:
+        return found
+    return join_all(
+        option if _is_ref(option) else call.machine.new_list((), unknown_from(call, hint, (option,)))
+        for option in options(found)
+    )
+
+
+def _sub(call: NativeCall) -> Value:
+    """re._sub(pattern, flags, repl, text, count); a function as replacement is called with an unknown match."""
+    replacement = call.args[2]
+    if any(text_of(o) is None for o in options(replacement)):
+        match = call.machine.unknown(Cause.CALL, "re.Match")
+        if replacement.__class__.__name__ in {"Function", "BoundMethod", "Partial", "Native"}:
+            call.machine.call(replacement, (match,))
+        return unknown_from(call, "str", call.args)
+
+    def run(pattern: Any, flags: Any, repl: Any, text: Any, count: Any) -> object:
+        if not isinstance(repl, str) or len(repl) > MAX_REPLACEMENT:
+            raise NotKnown
+        return _compiled(call, pattern, flags, text).sub(repl, text, count)
+
+    return apply_plain(call, _guarded(run), call.args, "str")
+
+
+def _guarded(function: Callable[..., object]) -> Callable[..., object]:
+    def run(*values: Any) -> object:
+        try:
+            return function(*values)
+        except (re.error, IndexError) as error:
+            raise NotKnown from error
+
+    return run
+
+
+def _pure(function: Callable[..., object], hint: str) -> NativeFunction:
+    def run(*values: Any) -> object:
+        if any(isinstance(v, str) and len(v) > 100_000 for v in values):
+            raise NotKnown
+        return function(*values)
+
+    def apply(call: NativeCall) -> Value:
+        if call.keywords:
+            return unknown_from(call, hint, (*call.args, *call.keywords.values()))
+        return apply_plain(call, run, call.args, hint)
+
+    return apply
+
+
+def _shell_split(call: NativeCall) -> Value:
+    def run(text: object, comments: Any, posix: Any) -> object:
+        if not isinstance(text, str):  # of None it would read the standard input of this process
+            raise AttributeError("shlex.split of something that is no text")
+        return shlex.split(text, bool(comments), bool(posix))
+
+    text = call.arg(0, "s") or call.exactly(1)[0]
+    given = (text, call.arg(1, "comments", Const(False)), call.arg(2, "posix", Const(True)))
+    return _list_of(call, run, tuple(v for v in given if v is not None), "str")
+
+
+def _literal(call: NativeCall) -> Value:
+    """ast.literal_eval of a constant."""
+    try:
+        source, origins = to_plain(call.machine, call.args[0])
+        if not isinstance(source, str) or len(source) > 10_000 or source.count("(") + source.count("[") > 100:
+            raise NotKnown
+        return from_plain(call.machine, ast.literal_eval(source), origins)
+    except NotKnown:
+        return unknown_from(call, "", call.args)
+    except (ValueError, SyntaxError, MemoryError, RecursionError) as error:
+        return call.machine.die("ValueError", str(error))
+
+
+def _escape(text: Any) -> object:
+    if not isinstance(text, str):
+        raise NotKnown
+    return re.escape(text)
+
+
+def _matches(name: Any, pattern: Any) -> object:
+    if not isinstance(name, str) or not isinstance(pattern, str) or len(name) > MAX_NAME or pattern.count("*") > 3:
+        raise NotKnown
+    return fnmatch.fnmatchcase(name, pattern)
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "re._find": _find,
+    "re._find_all": _find_all,
+    "re._split": _split,
+    "re._sub": _sub,
+    "re.escape": _pure(_escape, "str"),
+    "string.capwords": _pure(string.capwords, "str"),
+    "textwrap.dedent": _pure(textwrap.dedent, "str"),
+    "textwrap.indent": _pure(textwrap.indent, "str"),
+    "textwrap.fill": _pure(textwrap.fill, "str"),
+    "textwrap.shorten": _pure(textwrap.shorten, "str"),
+    "shlex.quote": _pure(shlex.quote, "str"),
+    "shlex.split": _shell_split,
+    "fnmatch.fnmatch": _pure(_matches, "bool"),
+    "fnmatch.fnmatchcase": _pure(_matches, "bool"),
+    "ast.literal_eval": _literal,
+}

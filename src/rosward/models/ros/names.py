@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a node answers of names: its own, and those that its remap rules make of others."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.certain import text_of
+from rosward.domain.choice import join_all, options
+from rosward.domain.text import concat, pattern
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Const, Ref, Value
+from rosward.effects.log import NodeEffect
+from rosward.models.host import host
+from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.naming.final_name import final_name, remaps_of
+from rosward.ros import names
+
+
+def _effects(machine: Machine, node: Value) -> list[NodeEffect]:
+    log = host(machine).log
+    found = [o.address for o in options(node) if isinstance(o, Ref)]
+    return [e for e in log.nodes if e.address in found]
+
+
+def _named(machine: Machine, node: Value, part: int) -> Value:
+    """The node's final name (part 0) or namespace (part 1)."""
+    log = host(machine).log
+    found = [final_name(log, e)[part] for e in _effects(machine, node)]
+    return join_all(found) if found else machine.unknown(Cause.LIVE, "name of a node that is not known", "str")
+
+
+def _node_name(call: NativeCall) -> Value:
+    return _named(call.machine, call.args[0], 0)
+
+
+def _node_namespace(call: NativeCall) -> Value:
+    return _named(call.machine, call.args[0], 1)
+
+
+def _node_fqn(call: NativeCall) -> Value:
+    name, namespace = (_named(call.machine, call.args[0], part) for part in (0, 1))
+    return join_all(_qualified(n, s) for n in options(name) for s in options(namespace))
+
+
+def _qualified(name: Value, namespace: Value) -> Value:
+    if isinstance(namespace, Const) and namespace.value == "/":
+        return concat((Const("/", namespace.origins), name))
+    return concat((namespace, Const("/"), name))
+
+
+def _resolve_name(call: NativeCall) -> Value:
+    log = host(call.machine).log
+    kind = names.RemapKind.SERVICE if text_of(call.arg(2, "kind")) == "service" else names.RemapKind.TOPIC
+    found: list[Value] = []
+    for effect in _effects(call.machine, call.args[0]):
+        own, space = final_name(log, effect)
+        rules = tuple(r.rule for r in remaps_of(log, effect))
+        for name in options(call.args[1]):
+            if isinstance(name, Const) and isinstance(own, Const) and isinstance(space, Const):
+                try:
+                    resolved = names.resolve(pattern(name), kind, rules, pattern(own), pattern(space))
+                except names.InvalidName:
+                    continue
+                found += [Const(r, name.origins | own.origins | space.origins) for r in resolved]
+            else:
+                found.append(call.machine.unknown(Cause.OPERATION, "resolve name", "str"))
+    return join_all(found) if found else call.machine.unknown(Cause.OPERATION, "resolve name", "str")
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "_rosward.node_name": _node_name,
+    "_rosward.node_namespace": _node_namespace,
+    "_rosward.node_fqn": _node_fqn,
+    "_rosward.resolve_name": _resolve_name,
+}

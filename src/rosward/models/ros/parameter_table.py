@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which parameters has a node: surely, surely not, or maybe?
+
+    Node('n', automatically_declare_parameters_from_overrides=True)     started by nobody knows whom: it may have any
+    self.declare_parameter('rate', 10)                                  rate, surely: declared again, it raises
+    Node('n', allow_undeclared_parameters=True)                         none; any other once `ros2 param set` can have come
+
+The table is a dict on the heap: names, values, and what stands under names that are not known.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.text import origins_of, readable
+from rosward.domain.unknown import Cause
+from rosward.domain.values import FALSE, NONE, Const, Ref, Unknown, Value
+from rosward.models.failures import fail
+from rosward.models.python.containers import dicts
+from rosward.models.python.plain import EXCEPTION_HINT
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+_TABLE: Final = "__parameters__"
+UNDECLARED: Final = "__undeclared__"
+"""Attribute of a node: whether it takes parameters that it never declared."""
+REFUSES: Final = "__refuses__"
+"""Attribute of a node: whether something may refuse a new value (a callback, a descriptor)."""
+
+
+def table_of(machine: Interpreter, node: Value) -> Ref | None:
+    """The table of an object that surely is a node."""
+    if not isinstance(node, Ref):
+        return None
+    found = machine.obj(node).attrs.get(_TABLE)
+    return found if isinstance(found, Ref) else None
+
+
+def flag(machine: Interpreter, node: Value, name: str) -> bool:
+    """Whether a flag of a node may be set."""
+    if not isinstance(node, Ref):
+        return True
+    value = machine.obj(node).attrs.get(name, FALSE)
+    return not all(machine.truth(v) is False for v in options(value))
+
+
+def is_declared(machine: Interpreter, node: Value, name: Value) -> bool | None:
+    """Whether a node has a parameter; None where it may."""
+    table = table_of(machine, node)
+    if table is None:
+        return None
+    if any(not origin.settled for each in options(name) for origin in origins_of(each)):
+        return None  # somebody may set another name
+    missing = dicts.look_up(machine, machine.obj(table), name).missing
+    if missing and flag(machine, node, UNDECLARED) and may_be_set(machine):
+        return None
+    return None if missing is None else not missing
+
+
+def may_be_set(machine: Interpreter) -> bool:
+    """Whether the services of the node can have been called: it was spun."""
+    return machine.schedule_book.running or machine.schedule_book.was_run
+
+
+def put(machine: Interpreter, node: Value, name: Value, value: Value, *, sure: bool = True) -> None:
+    """A node has a parameter of this name and value from here on; not `sure`: it may have."""
+    table = table_of(machine, node)
+    if table is not None:
+        dicts.store(machine, table, name, value, weak=not sure)
+
+
+def put_any(machine: Interpreter, node: Value, subject: str) -> None:
+    """A node may have any parameters from here on, of any values."""
+    name = machine.unknown(Cause.PARAMETER, subject, "str")
+    put(machine, node, name, Unknown(name.reasons), sure=False)
+
+
+def take(machine: Interpreter, node: Value, name: Value, *, sure: bool = True) -> None:
+    """A parameter is gone from here on; not `sure`: it may be."""
+    table = table_of(machine, node)
+    if table is None:
+        return
+    if sure:
+        dicts.take(machine, table, name)
+        return
+    obj = machine.obj(table)
+    key = dicts.key_of(name)
+    doubtful = obj.entries if key is None else [k for k in obj.entries if k == key]
+    machine.update(table, obj.replace(maybe=obj.maybe | set(doubtful)))
+
+
+def value_of(machine: Interpreter, node: Value, name: Value) -> Value | None:
+    """The join of the values that a parameter may have; None where the table has none."""
+    table = table_of(machine, node)
+    if table is None:
+        return None
+    found = dicts.look_up(machine, machine.obj(table), name)
+    known = [o for o in options(found.value) if found.missing is not True]
+    return join_all(known) if known else None
+
+
+def narrow(machine: Interpreter, before: Value, after: Value) -> None:
+    """The value that was read of a parameter turned out to be another one: so it is where it is read again.
+
+    The origin of a default names its parameter, not the node: where two nodes have such a one, it is not known whose was read.
+    """
+    labels = {o.name for option in options(before) for o in origins_of(option) if o.kind == "parameter"}
+    if len(labels) != 1:
+        return
+    key = Const(labels.pop())
+    nodes = {Ref(effect.address) for effect in machine.log.nodes}
+    tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
+    held = [table for table in tables if machine.obj(table).entries.get(key) == before]
+    if len(held) == 1 and not machine.obj(held[0]).many:
+        record = machine.obj(held[0])
+        machine.update(held[0], record.replace(entries={**record.entries, key: after}))
+
+
+def not_declared(machine: Interpreter, name: Value, method: str) -> Value:
+    """`method` raises, since the parameter is not declared."""
+    message = f"parameter {readable(name)!r} is not declared here: {method} raises ParameterNotDeclaredException"
+    return raise_(machine, "ParameterNotDeclaredException", message, name)
+
+
+def may_lack_value(machine: Interpreter, value: Value, label: str) -> None:
+    """`get_parameter` raises where nobody has given a parameter a value that has no default: whoever catches that is reached."""
+    reasons = [r for option in options(value) if isinstance(option, Unknown) for r in option.reasons]
+    if any(r.cause is Cause.PARAMETER and r.subject == label for r in reasons):
+        machine.throw(machine.unknown(Cause.PARAMETER, label, EXCEPTION_HINT))
+
+
+def raise_(machine: Interpreter, exception: str, message: str, *args: Value) -> Value:
+    """An exception of rclpy is raised."""
+    cls = machine.load_attr(machine.load_module("rclpy.exceptions"), exception)
+    return fail(machine, cls, message, args)
+
+
+def is_unset(value: Value) -> bool | None:
+    """Whether a parameter has no value; None where it may have none."""
+    if value == NONE:
+        return True
+    return None if any(v == NONE or isinstance(v, Unknown) for v in options(value)) else False
+
+
+def new_table(machine: Interpreter, node: Ref, undeclared: Value | None) -> None:
+    """A new node has no parameters."""
+    obj = machine.obj(node).with_attr(_TABLE, machine.new_dict({}))
+    machine.update(node, obj.with_attr(UNDECLARED, undeclared or FALSE))
+
+
+def may_name(machine: Interpreter, node: Value, name: Value) -> bool:
+    """Whether a parameter of this name may be among those whose names are known."""
+    table, key = table_of(machine, node), dicts.key_of(name)
+    return table is None or key is None or key in machine.obj(table).entries
+
+
+def labels(machine: Interpreter, node: Value) -> list[Const]:
+    """The names that a node has or may have, as far as they are known."""
+    table = table_of(machine, node)
+    return [k for k in machine.obj(table).entries if isinstance(k, Const)] if table is not None else []

@@ -1,0 +1,431 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Parameters of a node: what `declare_parameter` and `get_parameter` give, from where, and when they raise.
+
+self.declare_parameter('topic', '/scan')    '/scan', marked as the default of parameter topic
+self.declare_parameter('topic')             unknown, because parameter topic has no value
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.certain import is_true, text_of
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.text import pattern, readable
+from rosward.domain.unknown import Cause, Origin, Origins, Reason
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.effects.log import NodeEffect, ParameterEffect
+from rosward.models.failures import fail
+from rosward.models.host import host
+from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.containers import dicts
+from rosward.models.python.contents import plain_data
+from rosward.models.ros import parameter_table as table
+from rosward.models.ros.effects import mark
+from rosward.naming.command_line import ANY_NAME, type_word
+from rosward.naming.final_name import command_lines
+from rosward.naming.parameters import values_of
+
+if TYPE_CHECKING:
+    from rosward.engine.interpreter import Interpreter
+
+
+def _declare(call: NativeCall) -> Value:
+    machine = host(call.machine)
+    nodes, names = options(call.args[0]), options(plain_data(machine, call.args[1]))
+    default = plain_data(machine, call.arg(2, "default", NONE) or NONE)
+    type_ = call.arg(3, "type", NONE) or NONE
+    ignored = call.arg(4, "ignore_override", FALSE) or FALSE
+    typed = call.arg(5, "dynamic", FALSE) in (FALSE, NONE)
+    alone = len(nodes) == len(names) == 1
+    found: list[Value] = []
+    for node in nodes:
+        for name in names:
+            failed = _refused(machine, node, name) or _given_wrongly(
+                machine, node, name, default, type_, ignored, typed
+            )
+            if failed is not None:
+                machine.raised += 1
+                if alone:
+                    return failed
+                continue
+            value = _initial(machine, node, name, default, _hint(machine, type_), ignored)
+            address = node.address if isinstance(node, Ref) else None
+            machine.log.parameters[
+                ParameterEffect(
+                    address, name, _as_declared(machine, default), _as_declared(machine, value), type_, machine.place
+                )
+            ] = None
+            table.put(machine, node, name, value, sure=alone)
+            found.append(value)
+    return join_all(found) if found else UNBOUND
+
+
+def _refused(machine: Interpreter, node: Value, name: Value) -> Value | None:
+    """Declaring raises: the name is empty or no str, or the parameter is there already."""
+    if isinstance(name, Const) and not isinstance(name.value, str):
+        return fail(
+            machine, Native("builtins.TypeError"), f"the name of a parameter is {name.value!r}, which is no str", ()
+        )
+    if name == Const(""):
+        return table.raise_(machine, "InvalidParameterException", "the name of a parameter is empty", name)
+    if isinstance(name, Const) and table.is_declared(machine, node, name):
+        message = f"parameter {name.value!r} is declared already: ParameterAlreadyDeclaredException is raised"
+        return table.raise_(machine, "ParameterAlreadyDeclaredException", message, name)
+    return None
+
+
+_HINTS: Final = {"BOOL": "bool", "INTEGER": "int", "DOUBLE": "float", "STRING": "str"}
+
+
+def _hint(machine: Interpreter, type_: Value) -> str:
+    """The Python type of a parameter of a declared type; '' where it is not known."""
+    word = _type_label(machine, type_)
+    return "list" if word.endswith("_ARRAY") else _HINTS.get(word, "")
+
+
+def _type_label(machine: Interpreter, type_: Value) -> str:
+    """The name of a member of Parameter.Type."""
+    attrs = machine.obj(type_).attrs if isinstance(type_, Ref) else {}
+    return text_of(attrs.get("name", attrs.get("_name_")))
+
+
+def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
+    """The value of a parameter when it is declared: what the code or the command line sets, else its default.
+
+    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
+    `ignored`: whether what is set from outside does not count (ignore_override).
+    """
+    label = text_of(name, readable(name))
+    override = _override(machine, node, label) if ignored != TRUE else None
+    open_ = _open(machine, node)
+    if override is not None and not open_:
+        return override
+    origin = Origin("parameter", label, settled=machine.log.configuration is not None and not open_)
+    values = [
+        machine.unknown(Cause.PARAMETER, label, hint)
+        if option == NONE or option is UNBOUND
+        else mark(machine, option, origin)
+        for option in (options(default) if override is None else (override,))
+    ]
+    return join_all([*values, *(Unknown((r,), hint) for r in open_)])
+
+
+def _given_wrongly(
+    machine: Interpreter, node: Value, name: Value, default: Value, type_: Value, ignored: Value, typed: bool
+) -> Value | None:
+    """Declaring raises: what sets the parameter is of another type than the default. Without `typed` any type will do."""
+    label = text_of(name)
+    override = _override(machine, node, label) if ignored == FALSE and typed and label else None
+    if override is None:
+        return None
+    declared, given = type_word(default) or _type_label(machine, type_).lower(), type_word(override)
+    if not declared or not given or declared == given or "not_set" in (declared, given):
+        return None
+    message = f"parameter {label!r} is declared as {declared} but set to a value of type {given}"
+    return table.raise_(machine, "InvalidParameterTypeException", message, name, Const(declared))
+
+
+def _open(machine: Interpreter, node: Value) -> tuple[Reason, ...]:
+    """The parameter files of the node's command lines that are not known: they may set anything."""
+    return tuple(
+        dict.fromkeys(
+            r for e in _effects(machine, node) for line in command_lines(machine.log, e) for r in line.missing
+        )
+    )
+
+
+def _effects(machine: Interpreter, node: Value) -> list[NodeEffect]:
+    return [e for e in machine.log.nodes if isinstance(node, Ref) and e.address == node.address]
+
+
+def _override(machine: Interpreter, node: Value, name: str) -> Value | None:
+    """What the node's own code sets by parameter_overrides, or its command line."""
+    if not isinstance(node, Ref):
+        return None
+    own, others = _own(machine, node)
+    if name in own:
+        return own[name]
+    found: list[Value] = []
+    for effect in _effects(machine, node):
+        values = values_of(machine.log, effect)
+        value = values.get(name, values.get(ANY_NAME))
+        if value is not None:
+            found.append(_on_heap(machine, name, value))
+    if others:
+        found.append(machine.unknown(Cause.PARAMETER, f"{name}, which parameter_overrides may set"))
+    return join_all(found) if found else None
+
+
+def _own(machine: Interpreter, node: Value) -> tuple[dict[str, Value], bool]:
+    """What the code itself sets by parameter_overrides, by name; and whether it may set others."""
+    given = machine.obj(node).attrs.get("__overrides__") if isinstance(node, Ref) else None
+    if given is None:
+        return {}, False
+    known, rest = machine.iterate(given)
+    found: dict[str, Value] = {}
+    others = rest is not None
+    for item in known:
+        attrs = machine.obj(item).attrs if isinstance(item, Ref) else {}
+        name = text_of(attrs.get("_name", attrs.get("name")))
+        value = attrs.get("_value", attrs.get("value"))
+        if name and value is not None:
+            found[name] = value
+        else:
+            others = True
+    return found, others
+
+
+def _on_heap(machine: Interpreter, name: str, value: Value) -> Value:
+    """A given value as the program holds it, marked as set from outside."""
+    if isinstance(value, Tuple):
+        value = machine.new_list(value.items)
+    return mark(machine, value, Origin("parameter", name, settled=True, given=True))
+
+
+def _now(machine: Interpreter, value: Value, label: str) -> Value:
+    """The value of a parameter when a callback reads it: by then `ros2 param set` may have given it another."""
+    if not machine.schedule_book.running:
+        return value
+    if isinstance(value, Const):
+        return Const(value.value, _reopened(value.origins, label))
+    return Text(value.parts, _reopened(value.origins, label)) if isinstance(value, Text) else value
+
+
+def _reopened(origins: Origins, label: str) -> Origins:
+    return frozenset(o._replace(settled=False) if o[:2] == ("parameter", label) else o for o in origins)
+
+
+def _parameter(call: NativeCall) -> Value:
+    """The value that `get_parameter` gives; it raises for what is not declared, unless the node takes such parameters."""
+    machine = host(call.machine)
+    nodes, names = options(call.args[0]), options(call.args[1])
+    found: list[Value] = []
+    for node in nodes:
+        undeclared = table.flag(machine, node, table.UNDECLARED)
+        for name in names:
+            label = text_of(name, readable(name))
+            declared = table.is_declared(machine, node, name)
+            if declared is False and not undeclared:
+                failed = table.not_declared(machine, name, "get_parameter")
+                if len(nodes) == len(names) == 1:
+                    return failed
+                continue
+            value = table.value_of(machine, node, name)
+            if value is not None:
+                table.may_lack_value(machine, value, label)
+                found += [_now(machine, v, label) for v in options(value)]
+            elif declared is not False:
+                found.append(machine.unknown(Cause.PARAMETER, label))
+            if declared is not True and undeclared and table.table_of(machine, node) is not None:
+                found.append(NONE)
+    return join_all(found) if found else UNBOUND
+
+
+def _set(call: NativeCall) -> Value:
+    """A new value; where it may be refused (by a callback, by its type) the old one stays possible."""
+    machine = host(call.machine)
+    node, name, value = call.exactly(3)
+    nodes, names = options(node), options(name)
+    alone = len(nodes) == len(names) == 1
+    for each in nodes:
+        undeclared = table.flag(machine, each, table.UNDECLARED)
+        for key in names:
+            declared = table.is_declared(machine, each, key)
+            if declared is False and not undeclared:
+                failed = table.not_declared(machine, key, "set_parameters")
+                if alone:
+                    return failed
+                continue
+            old = table.value_of(machine, each, key)
+            same = old is None or (type_word(old) is not None and type_word(old) == type_word(value))
+            if value == NONE:
+                table.take(machine, each, key, sure=False)
+                continue
+            sure = alone and same and not table.flag(machine, each, table.REFUSES)
+            table.put(machine, each, key, value, sure=sure)
+            if text_of(key) == "use_sim_time" and any(is_true(v) for v in options(value)):
+                clock = machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock")
+                machine.call(machine.load_attr(each, "create_subscription"), (clock, Const("/clock"), NONE, Const(1)))
+    return NONE
+
+
+def _has(call: NativeCall) -> Value:
+    """Whether a parameter is declared."""
+    machine = host(call.machine)
+    answers = {table.is_declared(machine, n, k) for n in options(call.args[0]) for k in options(call.args[1])}
+    if len(answers) == 1 and None not in answers:
+        return TRUE if answers.pop() else FALSE
+    return machine.unknown(Cause.PARAMETER, "whether it is declared", "bool")
+
+
+def _is_given(call: NativeCall) -> Value:
+    """`_rosward.is_given(node, name)`: whether it is declared, as far as code and configuration say.
+
+    What nobody here knows to be set is for `get_parameter_or` as for a parameter with a default: the default stands for all that may be.
+    """
+    machine = host(call.machine)
+    node, name = call.exactly(2)
+    if machine.log.configuration is None and not _own(machine, node)[1]:
+        if all(
+            table.is_declared(machine, node, n) is None and not table.may_name(machine, node, n) for n in options(name)
+        ):
+            return FALSE
+    return _has(call)
+
+
+def _undeclare(call: NativeCall) -> Value:
+    machine = host(call.machine)
+    nodes, names = options(call.args[0]), options(call.args[1])
+    alone = len(nodes) == len(names) == 1
+    for node in nodes:
+        for name in names:
+            if table.is_declared(machine, node, name) is False:
+                failed = table.not_declared(machine, name, "undeclare_parameter")
+                if alone:
+                    return failed
+            else:  # one that is read only stays
+                table.take(machine, node, name, sure=alone and not table.flag(machine, node, table.REFUSES))
+    return NONE
+
+
+def _needs(call: NativeCall) -> Value:
+    """`_rosward.needs_parameter(node, name, method)`: the method raises where the parameter surely is not declared."""
+    machine = host(call.machine)
+    node, name = call.args[0], call.args[1]
+    if table.is_declared(machine, node, name) is False and not table.flag(machine, node, table.UNDECLARED):
+        return table.not_declared(machine, name, text_of(call.args[2]))
+    return NONE
+
+
+def _by_prefix(call: NativeCall) -> Value:
+    """The declared parameters below a prefix, by the rest of their names."""
+    machine = host(call.machine)
+    prefix = call.args[1]
+    parts = options(prefix)
+    cls = machine.load_attr(machine.load_module("rclpy.parameter"), "Parameter")
+    result = machine.new_dict({})
+    for node in options(call.args[0]):
+        known = table.table_of(machine, node)
+        rest = machine.obj(known).rest if known is not None else None
+        any_ = known is None or (table.flag(machine, node, table.UNDECLARED) and table.may_be_set(machine))
+        for part in parts:
+            text = text_of(part)
+            if not isinstance(part, Const):
+                any_ = True
+                continue
+            for key in table.labels(machine, node):
+                name = text_of(key)
+                if not text or name.startswith(f"{text}."):
+                    short = Const(name.removeprefix(f"{text}.") if text else name)
+                    value = table.value_of(machine, node, key)
+                    sure = len(parts) == 1 and table.is_declared(machine, node, key) is True
+                    each = machine.call(cls, (key, NONE, NONE if value is None else value))
+                    dicts.store(machine, result, short, each, weak=not sure)
+        if rest is not None or any_:
+            any_name = machine.unknown(Cause.PARAMETER, f"{pattern(prefix)}.*", "str")
+            each = machine.call(cls, (any_name, NONE, Unknown(any_name.reasons)))
+            dicts.store(machine, result, any_name, each, weak=True)
+    return result
+
+
+def _declare_given(call: NativeCall) -> Value:
+    """Every parameter that somebody sets becomes one of the node (automatically_declare_parameters_from_overrides).
+
+    That is what the code gives by parameter_overrides, and what command line and parameter files give. Where it is not known who starts
+    the process, it may be any.
+    """
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        own, others = _own(machine, node)
+        open_ = _open(machine, node)
+        if machine.log.configuration is None or open_:
+            table.put_any(machine, node, "set from outside")
+        effects = _effects(machine, node)
+        given: dict[str, list[Value]] = {}
+        for effect in effects:
+            for label, value in values_of(machine.log, effect).items():
+                given.setdefault(label, []).append(_on_heap(machine, label, value))
+        for label, values in given.items():
+            if label == ANY_NAME:
+                table.put_any(machine, node, "set from outside")
+            else:
+                value = join_all([*values, *(Unknown((r,)) for r in open_)])
+                _declared_by(machine, node, label, value, sure=len(values) == len(effects))
+        for label, value in own.items():
+            _declared_by(machine, node, label, value, sure=True)
+        if others:
+            table.put_any(machine, node, "set by parameter_overrides")
+    return NONE
+
+
+def _as_declared(machine: Interpreter, value: Value) -> Value:
+    """The value as it stands at the declaration: of a list its elements, since what is recorded must not change with the list."""
+    if isinstance(value, Ref):
+        record = machine.obj(value)
+        if record.kind == "list" and record.items is not None and not record.many:
+            return Tuple(record.items)
+    return value
+
+
+def _declared_by(machine: Interpreter, node: Value, label: str, value: Value, *, sure: bool) -> None:
+    address = node.address if isinstance(node, Ref) else None
+    effect = ParameterEffect(address, Const(label), NONE, _as_declared(machine, value), NONE, machine.place)
+    machine.log.parameters[effect] = None
+    table.put(machine, node, Const(label), value, sure=sure)
+
+
+def _declare_own(call: NativeCall) -> Value:
+    """What the client library declares for every node: use_sim_time, and in most distros start_type_description_service."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        for label, default, sure in (("use_sim_time", FALSE, True), ("start_type_description_service", TRUE, False)):
+            if table.is_declared(machine, node, Const(label)) is not True:
+                value = _initial(machine, node, Const(label), default, "bool", FALSE)
+                old = table.value_of(machine, node, Const(label))
+                table.put(machine, node, Const(label), value if old is None else join(value, old), sure=sure)
+    return NONE
+
+
+def _unset(call: NativeCall) -> Value:
+    """`_rosward.is_unset(value)`: whether a parameter has no value."""
+    machine = host(call.machine)
+    answer = table.is_unset(call.args[0])
+    if answer is None:
+        return machine.unknown(Cause.PARAMETER, "whether it has a value", "bool")
+    return TRUE if answer else FALSE
+
+
+def _lacks(call: NativeCall) -> Value:
+    """`_rosward.may_lack(node)`: each parameter that is there may be declared anew by an override."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        for label in table.labels(machine, node):
+            table.take(machine, node, label, sure=False)
+    return NONE
+
+
+def _refuses(call: NativeCall) -> Value:
+    """`_rosward.may_refuse(node)`: from here on something may refuse a new value of a parameter."""
+    machine = host(call.machine)
+    for node in options(call.args[0]):
+        if isinstance(node, Ref):
+            machine.update(node, machine.obj(node).with_attr(table.REFUSES, TRUE))
+    return NONE
+
+
+NATIVES: Final[dict[str, NativeFunction]] = {
+    "_rosward.declare_given": _declare_given,
+    "_rosward.declare_own": _declare_own,
+    "_rosward.declare_parameter": _declare,
+    "_rosward.is_given": _is_given,
+    "_rosward.is_unset": _unset,
+    "_rosward.may_lack": _lacks,
+    "_rosward.may_refuse": _refuses,
+    "_rosward.needs_parameter": _needs,
+    "_rosward.parameter": _parameter,
+    "_rosward.set_parameter": _set,
+    "_rosward.undeclare_parameter": _undeclare,
+    "rclpy.node.Node.get_parameters_by_prefix": _by_prefix,
+    "rclpy.node.Node.has_parameter": _has,
+}

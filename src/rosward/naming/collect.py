@@ -1,0 +1,380 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From the effects of one process to its nodes: names expanded and remapped, implicit entities added, doubts turned into findings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+from rosward.domain.text import pattern
+from rosward.domain.unknown import causes_of
+from rosward.domain.values import Const, Tuple, Value
+from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
+from rosward.findings import Finding
+from rosward.holes import HOLE, Holed
+from rosward.naming import implicit
+from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unknown_type
+from rosward.naming.final_name import command_lines, final_name, remapped_by, remaps_of
+from rosward.naming.implicit import Identity
+from rosward.naming.options import NameOption, interface_types, name_options, together
+from rosward.ros import names
+from rosward.ros.distro import Distro, service_event_topic
+from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution
+from rosward.source.location import Place
+
+KINDS: Final = {
+    "publisher": EntityKind.PUBLISHER,
+    "subscription": EntityKind.SUBSCRIPTION,
+    "service_server": EntityKind.SERVICE_SERVER,
+    "service_client": EntityKind.SERVICE_CLIENT,
+    "action_server": EntityKind.ACTION_SERVER,
+    "action_client": EntityKind.ACTION_CLIENT,
+}
+_SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
+_ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
+_ORDER: Final = {r: n for n, r in enumerate(Resolution)}
+_NO_VARIABLES: Final[Mapping[str, Value]] = {}
+
+
+class Process(NamedTuple):
+    """What is known of a process beside its effects: its package and executable, its label, and what every execution does.
+
+    `launched_by` is the place in a launch file that starts it; `conditional`: some execution does not start it; `assumed`: nothing does.
+    `shell` are the variables that it finds in its environment, unless it is given others.
+    `interface` is what is known of its program, were it wholly known; `lacks`: why not, beside what its findings say.
+    """
+
+    package: str | None
+    executable: str | None
+    label: str
+    done: frozenset[tuple[object, ...]]
+    launched_by: Place | None = None
+    conditional: bool = False
+    assumed: bool = False
+    shell: Mapping[str, Value] = _NO_VARIABLES
+    interface: Interface = Interface.ANALYSED
+    lacks: tuple[str, ...] = ()
+
+
+_MAY_HAVE_MORE: Final = frozenset(
+    {"RW106", "RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW212", "RW299", "RW314"}
+)
+"""What is found in a program that may have more than was found."""
+
+
+def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
+    """The nodes of a process and the findings about their names."""
+    findings: dict[Finding, None] = {}
+    nodes: list[Node] = []
+    for effect in log.nodes:
+        for identity in _identities(log, effect, findings):
+            own: dict[Finding, None] = {}
+            node = _node(log, effect, identity, process, distro, own)
+            findings.update(dict.fromkeys(f._replace(nodes=(node.fqn,)) for f in own))
+            nodes.append(node)
+    lacks = tuple(f"{f.code}: {f.message}" for f in log.findings if f.code in _MAY_HAVE_MORE)
+    return [_with_interface(n, process, lacks) for n in _merged(nodes)], list(findings)
+
+
+def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Node:
+    """The node with what is known of all that it has: in part, where the program or a name of its own says that there may be more."""
+    interface, given = process.interface, process.lacks
+    if interface is Interface.UNKNOWN:
+        return replace(node, interface=interface, lacks=given)
+    nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
+    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is not known" for kind in nameless))
+    return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
+
+
+def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[Identity]:
+    if _refused(log, effect):
+        return []
+    name_value, space_value = final_name(log, effect)
+    rules = remaps_of(log, effect)
+    found: list[Identity] = []
+    spaces = name_options(together(space_value))
+    own = name_options(together(name_value))
+    for space in spaces:
+        for option in own:
+            wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
+            if wrong:
+                findings[
+                    invalid_name(
+                        "node",
+                        option.text if names.validate_node_name(option.text) else space.text,
+                        wrong,
+                        effect.place,
+                    )
+                ] = None
+                continue
+            namespace = names.full_namespace(space.text)
+            about = (names.fully_qualified(namespace, option.text),)
+            resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
+            if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
+                findings[unknown_node(option, effect.place)._replace(nodes=about)] = None
+            if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
+                findings[unknown_node(space, effect.place, "namespace")._replace(nodes=about)] = None
+            reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
+            depends = tuple(sorted({*option.depends_on, *space.depends_on}))
+            causes = causes_of((*option.reasons, *space.reasons), effect.place)
+            sole = len(spaces) * len(own) == 1
+            found.append(Identity(option.text, namespace, rules, resolution, depends, reasons, causes, sole))
+    return found
+
+
+def _refused(log: EffectLog, effect: NodeEffect) -> bool:
+    """Whether rcl refuses the arguments of the node: then there is none. Where they are given, that is told."""
+    return any(line.errors for line in command_lines(log, effect))
+
+
+def _node(
+    log: EffectLog,
+    effect: NodeEffect,
+    identity: Identity,
+    process: Process,
+    distro: Distro,
+    findings: dict[Finding, None],
+) -> Node:
+    started = not process.conditional and not process.assumed
+    certain = identity.sole and not effect.late and started and ("node", effect.address) in process.done
+    entities: list[Entity] = []
+    for entity in log.entities:
+        if entity.address == effect.address:
+            sure = certain and EffectLog.key(entity) in process.done
+            path = log.paths.get(entity, ())
+            entities += _entities(entity, identity, distro, findings, path, sure=sure)
+    made, asked = implicit.of_client_library(log, effect, identity, distro)
+    for each in made:
+        if HOLE in each.name and HOLE not in identity.namespace + identity.name:
+            option = NameOption(Holed(each.name), each.resolution, (), ())
+            findings[unknown_name(each.kind.value, each, option, effect.place)] = None
+    entities = [replace(e, system=True) if (e.kind, e.name, e.type) in asked else e for e in entities]
+    entities += [e if identity.sole else replace(e, conditional=True) for e in made]
+    if not certain:
+        entities = [replace(e, conditional=True) for e in entities]
+    fqn = names.fully_qualified(identity.namespace, identity.name)
+    return Node(
+        namespace=identity.namespace,
+        name=identity.name,
+        resolution=identity.resolution,
+        enclave=fqn,
+        package=process.package,
+        executable=process.executable,
+        process=process.label,
+        launched_by=process.launched_by,
+        given_enclave=_given_enclave(log, effect, process),
+        defined_at=effect.place,
+        entities=tuple(entities),
+        parameters=tuple(_parameters(log, effect.address)),
+        reasons=identity.reasons,
+        causes=identity.causes,
+        conditional=not certain,
+        assumed=process.assumed,
+    )
+
+
+def _given_enclave(log: EffectLog, effect: NodeEffect, process: Process) -> str | None:
+    """The enclave that the start of the process names: ROS_SECURITY_ENCLAVE_OVERRIDE, else the last --enclave."""
+    configuration = log.configuration
+    own: Mapping[str, Value | None] = configuration.environment if configuration is not None else {}
+    override = {**process.shell, **own}.get("ROS_SECURITY_ENCLAVE_OVERRIDE")
+    said = override if override is not None else command_lines(log, effect)[1].enclave
+    return None if said is None else pattern(said)
+
+
+def _entities(
+    effect: EntityEffect,
+    identity: Identity,
+    distro: Distro,
+    findings: dict[Finding, None],
+    path: tuple[Place, ...],
+    *,
+    sure: bool,
+) -> list[Entity]:
+    """The entities that one effect makes: one for each name and type that it may have."""
+    kind = KINDS[effect.kind]
+    possible = name_options(effect.name)
+    types = interface_types(effect.type)
+    result: list[Entity] = []
+    for option in possible:
+        resolved = _resolved(kind, option, identity, distro, effect, findings)
+        alone = len(possible) * len(types) * len(resolved) == 1
+        for text, how in resolved:
+            for type_ in types:
+                entity = _entity(effect, kind, text, type_, how, identity, path, sure=sure and alone)
+                if type_ is None:
+                    findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
+                if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(how):
+                    findings[unknown_name(kind.value, entity, how, effect.place)] = None
+                result.append(entity)
+                if effect.introspection and type_ is not None:
+                    for event in _events(kind, distro, text, type_):
+                        result.append(
+                            replace(event, system=True, conditional=entity.conditional, created_at=entity.created_at)
+                        )
+    return result
+
+
+def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Entity]:
+    """What introspection publishes: of a service, or of the three services of an action."""
+    if kind not in _ACTIONS:
+        events = [service_event_topic(distro, name, type_)]
+    else:
+        parts = (
+            ("send_goal", f"{type_}_SendGoal"),
+            ("get_result", f"{type_}_GetResult"),
+            ("cancel_goal", "action_msgs/srv/CancelGoal"),
+        )
+        events = [service_event_topic(distro, f"{name}/_action/{part}", t, action=True) for part, t in parts]
+    return [e for e in events if e is not None]
+
+
+def _from_node_only(option: NameOption) -> bool:
+    """The name itself is known: its hole stems from the node's own name or namespace, of which a finding speaks already."""
+    return option.resolution not in (Resolution.UNKNOWN, Resolution.PATTERN)
+
+
+def _resolved(
+    kind: EntityKind,
+    option: NameOption,
+    identity: Identity,
+    distro: Distro,
+    effect: EntityEffect,
+    findings: dict[Finding, None],
+) -> list[tuple[Holed, NameOption]]:
+    """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
+    remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
+    rules = identity.rules
+    if kind in _ACTIONS and not names.action_names_are_remapped(distro):
+        rules = ()
+    if option.resolution is Resolution.UNKNOWN:
+        rules = ()  # any rule may be for it: that makes none of their targets its name
+    own, space = identity.name, identity.namespace
+    try:
+        found = names.resolve(option.text, remap, tuple(r.rule for r in rules), own, space)
+    except names.InvalidName as error:
+        findings[invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on)] = None
+        return []
+    result: list[tuple[Holed, NameOption]] = []
+    for text in found:
+        target = remapped_by(text, option.text, remap, rules, own, space) if rules else None
+        result.append((text, option if target is None else _behind_rule(option, name_options(target)[0])))
+    return result
+
+
+def _behind_rule(name: NameOption, target: NameOption) -> NameOption:
+    """How a name was found that a remap rule gives: as the rule's target was, and, since the rule fits this name only, as that was."""
+    depends = tuple(sorted({*name.depends_on, *target.depends_on}))
+    known = name.resolution in _KNOWN and target.resolution in _KNOWN
+    resolution = max(name.resolution, target.resolution, key=_ORDER.__getitem__) if known else target.resolution
+    return target._replace(depends_on=depends, resolution=resolution)
+
+
+def _entity(
+    effect: EntityEffect,
+    kind: EntityKind,
+    text: str,
+    type_: str | None,
+    option: NameOption,
+    identity: Identity,
+    path: tuple[Place, ...],
+    *,
+    sure: bool,
+) -> Entity:
+    resolution = option.resolution
+    depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
+    causes = causes_of(option.reasons, effect.place)
+    if not option.text.startswith("/"):
+        resolution = max(
+            resolution,
+            identity.resolution if HOLE in text or resolution in _KNOWN else resolution,
+            key=_ORDER.__getitem__,
+        )
+        depends = tuple(sorted({*depends, *identity.depends_on}))
+        causes = tuple(sorted({*causes, *identity.causes}))
+        reasons = (*reasons, *identity.reasons)
+    if resolution is Resolution.UNKNOWN and HOLE in text and text.strip("/*"):
+        resolution = Resolution.PATTERN
+    if HOLE not in text and resolution not in _KNOWN:
+        resolution = Resolution.DEFAULT if depends else Resolution.EXACT
+    callback = effect.callback
+    return Entity(
+        kind=kind,
+        name=text,
+        type=type_,
+        resolution=resolution,
+        conditional=not sure,
+        callback=callback,
+        qos=effect.qos,
+        depends_on=depends,
+        created_at=(effect.place,),
+        reasons=reasons,
+        causes=causes,
+        via=effect.via,
+        ros_prefix=effect.ros_prefix,
+        path=path,
+        system=implicit.is_of_container(kind, text, type_),
+    )
+
+
+_KNOWN: Final = (Resolution.EXACT, Resolution.DEFAULT, Resolution.BOUND)
+
+
+def _parameters(log: EffectLog, address: int) -> list[Parameter]:
+    found: dict[str, Parameter] = {}
+    for effect in log.parameters:
+        if effect.address == address:
+            for option in name_options(effect.name):
+                found.setdefault(option.text, _parameter(option.text, effect))
+    return [found[name] for name in sorted(found)]
+
+
+def _parameter(name: str, effect: ParameterEffect) -> Parameter:
+    default, value = plain(effect.default), plain(effect.value)
+    return Parameter(name, _type_name(value if value is not None else default), default, value, effect.place)
+
+
+def plain(value: Value) -> object:
+    """The Python value of a constant, or of a list of constants; None where it is not known."""
+    if isinstance(value, Const):
+        return value.value if not isinstance(value.value, (bytes, complex)) else None
+    if isinstance(value, Tuple):
+        items = [plain(v) for v in value.items]
+        return None if None in items else items
+    return None
+
+
+def _type_name(value: object) -> str | None:
+    """The word of rcl for the type of a parameter's value. As for rclpy, a list without elements is one of bytes."""
+    if isinstance(value, list):
+        kinds = {_type_name(item) for item in value}
+        return f"{kinds.pop()}_array" if len(kinds) == 1 and None not in kinds else None if kinds else "byte_array"
+    for kind, word in ((bool, "bool"), (int, "integer"), (float, "double"), (str, "string")):
+        if isinstance(value, kind):
+            return word
+    return None
+
+
+def _merged(nodes: list[Node]) -> list[Node]:
+    """Nodes of one full name that one place creates (in several contexts) are one node."""
+    result: dict[tuple[str, object], Node] = {}
+    for node in nodes:
+        key = (node.fqn, node.defined_at)
+        known = result.get(key)
+        if known is None:
+            result[key] = node
+        else:
+            merged = replace(
+                known,
+                entities=(*known.entities, *node.entities),
+                parameters=_union(known.parameters, node.parameters),
+                conditional=known.conditional and node.conditional,
+            )
+            result[key] = merged
+    return list(result.values())
+
+
+def _union(left: tuple[Parameter, ...], right: tuple[Parameter, ...]) -> tuple[Parameter, ...]:
+    found = {p.name: p for p in (*right, *left)}
+    return tuple(found[n] for n in sorted(found))

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How doubts about names are told: what is not known, why, and what settles it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import reasons_of
+from rosward.domain.unknown import Cause, Reason, causes_of
+from rosward.domain.values import Value
+from rosward.findings import MADE_ANEW, Finding
+from rosward.holes import shown
+from rosward.naming.command_line import UNKNOWN_ARGUMENTS
+from rosward.naming.options import NameOption
+from rosward.ros.entities import Entity, Resolution
+from rosward.source.location import Place
+
+_REMEDY: Final = {
+    Cause.PARAMETER: "give the parameter a default",
+    Cause.ARGUMENT: "give the argument a default",
+    Cause.LAUNCH_ARGUMENT: "give it one (--arg NAME:=VALUE)",
+    Cause.ENVIRONMENT: "give it a value (--env {}=VALUE)",
+    Cause.MODULE: "add the package that holds it to the analysis",
+    Cause.CALL: "describe the call in a stub file (--models)",
+    Cause.CALLER: "add the code that makes the call to the analysis",
+}
+
+
+def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> Finding:
+    """What is not known, because of what, and the one thing that settles it."""
+    because = " because of " + "; ".join(str(r) for r in reasons[:3]) if reasons else ""
+    remedy = next((_REMEDY[r.cause].format(r.subject) for r in reasons if r.cause in _REMEDY), "")
+    message = f"{what}{because}: {remedy}" if remedy else f"{what}{because}"
+    return Finding(code, message, place, causes_of(reasons, place), remedy=remedy)
+
+
+def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:
+    """An entity whose name is not wholly known."""
+    if entity.resolution is Resolution.UNKNOWN:
+        return _doubt("RW101", f"the name of this {kind} is not known", option.reasons, place)
+    if _made_anew(option):
+        return _name_made_anew(f"this {kind}", entity.name, place)
+    return _doubt("RW102", f"the name of this {kind} is only known as {entity.name}", option.reasons, place)
+
+
+def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:
+    """A node whose name or namespace is not wholly known."""
+    if option.resolution is Resolution.UNKNOWN:
+        return _doubt("RW105", f"the {part} of this node is not known", option.reasons, place)
+    if _made_anew(option):
+        return _name_made_anew("this node", shown(option.text), place)
+    return _doubt("RW102", f"the {part} of this node is only known as {shown(option.text)}", option.reasons, place)
+
+
+def _made_anew(option: NameOption) -> bool:
+    return bool(option.reasons) and all(reason.cause is Cause.ANEW for reason in option.reasons)
+
+
+def _name_made_anew(what: str, text: str, place: Place) -> Finding:
+    """A name of which nobody can know more, in the analysis or before the start; one cause for all that are called so."""
+    return Finding(
+        "RW107", f"{what} is called {text}: what * stands for is made when it starts", place, (f"{MADE_ANEW}: {text}",)
+    )
+
+
+def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
+    """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
+    default = f" (the default of {', '.join(depends_on)})" if depends_on else ""
+    return Finding("RW103", f"{shown(text)!r} is no valid name for a {kind}: {why}{default}", place)
+
+
+def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
+    """Words of a command line of which nothing is known, as `models/ros/given_words.py` tells it of those that programs give."""
+    return _doubt("RW106", UNKNOWN_ARGUMENTS, reasons, place)
+
+
+def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
+    """An entity whose interface type is not known."""
+    return _doubt("RW104", f"the type of the {kind} {name} is not known", reasons_of(value), place)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From abstract values to the words of ROS: names with their resolution, interface types, QoS, callbacks.
+
+Text('/robot_', hole, '/cmd')      NameOption('/robot_*/cmd', PATTERN, …)
+External('std_msgs.msg.String')    'std_msgs/msg/String'
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Final, NamedTuple
+
+from rosward.domain.choice import options, reasons_of
+from rosward.domain.text import common, origins_of, pattern
+from rosward.domain.unknown import Cause, Origins, Reason
+from rosward.domain.values import (
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    Partial,
+    Text,
+    Value,
+)
+from rosward.holes import HOLE, Holed
+from rosward.ros.entities import Resolution
+from rosward.source.location import Place
+
+MAX_NODES: Final = 16
+"""Nodes that one call may make, each in its place: more of one beginning are one with a hole in its name."""
+
+
+class NameOption(NamedTuple):
+    """One name that a value may be: its text with `*` for holes, how it was found, from what, and why not wholly."""
+
+    text: Holed
+    resolution: Resolution
+    depends_on: tuple[str, ...]
+    reasons: tuple[Reason, ...]
+
+
+def together(value: Value) -> Value:
+    """One pattern for many alternatives that begin alike, where each would be a node with all that belongs to it."""
+    several = options(value)
+    if len(several) <= MAX_NODES or not all(isinstance(o, Const) and isinstance(o.value, str) for o in several):
+        return value
+    pattern_of_all = common(several, (Reason(Cause.MANY, "", Place("", 0)),))
+    return pattern_of_all if isinstance(pattern_of_all, Text) else value
+
+
+def name_options(value: Value) -> list[NameOption]:
+    """The names that a value may be; what is no text at all is an unknown name."""
+    several = options(value)
+    if len(several) > 1:  # None among others is no name: the call fails there
+        several = tuple(o for o in several if not (isinstance(o, Const) and o.value is None)) or several
+    found = [_name(option) for option in several]
+    others = [name for name in found if name.reasons and all(r.cause is Cause.OTHER for r in name.reasons)]
+    if len(others) == len(found):
+        return found
+    settable = {d for name in others for d in name.depends_on}
+    return [_as_default(name, settable) for name in found if name not in others]
+
+
+def _as_default(name: NameOption, depends_on: Iterable[str]) -> NameOption:
+    """The name that holds unless somebody gives another value."""
+    if not depends_on:
+        return name
+    how = Resolution.DEFAULT if name.resolution in (Resolution.EXACT, Resolution.BOUND) else name.resolution
+    return name._replace(resolution=how, depends_on=tuple(sorted({*name.depends_on, *depends_on})))
+
+
+def _name(value: Value) -> NameOption:
+    origins = origins_of(value)
+    depends = tuple(sorted({o.name for o in origins}))
+    if value.__class__ is Const and isinstance(value.value, str):
+        return NameOption(pattern(value), resolution_of(origins), depends, ())
+    reasons = reasons_of(value)
+    if value.__class__ is Text:
+        return NameOption(pattern(value), Resolution.PATTERN, _depends(depends, reasons), reasons)
+    return NameOption(HOLE, Resolution.UNKNOWN, _depends(depends, reasons), reasons)
+
+
+_SETTABLE: Final = (Cause.OTHER, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
+
+
+def _depends(known: tuple[str, ...], reasons: tuple[Reason, ...]) -> tuple[str, ...]:
+    return tuple(sorted({*known, *(r.subject for r in reasons if r.cause in _SETTABLE and r.subject)}))
+
+
+def resolution_of(origins: Origins) -> Resolution:
+    """How a wholly known text was found."""
+    if not origins:
+        return Resolution.EXACT
+    return Resolution.BOUND if all(o.given for o in origins) else Resolution.DEFAULT
+
+
+_TYPE: Final = re.compile(r"[A-Z][A-Za-z0-9]*$")
+"""How rosidl lets a message, service or action be called."""
+
+
+def interface_type(value: Value) -> str | None:
+    """`package/msg/Name` of an interface type; None where the value is not surely one."""
+    if value.__class__ is not External:
+        return None
+    parts = value.name.split(".")
+    if len(parts) >= 3 and parts[1] in ("msg", "srv", "action"):
+        inner = [p for p in parts[2:] if not p.startswith("_")]
+        return "/".join((parts[0], parts[1], "_".join(inner))) if inner and _TYPE.match(inner[0]) else None
+    return None
+
+
+def interface_types(value: Value) -> tuple[str | None, ...]:
+    """The types that a value may be, each once."""
+    return tuple(dict.fromkeys(interface_type(o) for o in options(value)))
+
+
+def callback_name(value: Value | None) -> str | None:
+    """The qualified name of a function; None where it is not known."""
+    while value is not None:
+        kind = value.__class__
+        if kind is Function and value.code.file.startswith("models:"):  # type: ignore[attr-defined]
+            return None  # a method of the library itself
+        if kind is Function:
+            return value.code.qualname  # type: ignore[attr-defined,no-any-return]
+        if kind in (BoundMethod, Partial):
+            value = value.function  # type: ignore[attr-defined]
+        elif kind is Descriptor:
+            value = value.getter  # type: ignore[attr-defined]
+        elif kind is Choice:
+            value = next((o for o in value.options if callback_name(o)), None)  # type: ignore[attr-defined]
+        elif kind is Class:
+            return value.qualname  # type: ignore[attr-defined,no-any-return]
+        else:
+            return None
+    return None

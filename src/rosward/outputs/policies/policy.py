@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The SROS2 policy (version 0.2.0, grammar in `schemas/policy.xsd`) that lets each node do what its source does, and no
+more.
+
+    Node /robot1/talker publishes /robot1/chatter at src/talker.py:20
+      ->  <profile ns="/robot1" node="talker">
+            <topics publish="ALLOW">
+              <topic>/robot1/chatter</topic>  <!-- src/talker.py:20 -->
+
+Names are absolute, each element has one attribute, everything is in the order in which sros2 itself sorts when it
+merges into a file. Where a rule comes from stands in comments, never in `<metadata>`: sros2 moves that before the
+profiles and then refuses its own file. A rule without a place is needed by the client library. For what is left out
+there is a comment with the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final, NamedTuple
+
+from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Omission, Profile, enclave_named, enclaves
+from rosward.enclaves.widened import Widened, Widenings
+from rosward.network.checks import UnknownNames
+from rosward.network.graph import Network
+from rosward.ros.entities import Entity, EntityKind, Interface, Resolution
+from rosward.safe import xml_attribute, xml_comment, xml_text
+
+__all__ = ["VERBS", "Line", "policies", "policy_lines", "policy_xml"]
+
+_ELEMENTS: Final = (
+    (EntityKind.ACTION_CLIENT, "actions", "call", "action"),
+    (EntityKind.ACTION_SERVER, "actions", "execute", "action"),
+    (EntityKind.SERVICE_SERVER, "services", "reply", "service"),
+    (EntityKind.SERVICE_CLIENT, "services", "request", "service"),
+    (EntityKind.PUBLISHER, "topics", "publish", "topic"),
+    (EntityKind.SUBSCRIPTION, "topics", "subscribe", "topic"),
+)
+VERBS: Final = {kind: attribute for kind, _, attribute, _ in _ELEMENTS}
+"""What a policy calls the right to have an endpoint of a kind."""
+
+_MOST_PLACES: Final = 5
+_HEADER: Final = (
+    "Written by rosward from the source of the system.",
+    "Behind each rule stands where it comes from; a rule with nothing behind it is needed by the client library.",
+)
+
+
+class Line(NamedTuple):
+    """One line of a policy, and the right that it gives, if it gives one."""
+
+    text: str
+    grant: Grant | None = None
+
+
+def policy_xml(
+    network: Network,
+    enclave: str | None = None,
+    unknown: UnknownNames = "deny",
+    widened: Widenings = NOT_WIDENED,
+) -> str:
+    """The policy of the whole network, or of one enclave of it (ValueError if there is no such enclave).
+
+    `unknown="wildcard"` writes `/*` for a name of which nothing is known, so that the node works but is hardly
+    confined. A network without nodes gives a policy without enclaves, which sros2 rightly refuses: there is nothing to
+    write a policy for.
+    """
+    if enclave is None:
+        return _document(enclaves(network, unknown, widened))
+    return _document([enclave_named(network, enclave, unknown, widened)])
+
+
+def policies(network: Network, unknown: UnknownNames = "deny", widened: Widenings = NOT_WIDENED) -> dict[str, str]:
+    """The policy of each enclave alone, by its path, which is absolute and has only letters, digits, `_` and `/`."""
+    return {enclave.path: _document([enclave]) for enclave in enclaves(network, unknown, widened)}
+
+
+def policy_lines(chosen: Iterable[Enclave]) -> Iterator[Line]:
+    """The policy of these enclaves line by line; the last line is empty, so that joined by line ends they are the file."""
+    yield Line('<?xml version="1.0" encoding="UTF-8"?>')
+    yield from (Line(xml_comment(line)) for line in _HEADER)
+    yield Line('<policy version="0.2.0">')
+    yield Line("  <enclaves>")
+    for enclave in chosen:
+        yield from _enclave(enclave)
+    yield Line("  </enclaves>")
+    yield Line("</policy>")
+    yield Line("")
+
+
+def _document(chosen: Iterable[Enclave]) -> str:
+    return "\n".join(line.text for line in policy_lines(chosen))
+
+
+def _enclave(enclave: Enclave) -> Iterator[Line]:
+    yield Line(f'    <enclave path="{xml_attribute(enclave.path)}">')
+    yield Line("      <profiles>")
+    for profile in enclave.profiles:
+        yield from _profile(profile, enclave)
+    yield Line("      </profiles>")
+    yield Line("    </enclave>")
+
+
+def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
+    notes = list(_notes(profile, enclave))
+    attributes = f'ns="{xml_attribute(profile.namespace)}" node="{xml_attribute(profile.name)}"'
+    if not notes and not profile.grants:
+        yield Line(f"        <profile {attributes}/>")
+        return
+    yield Line(f"        <profile {attributes}>")
+    for note in notes:
+        yield Line(f"          {xml_comment(note)}")
+    for kind, element, attribute, child in _ELEMENTS:
+        grants = [grant for grant in profile.grants if grant.kind is kind]
+        if grants:
+            yield Line(f'          <{element} {attribute}="ALLOW">')
+            for grant in grants:
+                origin = _origin(grant)
+                comment = f"  {xml_comment(origin)}" if origin else ""
+                yield Line(f"            <{child}>{xml_text(grant.name)}</{child}>{comment}", grant)
+            yield Line(f"          </{element}>")
+    yield Line("        </profile>")
+
+
+def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
+    for node in profile.nodes:
+        if node.label is not None:
+            yield f"The node of {node.label}, whose name is not known"
+        if node.interface is Interface.UNKNOWN:
+            yield f"Of unknown interface, so it may do no more than every node does: {'; '.join(node.lacks)}"
+    if enclave.path != enclave.found:
+        yield (
+            f"The enclave was found as {enclave.found}, which no enclave can be called: "
+            f"start the node with ROS_SECURITY_ENCLAVE_OVERRIDE={enclave.path} in its environment"
+        )
+    for process in sorted({node.process for node in profile.nodes if node.assumed}):
+        yield f"Assumed: nothing in the sources makes {process}"
+    if len(profile.nodes) > 1:
+        places = ", ".join(str(node.defined_at) for node in profile.nodes)
+        yield f"{len(profile.nodes)} nodes have this full name, and share this profile: {places}"
+    for omission in profile.omissions:
+        yield _omission(omission)
+
+
+def _omission(omission: Omission) -> str:
+    entity = omission.entity
+    reasons = "".join(f"; {reason}" for reason in entity.reasons)
+    return f"Not granted: {entity.kind.value} {entity.name}{_at(entity)}: {omission.why}{reasons}"
+
+
+def _origin(grant: Grant) -> str:
+    """`src/talker.py:20, conditional`; empty for what the client library needs at each node."""
+    own = [entity for entity in grant.entities if not entity.system]
+    if grant.widened is not None:
+        return _compacted(grant.widened, _places(own))
+    if not own:
+        return ""
+    parts = [_places(own)]
+    vias = sorted({entity.via for entity in own if entity.via})
+    if vias:
+        parts.append("by " + ", ".join(vias))
+    if all(entity.conditional for entity in own):
+        parts.append("conditional")
+    if any(entity.resolution in (Resolution.PATTERN, Resolution.UNKNOWN) for entity in own):
+        parts.append(
+            "partly known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
+        )
+    return ", ".join(part for part in parts if part)
+
+
+def _compacted(widened: Widened, places: str) -> str:
+    """What a pattern stands for, and what more it allows."""
+    names = sorted(widened.members)
+    rest = f" and {len(names) - _MOST_PLACES} more" if len(names) > _MOST_PLACES else ""
+    own = f"compacted: {', '.join(names[:_MOST_PLACES])}{rest}"
+    return "; ".join(part for part in (own, widened.also(_MOST_PLACES), places) if part)
+
+
+def _at(entity: Entity) -> str:
+    places = _places([entity])
+    return f" at {places}" if places else ""
+
+
+def _places(entities: Iterable[Entity]) -> str:
+    places = sorted(
+        {f"{place.file}:{place.line}" if place.line else place.file for e in entities for place in e.created_at}
+    )
+    more = [f"{len(places) - _MOST_PLACES} more places"] if len(places) > _MOST_PLACES else []
+    return ", ".join(places[:_MOST_PLACES] + more)
