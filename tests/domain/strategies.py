@@ -11,6 +11,7 @@ from rosward.domain.choice import join_all
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
+from rosward.domain.state import NOTHING_DONE, State
 from rosward.domain.suspended import ANY_TURN, EACH, YIELD, Point, Step, Suspension, add_points
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
@@ -29,7 +30,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine.state import NOTHING_DONE, State
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
 

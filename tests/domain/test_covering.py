@@ -14,9 +14,9 @@ from rosward.domain.choice import join
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
+from rosward.domain.state import State
 from rosward.domain.suspended import EACH, Point, Step, Suspension
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Tuple, Unknown, Value
-from rosward.engine.state import State
 
 A, B = Const("a"), Const("b")
 AB = join(A, B)

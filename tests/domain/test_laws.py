@@ -16,6 +16,7 @@ from domain.strategies import LOOP, states, string_values, text_parts, triples, 
 from rosward.domain.choice import MAX_OPTIONS, generalise, join, join_all, lift, lift2, options, widen
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
+from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.text import common, concat, make, matches
 from rosward.domain.values import (
     NONE,
@@ -32,7 +33,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine.state import State, join_objects, join_states
 
 # Join
 

@@ -9,9 +9,9 @@ from domain.covering import suspension_covers
 from domain.strategies import FUNCTIONS, LOOP, suspensions
 from rosward.domain.choice import join, widen
 from rosward.domain.heap import Obj
+from rosward.domain.state import join_objects
 from rosward.domain.suspended import EACH, NO_TURN, Point, Step, Suspension, join_suspended
 from rosward.domain.values import NONE, UNBOUND, Const, Tuple
-from rosward.engine.state import join_objects
 
 
 def test_covers_tells_apart() -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import builtins
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from models.fake_process import FakeProcess
 from rosward.domain.choice import options
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series
@@ -25,7 +26,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.models.python.builtins import attributes as builtin_attributes
 from rosward.models.python.builtins import constructors as builtin_constructors
@@ -70,19 +70,17 @@ def is_subclass(cls: Value, wanted: Value) -> bool | None:
     return True if cls == wanted else None
 
 
-class FakeMachine:
+class FakeMachine(FakeProcess):
     """Keeps objects in a dict; records findings and deaths; calls natives and the Python functions it was given."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.heap: dict[int, Obj] = {}
         self.findings: list[str] = []
         self.spent = 0
-        self.asked: set[tuple[str, str, str]] = set()
         self.deaths: list[str] = []
         self.escaped: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}
-        self.place = Place("demo.py", 1)
-        self.files: Files = NoFiles()
 
     def function(self, name: str, python: Callable[..., Value]) -> Value:
         value = Native(name)
@@ -152,9 +150,6 @@ class FakeMachine:
 
     def close_generator(self, ref: Ref) -> None:
         assert self.obj(ref).kind
-
-    def load_module(self, name: str) -> Value:
-        return Native(name)
 
     def truth(self, value: Value) -> bool | None:
         return operators.truth(self, value)

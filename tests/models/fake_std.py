@@ -6,6 +6,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from models.fake_process import FakeProcess
 from rosward.domain.choice import options
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series
@@ -27,7 +28,6 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models.file_paths import Files, NoFiles
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.models.python.std import arguments as std_arguments
 from rosward.models.python.std import data as std_data
@@ -41,7 +41,6 @@ from rosward.models.python.std import paths as std_paths
 from rosward.models.python.std import processes as std_process
 from rosward.models.python.std import records as std_records
 from rosward.models.python.std import texts as std_text
-from rosward.source.location import Place
 
 TABLES = (
     std_arguments.NATIVES,
@@ -73,18 +72,17 @@ _COMPARISONS: dict[str, Callable[..., object]] = {
 }
 
 
-class FakeMachine:
+class FakeMachine(FakeProcess):
     """Keeps objects in a dict; records findings, deaths and schedules."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.heap: dict[int, Obj] = {}
         self.findings: list[tuple[str, str]] = []
         self.spent = 0
         self.deaths: list[tuple[str, str]] = []
         self.scheduled: list[Value] = []
         self.functions: dict[Value, Callable[..., Value]] = {}
-        self.place = Place("demo.py", 1)
-        self.files: Files = NoFiles()
 
     # What natives use
 
@@ -182,9 +180,6 @@ class FakeMachine:
 
     def close_generator(self, ref: Ref) -> None:
         assert self.obj(ref).kind
-
-    def load_module(self, name: str) -> Value:
-        return Native(name)
 
     def truth(self, value: Value) -> bool | None:
         if isinstance(value, Const) and not value.origins:

@@ -257,7 +257,9 @@ def test_terminal(evil: str) -> None:
 
 def test_both_lists_of_invisible_characters_agree() -> None:
     """That of Python, and that of the browser."""
-    script = Path(safe.__file__).parent.joinpath("outputs", "report", "assets", "js", "names.js").read_text(encoding="utf-8")
+    script = (
+        Path(safe.__file__).parent.joinpath("outputs", "report", "assets", "js", "names.js").read_text(encoding="utf-8")
+    )
     (pattern,) = re.findall(r"const HIDDEN =\s*/\[(.*)\]/gu;", script)
     pattern = re.sub(r"\\u\{([0-9a-f]+)\}", lambda m: f"\\U{int(m[1], 16):08x}", pattern)
     theirs, ours = re.compile(f"[{pattern}]"), safe._CONTROL

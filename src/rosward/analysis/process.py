@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
+from rosward.domain.state import join_states
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, External, Function, Hole, ModuleValue, Unknown, Value
@@ -25,7 +26,6 @@ from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.python import modules
 from rosward.engine.python.binding import ANY
-from rosward.engine.state import join_states
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.models.readers import creates_nothing

@@ -95,20 +95,8 @@ def _row(seen: Seen) -> str:
     return f"  - {{name: {_text(seen.name)}, type: {seen.type}{qos}}}{at}{unknown}"
 
 
-def _qos(qos: Qos | None) -> str:
-    if qos is None:
-        return "default"
-    if qos == Qos("best_effort", "volatile", "keep_last", 5):
-        return "sensor_data"
-    if qos == Qos("reliable", "volatile", "keep_last", qos.depth) and qos.depth is not None:
-        return str(qos.depth)
-    known = {
-        "reliability": qos.reliability,
-        "durability": qos.durability,
-        "history": qos.history,
-        "depth": None if qos.depth is None else str(qos.depth),
-    }
-    words = {
+_POLICIES: Final = frozenset(
+    [
         "reliable",
         "best_effort",
         "volatile",
@@ -117,8 +105,21 @@ def _qos(qos: Qos | None) -> str:
         "keep_all",
         "system_default",
         "best_available",
-    }
-    parts = [f"{k}: {v.upper()}" for k, v in known.items() if v is not None and (v in words or v.isdecimal())]
+    ]
+)
+
+
+def _qos(qos: Qos | None) -> str:
+    if qos is None:
+        return "default"
+    if qos == Qos("best_effort", "volatile", "keep_last", 5):
+        return "sensor_data"
+    if qos == Qos("reliable", "volatile", "keep_last", qos.depth) and qos.depth is not None:
+        return str(qos.depth)
+    policies = {"reliability": qos.reliability, "durability": qos.durability, "history": qos.history}
+    parts = [f"{name}: {word.upper()}" for name, word in policies.items() if word in _POLICIES]
+    if qos.depth is not None:
+        parts.append(f"depth: {qos.depth}")
     return f"{{{', '.join(parts)}}}"
 
 

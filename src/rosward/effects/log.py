@@ -7,22 +7,57 @@ An effect keeps abstract values; `network.collect` turns them into names.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, NamedTuple, Protocol, final
 
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, External, Ref, Value
+from rosward.domain.values import UNBOUND, Class, External, Ref, Unknown, Value
 from rosward.effects.variables import Variables
 from rosward.findings import Finding
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
+    from rosward.domain.state import State
     from rosward.effects.configuration import Configuration
     from rosward.effects.launch_context import LaunchContext
-    from rosward.engine.interpreter import Interpreter
-    from rosward.engine.state import State
     from rosward.ir.program import Code
+
+
+class Execution(Protocol):
+    """Where the interpretation stands, as the log asks it."""
+
+    @property
+    def state(self) -> State:
+        """The current state."""
+
+    @property
+    def place(self) -> Place:
+        """Where in the user's sources the innermost user call stands (calls inside library models are looked through)."""
+
+    @property
+    def path(self) -> tuple[Place, ...]:
+        """The calls in the user's code that lead here, outermost first; of a longer chain the innermost."""
+
+    @property
+    def in_callback(self) -> bool:
+        """Whether something that was scheduled is running, not the main body."""
+
+    def fresh_version(self, compared: int = 0) -> int:
+        """A version number never used before, for a state that took as many comparisons of objects to make."""
+
+    def keep_end(self) -> None:
+        """Here a path of the main body ends: its state counts for what runs afterwards."""
+
+    def obj(self, ref: Ref) -> Obj:
+        """The heap record behind a reference."""
+
+    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        """An unknown that arises here."""
+
+    def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
+        """A finding at the current place."""
 
 
 class NodeEffect(NamedTuple):
@@ -88,13 +123,13 @@ class EffectLog:
         self.ends: list[frozenset[tuple[object, ...]]] = []
         self._addresses: set[int] = set()
 
-    def add_node(self, machine: Interpreter, effect: NodeEffect) -> None:
+    def add_node(self, machine: Execution, effect: NodeEffect) -> None:
         """Record a node."""
         self.nodes[effect] = None
         self._addresses.add(effect.address)
         self._done(machine, ("node", effect.address))
 
-    def add_entity(self, machine: Interpreter, effect: EntityEffect) -> None:
+    def add_entity(self, machine: Execution, effect: EntityEffect) -> None:
         """Record an entity."""
         if effect not in self.entities:
             self.entities[effect] = None
@@ -107,7 +142,7 @@ class EffectLog:
         return ("entity", effect.kind, effect.address, effect.name, effect.type)
 
     @staticmethod
-    def _done(machine: Interpreter, key: tuple[object, ...]) -> None:
+    def _done(machine: Execution, key: tuple[object, ...]) -> None:
         state = machine.state
         if key not in state.done:
             state.done |= {key}
@@ -134,7 +169,7 @@ class EffectLog:
             if node.address not in own:
                 self.nodes.pop(node, None)
 
-    def assumed_node(self, machine: Interpreter, ref: Ref, base: Value) -> None:
+    def assumed_node(self, machine: Execution, ref: Ref, base: Value) -> None:
         """An object whose class is not wholly known is used as a node."""
         if self.is_node(ref.address):
             return
@@ -159,18 +194,18 @@ class EffectLog:
         if not stub:
             self.functions[id(code)] = code
 
-    def blocks(self, machine: Interpreter) -> None:
+    def blocks(self, machine: Execution) -> None:
         """The program can stay here for ever: what surely happened so far is what an execution is sure of."""
-        if not machine.schedule_book.running:
+        if not machine.in_callback:
             self._end(machine)
 
-    def ends_early(self, machine: Interpreter) -> None:
+    def ends_early(self, machine: Execution) -> None:
         """An exception that nothing catches ends the program here."""
-        if machine.schedule_book.running:
+        if machine.in_callback:
             return
         self._end(machine)
 
-    def _end(self, machine: Interpreter) -> None:
+    def _end(self, machine: Execution) -> None:
         """The main body can end here: what was scheduled may still run from this state."""
         self.ends.append(machine.state.done)
         machine.keep_end()

@@ -9,17 +9,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, widen
+from rosward.domain.state import EventKey, State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher, note, rethrow
 from rosward.engine.frame import Frame
-from rosward.engine.state import EventKey, State, join_states
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
     from rosward.ir.program import Code
 
 _LARGE: Final = 50
@@ -45,7 +45,7 @@ class Summary:
         return (tuple(self.registers), self.before.version, self.value, after)
 
 
-def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """Run a function body on bound registers; the value returned."""
     code = function.code
     depth = sum(1 for f in machine.frames if f.code is code)
@@ -71,7 +71,7 @@ def invoke(machine: Interpreter, function: Function, registers: list[Value]) -> 
     return value
 
 
-def _is_large(machine: Interpreter, function: Function) -> bool:
+def _is_large(machine: Engine, function: Function) -> bool:
     """Whether running a body again costs more than asking for its summary. What makes nodes and entities is run each time."""
     code = function.code
     found = machine.large.get(id(code))
@@ -104,7 +104,7 @@ def _weight(block: Block) -> int:
 
 
 def run_body(
-    machine: Interpreter, function: Function, registers: list[Value], caller: Frame | None, context: int | None = None
+    machine: Engine, function: Function, registers: list[Value], caller: Frame | None, context: int | None = None
 ) -> Value:
     """Interpret a body in a frame of its own; the value returned."""
     code = function.code
@@ -128,7 +128,7 @@ def run_body(
     return value
 
 
-def left_by(machine: Interpreter, frame: Frame, *, alive: bool) -> tuple[Value, State] | None:
+def left_by(machine: Engine, frame: Frame, *, alive: bool) -> tuple[Value, State] | None:
     """What a body returned, and the state there; `alive`: control also came out at its end. None: it does not return."""
     exits = frame.exits
     if alive:
@@ -140,7 +140,7 @@ def left_by(machine: Interpreter, frame: Frame, *, alive: bool) -> tuple[Value, 
     return None if exits.returned is None else (exits.value, exits.returned.state)
 
 
-def context_of(machine: Interpreter, code: Code, caller: Frame | None) -> int:
+def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
     """The context of a call: the chain of calls that led to it. What one operation calls (`map`, `sum`) is told apart by its turn."""
     if machine.coarse:
         return machine.context("coarse", code.key)
@@ -149,7 +149,7 @@ def context_of(machine: Interpreter, code: Code, caller: Frame | None) -> int:
     return machine.context(caller.context, caller.code.key, caller.op.number, caller.next(), code.key)
 
 
-def _summarised(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+def _summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
     key = (id(function.code), function.cells)
     summary = machine.summaries.get(key)
@@ -210,7 +210,7 @@ def _summarised(machine: Interpreter, function: Function, registers: list[Value]
     return _of_summary(machine, summary, done)
 
 
-def _of_summary(machine: Interpreter, summary: Summary, done: frozenset[EventKey]) -> Value:
+def _of_summary(machine: Engine, summary: Summary, done: frozenset[EventKey]) -> Value:
     """What a call gives by its summary, where `done` had surely happened before it."""
     if summary.catcher is not None:
         rethrow(machine, summary.catcher)

@@ -11,11 +11,11 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final, TypeVar
 
 from rosward.domain.choice import join
+from rosward.domain.state import State, join_states
 from rosward.domain.values import UNBOUND, Value
-from rosward.engine.state import State, join_states
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 T = TypeVar("T")
 _TOLD_APART: Final = 8
@@ -23,7 +23,7 @@ _TOLD_APART: Final = 8
 next (`self.last = self.last[-9:]`), they would grow in number for ever."""
 
 
-def each_apart(machine: Interpreter, alternatives: Sequence[T], action: Callable[[T], Value]) -> Value:
+def each_apart(machine: Engine, alternatives: Sequence[T], action: Callable[[T], Value]) -> Value:
     """What an action gives for each alternative from the same state, results and states joined; UNBOUND where none comes back."""
     if len(alternatives) == 1:
         return action(alternatives[0])

@@ -25,10 +25,10 @@ from rosward.models.python.plain import with_origins
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def make(machine: Interpreter, cls: Class) -> None:
+def make(machine: Engine, cls: Class) -> None:
     """Make an object of a class; where its constructor surely fails, say where."""
     machine.ended_at = {}
     if machine.call(cls, (), _arguments(machine, cls)) is not UNBOUND:
@@ -44,7 +44,7 @@ def make(machine: Interpreter, cls: Class) -> None:
         machine.log.findings[Finding("RW209", message, cls.place)] = None
 
 
-def _arguments(machine: Interpreter, cls: Class) -> dict[str, Value]:
+def _arguments(machine: Engine, cls: Class) -> dict[str, Value]:
     """Whatever somebody may give, and the defaults where nobody gives anything."""
     found: dict[str, Value] = {ANY: UNBOUND}
     for constructor in options(attributes.lookup(machine, cls, "__init__") or UNBOUND):
@@ -61,14 +61,14 @@ def _defaults(function: Function) -> Iterator[tuple[str, Value]]:
     yield from function.kwdefaults
 
 
-def _given(machine: Interpreter, name: str, default: Value, place: Place) -> Value:
+def _given(machine: Engine, name: str, default: Value, place: Place) -> Value:
     """What may arrive in place of a default. One that says "nothing" says nothing of what there is otherwise."""
     if any(_is_nothing(machine, option) for option in options(default)):
         return Unknown((Reason(Cause.CALLER, name, place),))
     return with_origins(default, frozenset((Origin("argument", name),)))
 
 
-def _is_nothing(machine: Interpreter, value: Value) -> bool:
+def _is_nothing(machine: Engine, value: Value) -> bool:
     """None, or a container without anything in it."""
     if isinstance(value, Ref):
         obj = machine.obj(value)

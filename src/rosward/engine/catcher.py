@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
+from rosward.domain.state import State, join_objects, join_registers, join_states
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
-from rosward.engine.state import State, join_objects, join_registers, join_states
 from rosward.models.failures import tell_uncaught
 from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 OPERATION: Final = 1
 """Python itself may raise one of its own exceptions."""
@@ -43,9 +43,7 @@ class Catcher:
 
     __slots__ = ("arrivals", "classes", "frame", "handles", "importing", "level", "noted", "snapshot", "version")
 
-    def __init__(
-        self, machine: Interpreter, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()
-    ) -> None:
+    def __init__(self, machine: Engine, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()) -> None:
         self.frame = frame
         self.handles = handles  # it has `except`, not `finally` or `with` alone
         self.classes = classes  # the names of builtin exceptions that its handlers surely catch
@@ -66,7 +64,7 @@ class Catcher:
         """The exceptions that are known, joined; UNBOUND where there are none."""
         return join_all(self.arrivals) if self.arrivals else UNBOUND
 
-    def note(self, machine: Interpreter, level: int = OPERATION) -> None:
+    def note(self, machine: Engine, level: int = OPERATION) -> None:
         """An exception that is not known may be raised here."""
         variables = self.frame.registers[: len(self.frame.code.variables)]  # temporaries do not outlive a statement
         if not self.level:
@@ -80,14 +78,14 @@ class Catcher:
             self.noted = variables
             self.snapshot.registers = join_registers(self.snapshot.registers, variables)
 
-    def arrive(self, machine: Interpreter, exception: Value, state: State) -> None:
+    def arrive(self, machine: Engine, exception: Value, state: State) -> None:
         """An exception comes in a state (which is not used up)."""
         for each in options(exception):
             snapshot = Snapshot(self.frame.registers.copy(), state.copy())
             self.arrivals[each] = join_into(machine, self.arrivals.get(each), snapshot)
         self.arrivals = self.few(machine, _MOST)
 
-    def few(self, machine: Interpreter, most: int) -> dict[Value, Snapshot]:
+    def few(self, machine: Engine, most: int) -> dict[Value, Snapshot]:
         """The exceptions that are known, each with its state; all joined where there are more than so many."""
         if len(self.arrivals) <= most:
             return self.arrivals
@@ -95,7 +93,7 @@ class Catcher:
         assert joined is not None
         return {self.raised: joined}
 
-    def wrote(self, machine: Interpreter, address: int, obj: Obj, version: int) -> None:
+    def wrote(self, machine: Engine, address: int, obj: Obj, version: int) -> None:
         """An object was written, in a state that had this version before."""
         if not self.level:
             return
@@ -110,12 +108,12 @@ class Catcher:
             state.heap[address] = merged
             state.version = machine.fresh_version()
 
-    def _take(self, machine: Interpreter) -> None:
+    def _take(self, machine: Engine) -> None:
         """The state has become another one, not by writes alone: an exception that is not known may come in all of it."""
         self.version = machine.state.version
         self.snapshot.state = join_states(self.snapshot.state, machine.state.copy(), machine.fresh_version)
 
-    def take_over(self, machine: Interpreter, inner: Catcher) -> None:
+    def take_over(self, machine: Engine, inner: Catcher) -> None:
         """What may be raised in an inner statement, and is not surely caught there, may arrive here."""
         if not inner.level:
             return
@@ -127,7 +125,7 @@ class Catcher:
             self.snapshot.registers = join_registers(self.snapshot.registers, inner.snapshot.registers)
 
 
-def join_snapshots(machine: Interpreter, several: list[Snapshot]) -> Snapshot | None:
+def join_snapshots(machine: Engine, several: list[Snapshot]) -> Snapshot | None:
     """Copies of snapshots of one frame, joined."""
     joined: Snapshot | None = None
     for each in several:
@@ -135,28 +133,28 @@ def join_snapshots(machine: Interpreter, several: list[Snapshot]) -> Snapshot | 
     return joined
 
 
-def note(machine: Interpreter, level: int = OPERATION) -> None:
+def note(machine: Engine, level: int = OPERATION) -> None:
     """An exception that is not known may be raised here: tell the innermost try."""
     if machine.catchers:
         machine.noted = max(machine.noted, level)
         machine.catchers[-1].note(machine, level)
 
 
-def note_call(machine: Interpreter) -> None:
+def note_call(machine: Engine) -> None:
     """Unknown code runs here: it may raise what it likes, and an import in it may fail."""
     if machine.catchers:
         note(machine, ANYTHING if machine.handed or machine.schedule_book.by_library else LIBRARY)
         machine.catchers[-1].importing = True
 
 
-def note_import(machine: Interpreter) -> None:
+def note_import(machine: Engine) -> None:
     """An ImportError may be raised here: of a module that is not among the sources."""
     if machine.catchers:
         note(machine, LIBRARY)
         machine.catchers[-1].importing = True
 
 
-def unseen(machine: Interpreter) -> Unknown:
+def unseen(machine: Engine) -> Unknown:
     """An exception that Python or a library may have raised, as the program sees it."""
     return machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT)
 
@@ -166,7 +164,7 @@ def is_unseen(exception: Value) -> bool:
     return exception.__class__ is Unknown and exception.hint == EXCEPTION_HINT
 
 
-def throw(machine: Interpreter, exception: Value) -> None:
+def throw(machine: Engine, exception: Value) -> None:
     """An exception is raised here. Where it surely is, the path ends behind; else it goes on."""
     machine.raised += 1
     known = [o for o in options(exception) if not is_unseen(o)]
@@ -183,7 +181,7 @@ def throw(machine: Interpreter, exception: Value) -> None:
         machine.uncaught(exception)
 
 
-def rethrow(machine: Interpreter, inner: Catcher) -> None:
+def rethrow(machine: Engine, inner: Catcher) -> None:
     """What leaves a call by exceptions reaches the `try` around it; the machine's state is left as it is."""
     if machine.catchers and inner.level:
         machine.catchers[-1].take_over(machine, inner)

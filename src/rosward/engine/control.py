@@ -22,10 +22,10 @@ from rosward.ir import ops
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def branch(machine: Interpreter, op: ops.If, frame: Frame) -> bool | None:
+def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     """Follow the way that the test decides, or both."""
     frame.op, frame.sequence = op, 0
     decided = truth(machine, frame.registers[op.test])
@@ -48,7 +48,7 @@ def branch(machine: Interpreter, op: ops.If, frame: Frame) -> bool | None:
     return None if second else False
 
 
-def leave(machine: Interpreter, op: ops.Return, frame: Frame) -> bool:
+def leave(machine: Engine, op: ops.Return, frame: Frame) -> bool:
     """Return from the function."""
     exits = frame.exits
     exits.value = join(exits.value, frame.registers[op.src])
@@ -56,21 +56,19 @@ def leave(machine: Interpreter, op: ops.Return, frame: Frame) -> bool:
     return False
 
 
-def break_(machine: Interpreter, _op: ops.Break, frame: Frame) -> bool:
+def break_(machine: Engine, _op: ops.Break, frame: Frame) -> bool:
     """Leave the loop."""
     frame.exits.broken = join_into(machine, frame.exits.broken, Snapshot(frame.registers, machine.state))
     return False
 
 
-def continue_(machine: Interpreter, _op: ops.Continue, frame: Frame) -> bool:
+def continue_(machine: Engine, _op: ops.Continue, frame: Frame) -> bool:
     """Go on with the next turn."""
     frame.exits.continued = join_into(machine, frame.exits.continued, Snapshot(frame.registers, machine.state))
     return False
 
 
-def behind(
-    machine: Interpreter, frame: Frame, alive: bool, saved: tuple[Snapshot | None, Snapshot | None]
-) -> bool | None:
+def behind(machine: Engine, frame: Frame, alive: bool, saved: tuple[Snapshot | None, Snapshot | None]) -> bool | None:
     """Behind a loop: where it ended by itself, joined with where it was left by break."""
     broken = frame.exits.broken
     frame.exits.broken, frame.exits.continued = saved
@@ -82,12 +80,12 @@ def behind(
     return None if alive else False
 
 
-def turn(machine: Interpreter, body: ops.Block, frame: Frame) -> bool:
+def turn(machine: Engine, body: ops.Block, frame: Frame) -> bool:
     """One turn of a loop's body; True where a next one can follow."""
     return end_turn(machine, frame, alive=machine.run(body, frame))
 
 
-def end_turn(machine: Interpreter, frame: Frame, *, alive: bool) -> bool:
+def end_turn(machine: Engine, frame: Frame, *, alive: bool) -> bool:
     """The end of a turn, which control reaches through the body (`alive`) or by `continue`."""
     continued = frame.exits.continued
     if continued is not None:
@@ -100,7 +98,7 @@ def end_turn(machine: Interpreter, frame: Frame, *, alive: bool) -> bool:
 
 
 def loop(
-    machine: Interpreter, op: ops.While, frame: Frame, begun: tuple[int, Callable[[], bool]] | None = None
+    machine: Engine, op: ops.While, frame: Frame, begun: tuple[int, Callable[[], bool]] | None = None
 ) -> bool | None:
     """A while loop: followed while its condition is known, then to a fixpoint. `begun`: a turn that was suspended, and how it is finished."""
     frame.op, frame.sequence = op, 0
@@ -160,14 +158,14 @@ def loop(
     return behind(machine, frame, alive, saved)
 
 
-def _enter_turn(machine: Interpreter, op: ops.While, frame: Frame, context: int, number: int) -> None:
+def _enter_turn(machine: Engine, op: ops.While, frame: Frame, context: int, number: int) -> None:
     """A turn begins: what it makes is told apart from what others make."""
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
         frame.turns[id(op)] = (number,)
 
 
-def _never_ends(machine: Interpreter, frame: Frame) -> None:
+def _never_ends(machine: Engine, frame: Frame) -> None:
     """A loop is not left at its end. One of a generator waits at its `yield`, which blocks nothing."""
     if frame.yielded is None or frame.yielded.state is None:
         machine.log.blocks(machine)
@@ -178,7 +176,7 @@ Feed = Callable[[], tuple[Value, Snapshot | None]]
 
 
 def until_stable(
-    machine: Interpreter, op: ops.While | ops.ForEach, frame: Frame, registers: list[Value] | None, feed: Feed | None
+    machine: Engine, op: ops.While | ops.ForEach, frame: Frame, registers: list[Value] | None, feed: Feed | None
 ) -> bool:
     """Any number of turns: joins the states at the head of the loop until they do not change, widening after a few.
 

@@ -30,7 +30,7 @@ from rosward.engine.python import modules
 from rosward.models.ros.effects import perform
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _PURE: Final = Tuple((Const("pure"),))
 MODEL_PREFIX = "models:"
@@ -94,7 +94,7 @@ def _fits(value: Value) -> bool:
     return value.__class__ not in (Unknown, Text, Choice)
 
 
-def apply(machine: Interpreter, function: Function, registers: list[Value]) -> Value | None:
+def apply(machine: Engine, function: Function, registers: list[Value]) -> Value | None:
     """Perform the declared effects; a value where one of them is the whole call (`@native`)."""
     named = dict(zip(function.code.parameters.names, registers, strict=True))
     for spec in reversed(function.effects):
@@ -110,7 +110,7 @@ def apply(machine: Interpreter, function: Function, registers: list[Value]) -> V
     return None
 
 
-def result(machine: Interpreter, function: Function, registers: list[Value]) -> Value:
+def result(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A value of the return annotation. What the library was given and can call, it may call, unless the model says `@pure`."""
     code = function.code
     if _PURE not in function.effects:
@@ -125,9 +125,7 @@ def result(machine: Interpreter, function: Function, registers: list[Value]) -> 
     return _of_annotation(machine, function, tree, registers, dotted)
 
 
-def _of_annotation(
-    machine: Interpreter, function: Function, tree: ast.expr, registers: list[Value], dotted: str
-) -> Value:
+def _of_annotation(machine: Engine, function: Function, tree: ast.expr, registers: list[Value], dotted: str) -> Value:
     if isinstance(tree, ast.Constant):
         if tree.value is None:
             return NONE
@@ -151,7 +149,7 @@ def _of_annotation(
     return machine.unknown(Cause.CALL, dotted)
 
 
-def _evaluate(machine: Interpreter, function: Function, tree: ast.expr) -> Value:
+def _evaluate(machine: Engine, function: Function, tree: ast.expr) -> Value:
     if isinstance(tree, ast.Name):
         found = machine.at(function.module.address).attrs.get(tree.id)
         return (
@@ -164,7 +162,7 @@ def _evaluate(machine: Interpreter, function: Function, tree: ast.expr) -> Value
     return NONE
 
 
-def _instance(machine: Interpreter, cls: Value, dotted: str) -> Value:
+def _instance(machine: Engine, cls: Value, dotted: str) -> Value:
     """An opaque value of a class."""
     if cls.__class__ is Class:
         if any(
@@ -180,6 +178,6 @@ def _instance(machine: Interpreter, cls: Value, dotted: str) -> Value:
     return machine.unknown(Cause.CALL, dotted)
 
 
-def opaque(machine: Interpreter, cls: Value) -> Value:
+def opaque(machine: Engine, cls: Value) -> Value:
     """A new instance of a class on which `__init__` was not run."""
     return join_all(machine.allocate(Obj("instance", c), "opaque") for c in options(cls))

@@ -22,7 +22,7 @@ from rosward.models.python.contents import CONTENTS
 from rosward.models.readers import creates_nothing, only_reads
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 BY_LIBRARY: Final = "call by a library"
 BY_PYTHON: Final = "call by Python itself"
@@ -33,7 +33,7 @@ _DEPTH: Final = 4
 """How many containers deep callables and nodes are looked for."""
 
 
-def escape(machine: Interpreter, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
+def escape(machine: Engine, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
     """Values reach `library`: callables may be called with anything, later, any number of times; a node may get entities.
 
     What can be changed may come back changed, unless it is known of `callee` that it only reads. `library` is '' in what follows where it
@@ -48,7 +48,7 @@ def escape(machine: Interpreter, values: Iterable[Value], library: str, callee: 
             change(machine, value, library)
 
 
-def may_call(machine: Interpreter, values: Iterable[Value]) -> None:
+def may_call(machine: Engine, values: Iterable[Value]) -> None:
     """Functions of the program reach a library that is described: it may call them, later, with anything."""
     for value in values:
         for option in options(value):
@@ -64,7 +64,7 @@ def name_of(value: Value) -> str:
     return getattr(value, "name", "") or "something unknown"
 
 
-def _reach(machine: Interpreter, value: Value, library: str, depth: int, seen: set[int]) -> None:
+def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[int]) -> None:
     for option in options(value):
         if isinstance(option, (Function, BoundMethod, Partial)):
             if not _is_library(option):
@@ -89,7 +89,7 @@ def _is_library(value: Value) -> bool:
     return not isinstance(value, Function) or declared.is_model(value)
 
 
-def _reach_object(machine: Interpreter, ref: Ref, library: str, depth: int, seen: set[int]) -> None:
+def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set[int]) -> None:
     obj = machine.obj(ref)
     if obj.kind == "generator":
         machine.schedule_book.add(machine, ref, (), BY_LIBRARY)

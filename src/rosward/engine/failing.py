@@ -40,7 +40,7 @@ from rosward.models.python.exceptions import member_of
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 NEVER: Final = frozenset(
     {
@@ -149,7 +149,7 @@ _SAFE_INTRINSICS: Final = frozenset(
 )
 
 
-def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
+def run_noting(machine: Engine, block: ops.Block, frame: Frame) -> bool:
     """Interpret a block inside a try: from each operation that may fail the state may reach the handlers."""
     table = machine.table
     for op in block:
@@ -166,27 +166,27 @@ def run_noting(machine: Interpreter, block: ops.Block, frame: Frame) -> bool:
     return True
 
 
-def may_fail(machine: Interpreter, op: ops.Op, frame: Frame) -> int:
+def may_fail(machine: Engine, op: ops.Op, frame: Frame) -> int:
     """What Python itself may raise in an operation, before it is interpreted."""
     judge = _JUDGES.get(op.__class__)
     return 1 if judge is None or judge(machine, op, frame) else 0
 
 
-def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> bool:
+def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> bool:
     record = machine.at(frame.module.address)
     found = record.attrs.get(op.name, UNBOUND)
     return (found is UNBOUND or op.name in record.partial) and not hasattr(builtins, op.name)
 
 
-def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> bool:
+def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> bool:
     return machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND) is UNBOUND
 
 
-def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool:
+def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
     return not _has(machine, frame.registers[op.obj], op.name)
 
 
-def _has(machine: Interpreter, value: Value, name: str) -> bool:
+def _has(machine: Engine, value: Value, name: str) -> bool:
     """Whether a value surely has an attribute."""
     cls = value.__class__
     if cls is Ref:
@@ -209,7 +209,7 @@ def _has(machine: Interpreter, value: Value, name: str) -> bool:
     return cls in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
 
 
-def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool:
+def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
     target = frame.registers[op.obj]
     if op.narrowing or target.__class__ in (Class, ModuleValue, Function):
         return False
@@ -223,7 +223,7 @@ def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool:
     )
 
 
-def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool:
+def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool:
     value, index = frame.registers[op.obj], frame.registers[op.index]
     if index.__class__ is not Const:
         return True
@@ -239,12 +239,12 @@ def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool:
     return obj.kind != "list" or obj.items is None
 
 
-def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> bool:
+def _store_item(machine: Engine, op: ops.StoreItem, frame: Frame) -> bool:
     value, index = frame.registers[op.obj], frame.registers[op.index]
     return not (value.__class__ is Ref and machine.obj(value).kind == "dict" and index.__class__ in (Const, Text))
 
 
-def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> bool:
+def _delete(machine: Engine, op: ops.Delete, frame: Frame) -> bool:
     del machine
     return op.kind != "local" or frame.registers[op.obj] is UNBOUND
 
@@ -254,15 +254,15 @@ def _plain(*values: Value) -> bool:
     return all(v.__class__ in (Const, Text, Tuple) for v in values)
 
 
-def _binary(_machine: Interpreter, op: ops.Binary, frame: Frame) -> bool:
+def _binary(_machine: Engine, op: ops.Binary, frame: Frame) -> bool:
     return not _plain(frame.registers[op.left], frame.registers[op.right])
 
 
-def _unary(_machine: Interpreter, op: ops.Unary, frame: Frame) -> bool:
+def _unary(_machine: Engine, op: ops.Unary, frame: Frame) -> bool:
     return op.operator != "not" and not _plain(frame.registers[op.src])
 
 
-def _compare(_machine: Interpreter, op: ops.Compare, frame: Frame) -> bool:
+def _compare(_machine: Engine, op: ops.Compare, frame: Frame) -> bool:
     if op.operator in ("is", "is-not", "==", "!="):
         return False
     right = frame.registers[op.right]
@@ -271,14 +271,14 @@ def _compare(_machine: Interpreter, op: ops.Compare, frame: Frame) -> bool:
     return not _plain(frame.registers[op.left], right)
 
 
-def _format(_machine: Interpreter, op: ops.Format, frame: Frame) -> bool:
+def _format(_machine: Engine, op: ops.Format, frame: Frame) -> bool:
     return any(
         not isinstance(part, str) and part[2] != ops.NO_REGISTER and not _plain(frame.registers[part[0]])
         for part in op.parts
     )
 
 
-def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool:
+def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool:
     value = frame.registers[op.src]
     if value.__class__ is Ref and machine.obj(value).kind == "list":
         items = machine.obj(value).items
@@ -286,18 +286,18 @@ def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool:
     return not (value.__class__ is Tuple and len(value.items) == len(op.dsts) and op.star == ops.NO_REGISTER)
 
 
-def _intrinsic(_machine: Interpreter, op: ops.Intrinsic, _frame: Frame) -> bool:
+def _intrinsic(_machine: Engine, op: ops.Intrinsic, _frame: Frame) -> bool:
     return op.name not in _SAFE_INTRINSICS
 
 
-def _for_each(machine: Interpreter, op: ops.ForEach, frame: Frame) -> bool:
+def _for_each(machine: Engine, op: ops.ForEach, frame: Frame) -> bool:
     value = frame.registers[op.iterable]
     if value.__class__ is Ref:
         return machine.obj(value).kind not in ("list", "set", "dict", "generator")
     return value.__class__ is not Tuple and not _plain(value) and value.__class__.__name__ != "Range"
 
 
-def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool:
+def _call(machine: Engine, op: ops.Call, frame: Frame) -> bool:
     given: list[Value] = []
     for argument in op.arguments:
         value = frame.registers[argument.register]
@@ -310,12 +310,12 @@ def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool:
     return _callee(machine, frame.registers[op.func], given)
 
 
-def _elements(machine: Interpreter, value: Value) -> list[Value]:
+def _elements(machine: Engine, value: Value) -> list[Value]:
     obj = machine.obj(value)  # type: ignore[arg-type]
     return [*(obj.items or ()), *obj.entries.values()]
 
 
-def _callee(machine: Interpreter, function: Value, arguments: list[Value]) -> bool:
+def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
     """Whether a call may fail by itself. A function of the program says so where it is interpreted."""
     cls = function.__class__
     if cls is BoundMethod:
@@ -335,14 +335,14 @@ def _callee(machine: Interpreter, function: Value, arguments: list[Value]) -> bo
     return cls is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None  # type: ignore[arg-type]
 
 
-def _known(machine: Interpreter, value: Value) -> bool:
+def _known(machine: Engine, value: Value) -> bool:
     """Whether all that a builtin asks of a value is known."""
     if value.__class__ is Tuple:
         return all(_known(machine, v) for v in value.items)
     return _is_exact(machine, value) if value.__class__ is Ref else value.__class__ is Const
 
 
-def _is_exact(machine: Interpreter, value: Value) -> bool:
+def _is_exact(machine: Engine, value: Value) -> bool:
     """Whether a value is a tuple, or a list, set or dict of which all elements are known."""
     if value.__class__ is not Ref:
         return value.__class__ is Tuple
@@ -352,12 +352,12 @@ def _is_exact(machine: Interpreter, value: Value) -> bool:
     return obj.items is not None and obj.rest is None and not obj.maybe
 
 
-def _is_generator(machine: Interpreter, arguments: list[Value]) -> bool:
+def _is_generator(machine: Engine, arguments: list[Value]) -> bool:
     first = arguments[0] if arguments else NONE
     return first.__class__ is Ref and machine.obj(first).kind == "generator"
 
 
-def _native(machine: Interpreter, name: str, arguments: list[Value]) -> bool:
+def _native(machine: Engine, name: str, arguments: list[Value]) -> bool:
     head, _, method = name.rpartition(".")
     if head == "generator" or (method == "next" and _is_generator(machine, arguments)):
         return False  # what it raises is followed

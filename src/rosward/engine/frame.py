@@ -6,14 +6,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import join
+from rosward.domain.state import Merge, State, join_registers, join_states
 from rosward.domain.suspended import Point
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
-from rosward.engine.state import Merge, State, join_registers, join_states
 from rosward.ir.program import Code
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _MOST: Final = 64
 """How many calls and objects of one operation are told apart."""
@@ -30,7 +30,7 @@ class Snapshot:
         self.state = state
 
 
-def join_into(machine: Interpreter, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
+def join_into(machine: Engine, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
     """Join a snapshot (used up) into another of the same frame."""
     if target is None:
         return snapshot

@@ -20,7 +20,7 @@ from rosward.engine.python import attributes, implicit
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__class_getitem__", "__set_name__"})
 """What Python calls when it makes a class or an object, not later."""
@@ -29,7 +29,7 @@ _ROUNDS: Final = 10
 """How often a library may be handed something by what it called itself."""
 
 
-def follow(machine: Interpreter) -> None:
+def follow(machine: Engine) -> None:
     """Run what libraries may do with what they hold, until that gives them nothing new."""
     met: set[str] = set()
     for _ in range(_ROUNDS):
@@ -53,7 +53,7 @@ def follow(machine: Interpreter) -> None:
     machine.report("RW201", "libraries are handed ever more objects; what they do with the last of them may be missing")
 
 
-def own_methods(machine: Interpreter, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:
+def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:
     """The methods that sources, not models, define for an object and that others may call on it: name and bound method."""
     for base in cls.mro:
         if base.__class__ is Class and not base.stub:
@@ -66,7 +66,7 @@ def own_methods(machine: Interpreter, cls: Class, ref: Ref) -> Iterator[tuple[st
                     yield name, attributes.bind(machine, value, ref, cls)
 
 
-def _not_called(machine: Interpreter, value: Value) -> Iterator[Value]:
+def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
     """Of a class, the class itself; of an object, its methods: where nothing else calls them."""
     if isinstance(value, Class):
         if value.place not in machine.instantiated:
@@ -79,7 +79,7 @@ def _not_called(machine: Interpreter, value: Value) -> Iterator[Value]:
                     yield method
 
 
-def _called(machine: Interpreter, name: str, method: Value) -> bool:
+def _called(machine: Engine, name: str, method: Value) -> bool:
     """Whether a method was run. One that a decorator replaced is another function, which may stand for many."""
     function = method.function if isinstance(method, BoundMethod) else method
     return isinstance(function, Function) and function.code.name == name and id(function.code) in machine.entered

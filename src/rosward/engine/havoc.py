@@ -14,24 +14,24 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
 from rosward.domain.heap import Obj
+from rosward.domain.state import element
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, Const, External, Ref, Text, Tuple, Unknown, Value
-from rosward.engine.state import element
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _PLAIN: Final = (Const, Text, Tuple)
 _DEPTH: Final = 4
 """How many containers and objects deep something may change."""
 
 
-def change(machine: Interpreter, value: Value, library: str) -> None:
+def change(machine: Engine, value: Value, library: str) -> None:
     """A value is handed to a library: what it refers to may hold something else when the call returns."""
     _change(machine, value, machine.unknown(Cause.CALL, library), 0, set())
 
 
-def _change(machine: Interpreter, value: Value, unknown: Value, depth: int, seen: set[int]) -> None:
+def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set[int]) -> None:
     for option in options(value):
         if isinstance(option, Tuple):
             inner: list[Value] = list(option.items)
@@ -64,12 +64,12 @@ _ATTRIBUTES: Final = 2
 """How many objects deep a node is looked for by attributes."""
 
 
-def holds_node(machine: Interpreter, ref: Ref) -> bool:
+def holds_node(machine: Engine, ref: Ref) -> bool:
     """Whether an object is a node, or has one by its attributes, or in what they hold."""
     return machine.log.is_node(ref.address) or _holds_node(machine, machine.obj(ref), _ATTRIBUTES, {ref.address})
 
 
-def _holds_node(machine: Interpreter, obj: Obj, depth: int, seen: set[int]) -> bool:
+def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
     work = list(obj.attrs.values()) if obj.kind == "instance" else contents(obj)
     for value in work:
         for option in options(value):

@@ -15,6 +15,7 @@ from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
+from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import (
@@ -50,7 +51,6 @@ from rosward.engine.python import (
     suspending,
 )
 from rosward.engine.schedule import Schedule
-from rosward.engine.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.engine.transfer import HANDLERS
 from rosward.findings import Finding
 from rosward.ir import ops
@@ -71,7 +71,7 @@ _LONGEST_PATH: Final = 12
 
 @final
 class Interpreter:
-    """Runs the code of one process abstractly. Implements `models.native.Machine`."""
+    """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
     def __init__(self, library: Library, budget: Budget, log: EffectLog) -> None:
         self.library = library
@@ -474,6 +474,30 @@ class Interpreter:
         """The calls in the user's code that lead here, outermost first; of a longer chain the innermost."""
         own = [frame for frame in self.frames if not frame.stub][-_LONGEST_PATH:]
         return tuple(frame.place for frame in own)
+
+    @property
+    def in_callback(self) -> bool:
+        """Whether something that was scheduled is running, not the main body."""
+        return self.schedule_book.running
+
+    @property
+    def is_tried(self) -> bool:
+        """Whether a `try` or `with` is running around."""
+        return bool(self.catchers)
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether no branch around leaves open whether this runs."""
+        return not any(f.uncertain for f in self.frames)
+
+    @property
+    def environment(self) -> Mapping[str, Value | None]:
+        """What is known of the environment of every process that is not given another."""
+        return self.library.environment
+
+    def function_record(self, function: Function) -> Obj | None:
+        """The heap record of a function that was given attributes."""
+        return self.state.heap.get(self.library.function_address(function))
 
     @property
     def files(self) -> Files:

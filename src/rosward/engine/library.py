@@ -253,9 +253,8 @@ class Library:
         """Whether an interface package has an interface of that name; None where the package is not known."""
         return self.sources.interface_has(module, name)
 
-    def missing(self, machine: Interpreter, dotted: str) -> Value:
+    def missing(self, dotted: str) -> Value:
         """Something of a package that is not there."""
-        del machine
         return External(dotted)
 
 

@@ -20,7 +20,7 @@ from rosward.engine.python import modules
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _DOTTED: Final = r"[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*"
 _WITH_COLON: Final = re.compile(rf"({_DOTTED}):(\S+)")
@@ -38,7 +38,7 @@ class Naming(NamedTuple):
     frame: Frame | None
 
 
-def note(machine: Interpreter, value: Const) -> None:
+def note(machine: Engine, value: Const) -> None:
     """A text reaches a library: it may be the name of something in the sources."""
     text = value.value
     if not isinstance(text, str) or len(text) > _LONGEST:
@@ -52,7 +52,7 @@ def note(machine: Interpreter, value: Const) -> None:
         machine.schedule_book.named[text] = Naming(parts[1], parts[2], machine.place, frame)
 
 
-def called(machine: Interpreter, naming: Naming) -> list[Value]:
+def called(machine: Engine, naming: Naming) -> list[Value]:
     """What a library gets by a name: classes and functions."""
     found = modules.load(machine, naming.module, naming.frame)
     for part in naming.name.split("."):

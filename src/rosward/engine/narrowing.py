@@ -19,13 +19,13 @@ from rosward.models.python.operators.operators import is_default
 from rosward.models.python.plain import int_of
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _MOST: Final = 32
 """So many values that a test names are told apart."""
 
 
-def narrowed(machine: Interpreter, value: Value, test: str, other: Value | None, sense: bool) -> Value | None:
+def narrowed(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> Value | None:
     """The alternatives of a value for which a test may come out as `sense`; None where there are none."""
     kept = [
         _one(machine, option, test, other, sense)
@@ -35,7 +35,7 @@ def narrowed(machine: Interpreter, value: Value, test: str, other: Value | None,
     return join_all(kept) if kept else None
 
 
-def _one(machine: Interpreter, value: Value, test: str, other: Value | None, sense: bool) -> Value:
+def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> Value:
     """A default for which the test comes out otherwise is not the value here; nor is a text that is not known, if it is named."""
     if not is_open(value):
         return value
@@ -60,7 +60,7 @@ def is_open(value: Value) -> bool:
     return is_default(value.origins) if isinstance(value, Const) else isinstance(value, Unknown) and value.hint == "str"
 
 
-def _named(machine: Interpreter, test: str, other: Value | None) -> list[Const] | None:
+def _named(machine: Engine, test: str, other: Value | None) -> list[Const] | None:
     """The constants that a test compares with."""
     if test == "==" and isinstance(other, Const):
         return [other]
@@ -77,7 +77,7 @@ def _named(machine: Interpreter, test: str, other: Value | None) -> list[Const] 
     return constants if len(constants) == len(items) else None
 
 
-def _given(machine: Interpreter, value: Value, sense: bool) -> Value:
+def _given(machine: Engine, value: Value, sense: bool) -> Value:
     """What somebody gives in place of a default, so that it is true, or false."""
     content = value.value if isinstance(value, Const) else None
     if sense is False and isinstance(content, (bool, int, float, str)):
@@ -87,7 +87,7 @@ def _given(machine: Interpreter, value: Value, sense: bool) -> Value:
     return _another(machine, value)
 
 
-def _another(machine: Interpreter, value: Value) -> Value:
+def _another(machine: Engine, value: Value) -> Value:
     """What somebody gives in place of a default."""
     reasons = tuple(Reason(Cause.OTHER, o.name, machine.place) for o in sorted(origins_of(value)))
     return Unknown(reasons, value.value.__class__.__name__ if isinstance(value, Const) else "")
@@ -96,7 +96,7 @@ def _another(machine: Interpreter, value: Value) -> Value:
 # Where the tested value stands
 
 
-def narrow_attribute(machine: Interpreter, target: Value, name: str, value: Value) -> None:
+def narrow_attribute(machine: Engine, target: Value, name: str, value: Value) -> None:
     """What an object surely holds in an attribute of its own turned out to be `value`."""
     if not isinstance(target, Ref):
         return
@@ -121,7 +121,7 @@ def _returned_by(found: Value | None) -> str:
     return load.name if plain and isinstance(load, ops.LoadAttr) else ""
 
 
-def narrow_item(machine: Interpreter, target: Value, index: Value, value: Value) -> None:
+def narrow_item(machine: Engine, target: Value, index: Value, value: Value) -> None:
     """What a dict or list surely holds under a key turned out to be `value`: so the key is there."""
     if not isinstance(target, Ref) or not isinstance(index, Const):
         return

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, options, reasons_of, widen
+from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
 from rosward.engine.budget import LimitReachedError
@@ -18,7 +19,6 @@ from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.python.binding import ANY
-from rosward.engine.state import State, join_objects, join_states
 from rosward.findings import Finding
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
@@ -26,7 +26,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import EntityEffect
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
     from rosward.engine.named import Naming
 
 
@@ -94,7 +94,7 @@ class Schedule:
 
     def add(
         self,
-        machine: Interpreter,
+        machine: Engine,
         callback: Value,
         args: tuple[Value, ...] | None,
         event: str,
@@ -116,7 +116,7 @@ class Schedule:
                 if event == "thread" and not self.running:
                     self._start(machine, entry)
 
-    def _start(self, machine: Interpreter, entry: Entry) -> None:
+    def _start(self, machine: Engine, entry: Entry) -> None:
         """A thread runs from here on: what follows may see what it writes, and it what is written so far.
 
         Where it finds an attribute missing that is set below, the program would fail: of that nothing is told.
@@ -136,7 +136,7 @@ class Schedule:
         return self._settled[0] >= 0
 
     @contextmanager
-    def _alone(self, machine: Interpreter) -> Iterator[None]:
+    def _alone(self, machine: Engine) -> Iterator[None]:
         """What is scheduled runs under no frame and no `try` of the main body."""
         self.running = True
         catchers, machine.catchers = machine.catchers, []
@@ -158,7 +158,7 @@ class Schedule:
             machine.coarse = coarse
             machine.step_limit, machine.coarse_limit, machine.loop_limit = (limit + spent for limit in limits)
 
-    def _context(self, machine: Interpreter, callback: Value, event: str) -> int:
+    def _context(self, machine: Engine, callback: Value, event: str) -> int:
         """The context in which a callback runs: its own, unless a callback registers it: then there must be finitely many."""
         if not self.running:
             return machine.context("callback", len(self.entries))
@@ -167,7 +167,7 @@ class Schedule:
         code = callback.code.key if callback.__class__ is Function else ""
         return machine.context("later callback", code, event, machine.place)
 
-    def spin(self, machine: Interpreter) -> None:
+    def spin(self, machine: Engine) -> None:
         """Run everything until neither the heap nor the schedule changes; the machine's state becomes the join of all that may be."""
         if self.running:
             return
@@ -177,7 +177,7 @@ class Schedule:
             self._settled = (len(self.entries), machine.state.version)
         self._throw(machine)
 
-    def uncaught(self, machine: Interpreter, exception: Value) -> None:
+    def uncaught(self, machine: Engine, exception: Value) -> None:
         """Nothing catches an exception. That of a callback comes out where the program spins, that of a thread ends there."""
         if not self.running:
             self.main_raised = join(self.main_raised, exception)
@@ -192,13 +192,13 @@ class Schedule:
         if len(self._raised) > _MOST_RAISED:
             self._raised = {join_all(self._raised): self._joined(machine)}
 
-    def _joined(self, machine: Interpreter) -> State:
+    def _joined(self, machine: Engine) -> State:
         joined = machine.state.copy()
         for state in self._raised.values():
             joined = join_states(joined, state.copy(), machine.fresh_version)
         return joined
 
-    def _throw(self, machine: Interpreter) -> None:
+    def _throw(self, machine: Engine) -> None:
         """The exceptions of callbacks may come out here."""
         after = machine.state
         for exception, state in self._raised.items():
@@ -206,7 +206,7 @@ class Schedule:
             throw(machine, exception)
         machine.state = after
 
-    def _run(self, machine: Interpreter) -> None:
+    def _run(self, machine: Engine) -> None:
         reason = Reason(Cause.LOOP, "a callback that runs again", Place("", 0))
 
         def widening(old: Value, new: Value) -> Value:
@@ -227,7 +227,7 @@ class Schedule:
             machine.check_time()
         machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
 
-    def _afford(self, machine: Interpreter, entry: Entry) -> bool:
+    def _afford(self, machine: Engine, entry: Entry) -> bool:
         """Whether there are steps left for a callback. Where many are gone, precision goes first."""
         budget = machine.budget
         most = budget.callback_steps + _STEPS_OF_EACH * len(self.entries)
@@ -241,7 +241,7 @@ class Schedule:
         entry.coarse = entry.coarse or spent > most * budget.coarse
         return True
 
-    def _call(self, machine: Interpreter, entry: Entry) -> None:
+    def _call(self, machine: Engine, entry: Entry) -> None:
         self._event = entry.event
         machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
         code = Code(CodeKind.FUNCTION, "", "", entry.place.file, entry.place.line, _NO_PARAMETERS, [], 0, (), (), ())

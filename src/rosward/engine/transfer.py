@@ -36,21 +36,21 @@ from rosward.models.python.strings.methods import format_value
 from rosward.models.ros import parameter_table
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
-Handler = Callable[["Interpreter", Any, Frame], bool | None]
+Handler = Callable[["Engine", Any, Frame], bool | None]
 DEAD: Final = False
 
 
-def _const(machine: Interpreter, op: ops.Const, frame: Frame) -> None:
+def _const(machine: Engine, op: ops.Const, frame: Frame) -> None:
     frame.registers[op.dst] = machine.library.constant(op)
 
 
-def _move(_machine: Interpreter, op: ops.Move, frame: Frame) -> None:
+def _move(_machine: Engine, op: ops.Move, frame: Frame) -> None:
     frame.registers[op.dst] = frame.registers[op.src]
 
 
-def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None:
+def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> None:
     record = machine.at(frame.module.address)
     found = record.attrs.get(op.name)
     if found is None or found is UNBOUND:
@@ -61,11 +61,11 @@ def _load_global(machine: Interpreter, op: ops.LoadGlobal, frame: Frame) -> None
     frame.registers[op.dst] = found
 
 
-def _store_global(machine: Interpreter, op: ops.StoreGlobal, frame: Frame) -> None:
+def _store_global(machine: Engine, op: ops.StoreGlobal, frame: Frame) -> None:
     modules.store_global(machine, frame.module, op.name, frame.registers[op.src])
 
 
-def _load_name(machine: Interpreter, op: ops.LoadName, frame: Frame) -> None:
+def _load_name(machine: Engine, op: ops.LoadName, frame: Frame) -> None:
     found = machine.at(frame.namespace).attrs.get(op.name) if frame.namespace >= 0 else None
     if found is None and op.cell != ops.NO_REGISTER:
         found = machine.at(frame.cells[op.cell]).attrs.get("value")
@@ -77,11 +77,11 @@ def _load_name(machine: Interpreter, op: ops.LoadName, frame: Frame) -> None:
     frame.registers[op.dst] = found
 
 
-def _store_name(machine: Interpreter, op: ops.StoreName, frame: Frame) -> None:
+def _store_name(machine: Engine, op: ops.StoreName, frame: Frame) -> None:
     machine.put(frame.namespace, machine.at(frame.namespace).with_attr(op.name, frame.registers[op.src]))
 
 
-def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> None:
+def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> None:
     found = machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND)
     if found is UNBOUND:
         frame.op, frame.sequence = op, 0
@@ -89,12 +89,12 @@ def _load_cell(machine: Interpreter, op: ops.LoadCell, frame: Frame) -> None:
     frame.registers[op.dst] = found
 
 
-def _store_cell(machine: Interpreter, op: ops.StoreCell, frame: Frame) -> None:
+def _store_cell(machine: Engine, op: ops.StoreCell, frame: Frame) -> None:
     ref = Ref(frame.cells[op.cell])
     machine.update(ref, machine.obj(ref).with_attr("value", frame.registers[op.src]))
 
 
-def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
+def _new_cell(machine: Engine, op: ops.NewCell, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     cell = machine.allocate(Obj("cell", NONE), op.cell)
     cells = list(frame.cells)
@@ -102,7 +102,7 @@ def _new_cell(machine: Interpreter, op: ops.NewCell, frame: Frame) -> None:
     frame.cells = tuple(cells)
 
 
-def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | None:
+def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     if op.name in attributes.CREATING:
         machine.reached.add(id(op))
@@ -111,7 +111,7 @@ def _load_attr(machine: Interpreter, op: ops.LoadAttr, frame: Frame) -> bool | N
     return DEAD if value is UNBOUND else None
 
 
-def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool | None:
+def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     if op.narrowing:
         narrowing.narrow_attribute(machine, frame.registers[op.obj], op.name, frame.registers[op.src])
@@ -120,14 +120,14 @@ def _store_attr(machine: Interpreter, op: ops.StoreAttr, frame: Frame) -> bool |
     return None if alive else DEAD
 
 
-def _load_item(machine: Interpreter, op: ops.LoadItem, frame: Frame) -> bool | None:
+def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = items.load(machine, frame.registers[op.obj], frame.registers[op.index])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
-def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
+def _store_item(machine: Engine, op: ops.StoreItem, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     if op.narrowing:
         narrowing.narrow_item(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
@@ -135,7 +135,7 @@ def _store_item(machine: Interpreter, op: ops.StoreItem, frame: Frame) -> None:
     items.store(machine, frame.registers[op.obj], frame.registers[op.index], frame.registers[op.src])
 
 
-def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
+def _delete(machine: Engine, op: ops.Delete, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     if op.kind == "local":
         frame.registers[op.obj] = UNBOUND
@@ -149,14 +149,14 @@ def _delete(machine: Interpreter, op: ops.Delete, frame: Frame) -> None:
         removal.delete(machine, frame.registers[op.obj], op.name)
 
 
-def _unary(machine: Interpreter, op: ops.Unary, frame: Frame) -> bool | None:
+def _unary(machine: Engine, op: ops.Unary, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = equality.unary(machine, op.operator, frame.registers[op.src])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
-def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
+def _binary(machine: Engine, op: ops.Binary, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     registers = frame.registers
     value = equality.binary(machine, op.operator, registers[op.left], registers[op.right], inplace=op.inplace)
@@ -164,14 +164,14 @@ def _binary(machine: Interpreter, op: ops.Binary, frame: Frame) -> bool | None:
     return DEAD if value is UNBOUND else None
 
 
-def _compare(machine: Interpreter, op: ops.Compare, frame: Frame) -> bool | None:
+def _compare(machine: Engine, op: ops.Compare, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = equality.compare(machine, op.operator, frame.registers[op.left], frame.registers[op.right])
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
-def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool | None:
+def _call(machine: Engine, op: ops.Call, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     registers = frame.registers
     function = registers[op.func]
@@ -184,12 +184,12 @@ def _call(machine: Interpreter, op: ops.Call, frame: Frame) -> bool | None:
     return DEAD if value is UNBOUND else None
 
 
-def _build(machine: Interpreter, op: ops.Build, frame: Frame) -> None:
+def _build(machine: Engine, op: ops.Build, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     frame.registers[op.dst] = items.build(machine, op, frame)
 
 
-def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
+def _format(machine: Engine, op: ops.Format, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     registers = frame.registers
     known: list[Value] = []
@@ -203,7 +203,7 @@ def _format(machine: Interpreter, op: ops.Format, frame: Frame) -> None:
     frame.registers[op.dst] = joined(machine, known)
 
 
-def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> None:
+def _make_function(machine: Engine, op: ops.MakeFunction, frame: Frame) -> None:
     registers = frame.registers
     frame.registers[op.dst] = Function(
         op.code,
@@ -215,36 +215,36 @@ def _make_function(machine: Interpreter, op: ops.MakeFunction, frame: Frame) -> 
     machine.log.seen(op.code, stub=frame.stub)
 
 
-def _make_class(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> None:
+def _make_class(machine: Engine, op: ops.MakeClass, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     frame.registers[op.dst] = classes.make(machine, op, frame)
 
 
-def _import(machine: Interpreter, op: ops.Import, frame: Frame) -> bool | None:
+def _import(machine: Engine, op: ops.Import, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = modules.import_module(machine, op, frame)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
-def _import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> bool | None:
+def _import_from(machine: Engine, op: ops.ImportFrom, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = modules.import_from(machine, op, frame)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None
 
 
-def _import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> bool | None:
+def _import_star(machine: Engine, op: ops.ImportStar, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     return None if modules.import_star(machine, op, frame) else DEAD
 
 
-def _unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool | None:
+def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     return None if items.unpack(machine, op, frame) else DEAD
 
 
-def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
+def _intrinsic(machine: Engine, op: ops.Intrinsic, frame: Frame) -> None:
     frame.op, frame.sequence = op, 0
     arguments = [frame.registers[r] for r in op.arguments]
     if op.name == "slice":
@@ -253,7 +253,7 @@ def _intrinsic(machine: Interpreter, op: ops.Intrinsic, frame: Frame) -> None:
         frame.registers[op.dst] = items.intrinsic(machine, op.name, arguments, frame)
 
 
-def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
+def _assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
     frame.registers[op.dst] = value
     if value.__class__ is not Choice and op.test != "true" and not narrowing.is_open(value):
@@ -268,7 +268,7 @@ def _assume(machine: Interpreter, op: ops.Assume, frame: Frame) -> bool | None:
     return None
 
 
-def _await(machine: Interpreter, op: ops.Await, frame: Frame) -> bool | None:
+def _await(machine: Engine, op: ops.Await, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     value = calls.wait_for(machine, frame.registers[op.src])
     frame.registers[op.dst] = value

@@ -13,10 +13,10 @@ from rosward.domain.values import UNBOUND, Ref, Value
 from rosward.findings import Finding
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 
-def fail(machine: Interpreter, cls: Value, message: str, args: tuple[Value, ...]) -> Value:
+def fail(machine: Machine, cls: Value, message: str, args: tuple[Value, ...]) -> Value:
     """The library raises `cls(*args)` here; returns `UNBOUND`, since nothing follows on this path."""
     exception = machine.call(cls, args)
     finding = Finding("RW209", message, machine.place)
@@ -27,7 +27,7 @@ def fail(machine: Interpreter, cls: Value, message: str, args: tuple[Value, ...]
     return UNBOUND
 
 
-def tell_uncaught(machine: Interpreter, exception: Value) -> None:
+def tell_uncaught(machine: Machine, exception: Value) -> None:
     """An exception leaves the program, or a callback: where a library raised it, that is told."""
     for each in options(exception):
         if isinstance(each, Ref):

@@ -10,19 +10,20 @@ A native is a function of a `NativeCall` that returns an abstract value. It is f
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
 from typing import TYPE_CHECKING, NamedTuple, Protocol, SupportsIndex, final, overload
 
 from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause
+from rosward.effects.log import Execution
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.series import Series
     from rosward.domain.unknown import Reason
-    from rosward.domain.values import Ref, Unknown, Value
+    from rosward.domain.values import Function, Ref, Value
+    from rosward.effects.log import EffectLog
     from rosward.models.file_paths import Files
-    from rosward.source.location import Place
 
 
 class Items(NamedTuple):
@@ -32,8 +33,63 @@ class Items(NamedTuple):
     rest: Value | None = None
 
 
-class Machine(Protocol):
+class Callbacks(Protocol):
+    """What was scheduled so far, as natives ask for it."""
+
+    @property
+    def entries(self) -> Sized:
+        """All that may be called."""
+
+    @property
+    def was_run(self) -> bool:
+        """Whether the program was somewhere where its callbacks run."""
+
+    @property
+    def main_raised(self) -> Value:
+        """The exceptions by which the main body may end."""
+
+    @property
+    def threads_raised(self) -> Value:
+        """Those that threads do not catch."""
+
+
+class Machine(Execution, Protocol):
     """What the engine offers to a native. All of it acts on the current state of the interpretation."""
+
+    raised: int
+    """How many exceptions were raised so far: a call in which it grows is not remembered."""
+
+    @property
+    def log(self) -> EffectLog:
+        """What the process does to ROS, and what is worth telling."""
+
+    @property
+    def environment(self) -> Mapping[str, Value | None]:
+        """What is known of the environment of every process that is not given another."""
+
+    @property
+    def schedule_book(self) -> Callbacks:
+        """What may run later."""
+
+    @property
+    def asked(self) -> set[tuple[str, str, str]]:
+        """What may be called without being seen: file, class and name, '' for any."""
+
+    @property
+    def via(self) -> str | None:
+        """The library function that the user's code called, where the current code is a library's."""
+
+    @property
+    def handled(self) -> Value:
+        """The exception that is being handled; None where there is none."""
+
+    @property
+    def is_tried(self) -> bool:
+        """Whether a `try` or `with` around the call would see an exception."""
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether no branch around the call leaves open whether it runs."""
 
     def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         """Call a value; returns what it returns (`Unbound` where no execution returns)."""
@@ -80,8 +136,17 @@ class Machine(Protocol):
     def close_generator(self, ref: Ref) -> None:
         """`generator.close()`."""
 
-    def load_module(self, name: str) -> Value:
-        """The module of a dotted name, run if it was not yet."""
+    def throw(self, exception: Value) -> None:
+        """An exception is raised here for sure."""
+
+    def unwind(self, exits: Sequence[Value], exception: Value) -> Value:
+        """Call the exits of a stack of context managers."""
+
+    def wait_for(self, value: Value) -> Value:
+        """`await value`."""
+
+    def load_module(self, name: str, level: int = 0, *, asked: bool = False) -> Value:
+        """The module of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
 
     def truth(self, value: Value) -> bool | None:
         """The truth of a value; None where both are possible (also for constants that stem from a mere default)."""
@@ -92,8 +157,8 @@ class Machine(Protocol):
     def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
         """issubclass(cls, wanted)."""
 
-    def obj(self, ref: Ref) -> Obj:
-        """The heap record behind a reference."""
+    def function_record(self, function: Function) -> Obj | None:
+        """The heap record of a function that was given attributes."""
 
     def update(self, ref: Ref, obj: Obj) -> None:
         """Replace the heap record (a weak update where it stands for several objects)."""
@@ -110,9 +175,6 @@ class Machine(Protocol):
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         """A new dict; `rest` joins the values under unknown keys."""
 
-    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
-        """An unknown that arises here."""
-
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """The values reach code that is not known: callables may be called, contents change, nodes may get entities (a finding)."""
 
@@ -124,9 +186,6 @@ class Machine(Protocol):
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives where the call stands: a dict."""
-
-    def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
-        """A finding at the current place."""
 
     def spend(self, steps: int) -> None:
         """What is about to be computed takes as long as this many steps; raises where the budget has fewer left."""
@@ -148,10 +207,6 @@ class Machine(Protocol):
     @property
     def files(self) -> Files:
         """The files of the analysed packages."""
-
-    @property
-    def place(self) -> Place:
-        """Where in the user's sources the innermost user call stands (calls inside library models are looked through)."""
 
 
 class MissingArgumentError(Exception):

@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
 from rosward.domain.memory import Heap
+from rosward.domain.state import join_states
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Native, Partial, Ref, Tuple, Value
 from rosward.engine.frame import Snapshot
-from rosward.engine.state import join_states
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def close_behind(machine: Interpreter, left: Snapshot, source: Value) -> None:
+def close_behind(machine: Engine, left: Snapshot, source: Value) -> None:
     """Behind a loop that was left early, Python closes its generator where nothing else holds it."""
     if not isinstance(source, Ref):
         return
@@ -37,7 +37,7 @@ def close_behind(machine: Interpreter, left: Snapshot, source: Value) -> None:
     machine.state = here
 
 
-def watch(machine: Interpreter, iterator: Value) -> None:
+def watch(machine: Engine, iterator: Value) -> None:
     """A generator was advanced, and may be dropped at this point."""
     for option in options(iterator):
         if isinstance(option, Ref):
@@ -45,7 +45,7 @@ def watch(machine: Interpreter, iterator: Value) -> None:
                 _close_later(machine, Ref(address))
 
 
-def watch_raising(machine: Interpreter, source: Value, raised: int) -> None:
+def watch_raising(machine: Engine, source: Value, raised: int) -> None:
     """Behind a loop that an exception may have left: `raised` says how many there were before it."""
     states = [snapshot.state for catcher in machine.catchers[-1:] for snapshot in catcher.arrivals.values()]
     states += [catcher.snapshot.state for catcher in machine.catchers[-1:] if catcher.level]
@@ -80,5 +80,5 @@ def _acting(heap: Heap, generator: Ref) -> list[int]:
     return found
 
 
-def _close_later(machine: Interpreter, ref: Ref) -> None:
+def _close_later(machine: Engine, ref: Ref) -> None:
     machine.schedule(Partial(Native("generator.close"), (ref,), ()), (), "end of a generator")

@@ -14,20 +14,20 @@ from rosward.domain.values import TRUE, UNBOUND, Class, Const, Descriptor, Funct
 from rosward.engine.python.metaclass_of import metaclass_of
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
 _NAMES: Final = "__abstractmethods__"
 
 
-def mark(machine: Interpreter, cls: Class) -> None:
+def mark(machine: Engine, cls: Class) -> None:
     """A class that was just made notes which of its methods are abstract; what it is given later changes nothing of that."""
     if not cls.stub and _is_marked(machine, cls):
         names = machine.new_set(Const(name) for name in _abstract_names(machine, cls))
         machine.put(cls.address, machine.at(cls.address).with_attr(_NAMES, names))
 
 
-def refused(machine: Interpreter, cls: Class) -> bool:
+def refused(machine: Engine, cls: Class) -> bool:
     """Whether making an object of a class raises TypeError here. Where nothing waits for that, one is made: the path goes on."""
     if cls.stub:
         return False
@@ -45,13 +45,13 @@ def refused(machine: Interpreter, cls: Class) -> bool:
     return machine.die("TypeError", told, (Const(told),), sure=True, plain=True) is UNBOUND
 
 
-def _is_marked(machine: Interpreter, cls: Class) -> bool:
+def _is_marked(machine: Engine, cls: Class) -> bool:
     """Whether its metaclass is that of abstract classes."""
     meta = metaclass_of(machine, cls)
     return isinstance(meta, Class) and any(isinstance(b, Class) and b.stub and b.name == "ABCMeta" for b in meta.mro)
 
 
-def _abstract_names(machine: Interpreter, cls: Class) -> list[str]:
+def _abstract_names(machine: Engine, cls: Class) -> list[str]:
     """The methods that are abstract and that no class before theirs defines."""
     defined: set[str] = set()
     found: list[str] = []
@@ -67,7 +67,7 @@ def _abstract_names(machine: Interpreter, cls: Class) -> list[str]:
     return sorted(found)
 
 
-def _is_abstract(machine: Interpreter, value: Value) -> bool:
+def _is_abstract(machine: Engine, value: Value) -> bool:
     if isinstance(value, Descriptor):
         return any(
             part is not None and _is_abstract(machine, part) for part in (value.getter, value.setter, value.deleter)

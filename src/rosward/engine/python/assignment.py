@@ -36,12 +36,12 @@ from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.python.std.records import FROZEN
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _OBJECT: Final = Native("builtins.object")
 
 
-def open_up(machine: Interpreter, value: Value) -> None:
+def open_up(machine: Engine, value: Value) -> None:
     """A library that is not read may have given a function attributes."""
     if isinstance(value, Function):
         address = machine.library.function_address(value)
@@ -50,7 +50,7 @@ def open_up(machine: Interpreter, value: Value) -> None:
             machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
 
-def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
+def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
     """target.name = value; False where this raises for sure."""
     several = target.__class__ is Choice
     for option in options(target):
@@ -78,12 +78,12 @@ def store(machine: Interpreter, target: Value, name: str, value: Value) -> bool:
     return True
 
 
-def store_past_hook(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
+def store_past_hook(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
     """What `object.__setattr__` does."""
     _store_object(machine, ref, name, value, weak=weak, hooked=False)
 
 
-def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
+def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
     hook = attributes.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
     if hook is not None and (hook.__class__ is Function or hook == FROZEN):
@@ -115,7 +115,7 @@ def _store_object(machine: Interpreter, ref: Ref, name: str, value: Value, *, we
     return True
 
 
-def keep(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
+def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> None:
     """`object.__dict__[name] = value` (UNBOUND: `del` of that): no `__setattr__`, property or slot has a say in it."""
     if value is UNBOUND:
         remove(machine, ref, name)
@@ -135,7 +135,7 @@ def keep(machine: Interpreter, ref: Ref, name: str, value: Value, *, weak: bool)
         machine.put(ref.address, changed)
 
 
-def _change_class(machine: Interpreter, ref: Ref, cls: Value, *, weak: bool) -> None:
+def _change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
     """`object.__class__ = cls`: from now on it is an object of that class."""
     obj = machine.obj(ref)
     if cls.__class__ is not Class or weak or obj.many:
@@ -145,7 +145,7 @@ def _change_class(machine: Interpreter, ref: Ref, cls: Value, *, weak: bool) -> 
     machine.put(ref.address, obj.replace(cls=cls))
 
 
-def _has_no_place(machine: Interpreter, cls: Value, name: str) -> bool:
+def _has_no_place(machine: Engine, cls: Value, name: str) -> bool:
     """Whether all classes of an object say by `__slots__` which attributes it has, and this is none of them."""
     if cls.__class__ is not Class:
         return False

@@ -46,7 +46,7 @@ from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 NODE_CLASS: Final = "rclpy.node.Node"
 NODE_METHODS: Final = frozenset(
@@ -57,7 +57,7 @@ CREATING: Final = (NODE_METHODS - {"create_timer"}) | {"create_lifecycle_publish
 """Methods that create entities."""
 
 
-def load(machine: Interpreter, value: Value, name: str) -> Value:
+def load(machine: Engine, value: Value, name: str) -> Value:
     """value.name; UNBOUND where the path ends here."""
     cls = value.__class__
     if cls is Ref:
@@ -96,7 +96,7 @@ def load(machine: Interpreter, value: Value, name: str) -> Value:
     return _of_builtin(machine, value, name)
 
 
-def _of_external(machine: Interpreter, value: External, name: str) -> Value:
+def _of_external(machine: Engine, value: External, name: str) -> Value:
     if name in INTERFACE_NAMES and is_interface(value):
         return Const(interface_name(value.name, name))
     if name in NODE_METHODS and "." in value.name and not is_interface(value):
@@ -118,7 +118,7 @@ def type_name(value: Value) -> str:
     return _TYPE_NAMES.get(value.__class__, "object")
 
 
-def _of_builtin(machine: Interpreter, value: Value, name: str) -> Value:
+def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
     kind = type_name(value)
     if kind == "slice" and name in ("start", "stop", "step"):
         return value[("start", "stop", "step").index(name)]  # type: ignore[index,no-any-return]
@@ -132,7 +132,7 @@ def _of_builtin(machine: Interpreter, value: Value, name: str) -> Value:
     return BoundMethod(value, Native(f"{kind}.{name}"))
 
 
-def _of_unknown(machine: Interpreter, value: Unknown, name: str) -> Value:
+def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
     if name in NODE_METHODS:
         node = machine.library.node_class(machine)
         found = lookup(machine, node, name) if node is not None else None
@@ -151,7 +151,7 @@ def _of_unknown(machine: Interpreter, value: Unknown, name: str) -> Value:
     return Unknown(reasons)
 
 
-def lookup(machine: Interpreter, cls: Value, name: str) -> Value | None:
+def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
     """The attribute of a class along its mro, as it stands there; None where no known class has it."""
     if cls.__class__ is not Class:
         return _of_native_class(machine, cls.name, name) if is_builtin_exception(cls) else None  # type: ignore[attr-defined]
@@ -176,7 +176,7 @@ def is_builtin_exception(cls: Value) -> bool:
     return cls.__class__ is Native and is_exception(cls.name)
 
 
-def _of_native_class(machine: Interpreter, cls: str, name: str) -> Native | None:
+def _of_native_class(machine: Engine, cls: str, name: str) -> Native | None:
     """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
     short = cls.removeprefix("builtins.")
     if short in KINDS:
@@ -185,7 +185,7 @@ def _of_native_class(machine: Interpreter, cls: str, name: str) -> Native | None
     return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
 
 
-def method(machine: Interpreter, value: Value, name: str) -> Value | None:
+def method(machine: Engine, value: Value, name: str) -> Value | None:
     """A method of an object's class, bound; None where it has none."""
     if value.__class__ is Ref:
         obj = machine.obj(value)
@@ -198,7 +198,7 @@ def method(machine: Interpreter, value: Value, name: str) -> Value | None:
     return BoundMethod(value, Native(f"{type_name(value)}.{name}"))
 
 
-def bind(machine: Interpreter, found: Value, receiver: Value, cls: Value) -> Value:
+def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
     """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
     kind = found.__class__
     if kind is Function or kind is Native:
@@ -221,7 +221,7 @@ def bind(machine: Interpreter, found: Value, receiver: Value, cls: Value) -> Val
     return found
 
 
-def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
+def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
     obj = machine.obj(ref)
     if obj.kind != "instance":
         if name == "__class__":
@@ -236,7 +236,7 @@ def _of_object(machine: Interpreter, ref: Ref, name: str) -> Value:
     return plain_attribute(machine, ref, name)
 
 
-def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
+def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:
     """What `object.__getattribute__` gives."""
     obj = machine.obj(ref)
     cls = obj.cls
@@ -274,7 +274,7 @@ def plain_attribute(machine: Interpreter, ref: Ref, name: str) -> Value:
     return _missing(machine, ref, cls, name)
 
 
-def _computed(machine: Interpreter, ref: Ref, name: str, read: Callable[[], Value]) -> Value:
+def _computed(machine: Engine, ref: Ref, name: str, read: Callable[[], Value]) -> Value:
     """What code of the program gives for an attribute; where it raises AttributeError, `__getattr__` is asked."""
     fallback = lookup(machine, machine.obj(ref).cls, "__getattr__")
     if fallback is None:
@@ -283,7 +283,7 @@ def _computed(machine: Interpreter, ref: Ref, name: str, read: Callable[[], Valu
     return join(found, machine.call(fallback, (ref, Const(name)))) if failed else found
 
 
-def _missing(machine: Interpreter, ref: Ref, cls: Value, name: str) -> Value:
+def _missing(machine: Engine, ref: Ref, cls: Value, name: str) -> Value:
     """An attribute that no class we know has."""
     if cls.__class__ is External:
         cause = Cause.MESSAGE if is_interface(cls) else Cause.CALL
@@ -316,7 +316,7 @@ def is_interface(value: Value) -> bool:
     return len(parts) >= 3 and parts[1] in ("msg", "srv", "action") and parts[-1][:1].isupper()
 
 
-def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
+def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     meta = in_metaclass(machine, cls, name)
     if meta.__class__ is Descriptor and meta.kind == "property":
         return bind(machine, meta, cls, metaclass_of(machine, cls))
@@ -366,7 +366,7 @@ def _of_class(machine: Interpreter, cls: Class, name: str) -> Value:
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 
 
-def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
+def _of_super(machine: Engine, value: Super, name: str) -> Value:
     receiver = value.receiver
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
     if cls.__class__ is Class and receiver is cls and value.after not in cls.mro:
@@ -400,7 +400,7 @@ def _of_super(machine: Interpreter, value: Super, name: str) -> Value:
     return join(perhaps, BoundMethod(receiver, Native(f"object.{name}")))
 
 
-def _through_super(machine: Interpreter, found: Value, receiver: Value, cls: Value, name: str) -> Value:
+def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, name: str) -> Value:
     """What an attribute of a base becomes when it is read through `super()`."""
     if name == "__new__":  # a static method, without being called one
         return found.getter if found.__class__ is Descriptor else found
@@ -409,7 +409,7 @@ def _through_super(machine: Interpreter, found: Value, receiver: Value, cls: Val
     return bind(machine, found, receiver, cls)
 
 
-def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
+def _of_function(machine: Engine, function: Function, name: str) -> Value:
     kept = machine.state.heap.get(machine.library.function_address(function))
     found = kept.attrs.get(name) if kept is not None else None  # first: functools.wraps renames
     if found is not None:
@@ -425,7 +425,7 @@ def _of_function(machine: Interpreter, function: Function, name: str) -> Value:
     return machine.unknown(Cause.ERROR, f"no attribute {name} of function {function.code.name}")
 
 
-def setter_of(machine: Interpreter, in_class: Value | None) -> Value | None:
+def setter_of(machine: Engine, in_class: Value | None) -> Value | None:
     """`__set__` of a descriptor that a class of the program defines."""
     if not isinstance(in_class, Ref) or machine.obj(in_class).kind != "instance":
         return None

@@ -15,7 +15,7 @@ from rosward.domain.values import UNBOUND, Const, Function, Native, Tuple, Unkno
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
     from rosward.ir.program import Code
 
 LOOSE: Final = "*"
@@ -35,7 +35,7 @@ class BadCallError(Exception):
 
 
 def bind_arguments(
-    machine: Interpreter, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]
+    machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]
 ) -> list[Value]:
     """The values of the parameters in register order. Raises `BadCallError`."""
     code, parameters = function.code, function.code.parameters

@@ -14,7 +14,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Native, Tuple, Value
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
 def of_class(cls: str, name: str) -> Value | None:
@@ -31,7 +31,7 @@ def of_class(cls: str, name: str) -> Value | None:
     return Native("builtins.type") if name == "__class__" else None
 
 
-def of_exception_class(machine: Interpreter, cls: str, name: str) -> Value:
+def of_exception_class(machine: Engine, cls: str, name: str) -> Value:
     """What Python's own exception classes have as any class has."""
     found = of_class(cls, name)
     if found is not None:

@@ -44,13 +44,13 @@ from rosward.models.python.exceptions import is_exception
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 Arguments = tuple[Value, ...]
 Keywords = dict[str, Value]
 
 
-def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
+def call_with(machine: Engine, function: Value, arguments: tuple[Argument, ...], registers: list[Value]) -> Value:
     """A call as written, with starred and named arguments."""
     keywords: Keywords = {}
     several: list[Series] = []
@@ -76,7 +76,7 @@ def call_with(machine: Interpreter, function: Value, arguments: tuple[Argument, 
     return call(machine, function, args.head, keywords)
 
 
-def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Value]:
+def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:
     """Merge `**value` into keywords; returns the values whose names are not known."""
     loose: list[Value] = []
     tables: list[Keywords] = []
@@ -106,7 +106,7 @@ def _spread(machine: Interpreter, value: Value, keywords: Keywords) -> list[Valu
     return loose
 
 
-def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywords) -> Value:
+def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) -> Value:
     """function(*args, **keywords); UNBOUND where it never returns."""
     cls = function.__class__
     if cls is Function:
@@ -138,7 +138,7 @@ def call(machine: Interpreter, function: Value, args: Arguments, keywords: Keywo
     return machine.unknown(Cause.ERROR, "call of something that is not callable")
 
 
-def _call_choice(machine: Interpreter, function: Choice, args: Arguments, keywords: Keywords) -> Value:
+def _call_choice(machine: Engine, function: Choice, args: Arguments, keywords: Keywords) -> Value:
     """Each alternative from the same state, results and states joined."""
     callees = [o for o in function.options if o != NONE] or list(function.options)
 
@@ -152,7 +152,7 @@ def _call_choice(machine: Interpreter, function: Choice, args: Arguments, keywor
     return each_apart(machine, callees, one) if len(callees) > 1 else call(machine, callees[0], args, keywords)
 
 
-def _call_object(machine: Interpreter, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
+def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
     obj = machine.obj(ref)
     method = attributes.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
     if method is not None:
@@ -166,7 +166,7 @@ _QUESTIONS: Final = ("is_", "has_", "isgenerator", "iscoroutine", "isasync", "is
 """How the names of functions begin that answer whether something is so."""
 
 
-def _call_external(machine: Interpreter, function: External, args: Arguments, keywords: Keywords) -> Value:
+def _call_external(machine: Engine, function: External, args: Arguments, keywords: Keywords) -> Value:
     """Something of a library that is not modelled: its callable arguments may be called; an interface type makes a message."""
     if attributes.is_interface(function):
         named = {k.lstrip(MAYBE): v for k, v in keywords.items() if k not in (LOOSE, ORDER, ANY)}
@@ -183,7 +183,7 @@ def _call_external(machine: Interpreter, function: External, args: Arguments, ke
     return machine.unknown(Cause.CALL, function.name)
 
 
-def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value:
+def call_native(machine: Engine, name: str, args: Arguments, keywords: Keywords) -> Value:
     """A builtin, or a model in code."""
     if name.startswith(("type.", "builtins.type")):
         made = _of_type(machine, name.removeprefix("builtins."), args, keywords)
@@ -209,7 +209,7 @@ def call_native(machine: Interpreter, name: str, args: Arguments, keywords: Keyw
     return machine.unknown(Cause.CALL, short)
 
 
-def _of_type(machine: Interpreter, name: str, args: Arguments, keywords: Keywords) -> Value | None:
+def _of_type(machine: Engine, name: str, args: Arguments, keywords: Keywords) -> Value | None:
     """The methods that every metaclass has from `type`; None for any other use of it."""
     known = {k: v for k, v in keywords.items() if k not in (LOOSE, ANY) and k[0] != MAYBE}
     if name == "type.__new__" and len(args) >= 4:
@@ -237,7 +237,7 @@ def _descriptor(args: Arguments, name: str) -> Value:
     return found
 
 
-def _super(machine: Interpreter, args: Arguments) -> Value:
+def _super(machine: Engine, args: Arguments) -> Value:
     """`super()` in any of its forms."""
     if len(args) >= 2:
         return join_all(_super_of(machine, args[0], receiver) for receiver in options(args[1]))
@@ -254,7 +254,7 @@ def _super(machine: Interpreter, args: Arguments) -> Value:
     return machine.unknown(Cause.ERROR, "super() outside of a method")
 
 
-def _first_argument(machine: Interpreter, frame: Frame) -> Value:
+def _first_argument(machine: Engine, frame: Frame) -> Value:
     """The first parameter of a function, also where an inner function shares it."""
     code = frame.code
     names = code.parameters.names
@@ -263,7 +263,7 @@ def _first_argument(machine: Interpreter, frame: Frame) -> Value:
     return frame.registers[0]
 
 
-def _super_of(machine: Interpreter, after: Value, receiver: Value) -> Value:
+def _super_of(machine: Engine, after: Value, receiver: Value) -> Value:
     """`super(after, receiver)`: where `after` is one of several classes, those that the receiver has. Python refuses the others."""
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
     order: Arguments = cls.mro if cls.__class__ is Class else ()
@@ -279,13 +279,13 @@ def _super_of(machine: Interpreter, after: Value, receiver: Value) -> Value:
     return machine.unknown(Cause.ERROR, "super(): the object is not of that class")
 
 
-def call_method(machine: Interpreter, value: Value, name: str, args: Arguments) -> Value:
+def call_method(machine: Engine, value: Value, name: str, args: Arguments) -> Value:
     """value.name(*args), NONE where a value of unknown or builtin type has no such method."""
     method = attributes.load(machine, value, name)
     return call(machine, method, args, {})
 
 
-def call_function(machine: Interpreter, function: Function, args: Arguments, keywords: Keywords) -> Value:
+def call_function(machine: Engine, function: Function, args: Arguments, keywords: Keywords) -> Value:
     """A function of the program or of a model."""
     code = function.code
     try:
@@ -311,7 +311,7 @@ def call_function(machine: Interpreter, function: Function, args: Arguments, key
     return activation.invoke(machine, function, registers)
 
 
-def wait_for(machine: Interpreter, value: Value) -> Value:
+def wait_for(machine: Engine, value: Value) -> Value:
     """`await value`."""
     if value.__class__ is Choice:
         return join_all(wait_for(machine, o) for o in value.options)

@@ -35,14 +35,14 @@ from rosward.models.python.exceptions import builtin_base, own_class
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 NO_KEYWORDS: Final[dict[str, Value]] = {}
 _MAX_COMBINATIONS: Final = 16
 _IMPLICIT_CLASSMETHODS: Final = ("__init_subclass__", "__class_getitem__")
 
 
-def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
+def make(machine: Engine, op: ops.MakeClass, frame: Frame) -> Value:
     """Run a class statement: a class for each combination of bases that it may have."""
     written, keywords = _bases(machine, op, frame)
     return each_apart(
@@ -50,7 +50,7 @@ def make(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> Value:
     )
 
 
-def _combinations(machine: Interpreter, written: list[Value]) -> list[Value]:
+def _combinations(machine: Engine, written: list[Value]) -> list[Value]:
     """The bases that a class may have, each combination a tuple: the first class, then those that differ from it."""
     found: list[tuple[Value, ...]] = [()]
     for base in written:
@@ -74,9 +74,7 @@ def _alternatives(base: Value) -> list[Value]:
     return list(options(base))[:1]
 
 
-def _make(
-    machine: Interpreter, op: ops.MakeClass, frame: Frame, combination: Value, keywords: dict[str, Value]
-) -> Value:
+def _make(machine: Engine, op: ops.MakeClass, frame: Frame, combination: Value, keywords: dict[str, Value]) -> Value:
     assert isinstance(combination, Tuple)
     bases = combination.items
     code = op.code
@@ -111,7 +109,7 @@ def _make(
     return complete(machine, cls, keywords)
 
 
-def complete(machine: Interpreter, cls: Class, keywords: dict[str, Value]) -> Class:
+def complete(machine: Engine, cls: Class, keywords: dict[str, Value]) -> Class:
     """A class that has its names is told to its members and to its bases."""
     machine.log.defined(cls)
     if not cls.stub and "__getattribute__" in machine.at(cls.address).attrs:
@@ -127,7 +125,7 @@ def complete(machine: Interpreter, cls: Class, keywords: dict[str, Value]) -> Cl
     return cls
 
 
-def make_by_call(machine: Interpreter, meta: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+def make_by_call(machine: Engine, meta: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """`type.__new__(metaclass, name, bases, names)`: the class whose body was just run, or one without a body."""
     name, bases, names = args[:3]
     pending = machine.making[-1] if machine.making else None
@@ -145,7 +143,7 @@ def make_by_call(machine: Interpreter, meta: Value, args: tuple[Value, ...], key
     return complete(machine, cls, keywords)
 
 
-def _tell_members(machine: Interpreter, cls: Class) -> None:
+def _tell_members(machine: Engine, cls: Class) -> None:
     """`__set_name__` of the objects in a class body."""
     for name, value in list(machine.at(cls.address).attrs.items()):
         if isinstance(value, Ref) and machine.obj(value).kind == "instance":
@@ -154,7 +152,7 @@ def _tell_members(machine: Interpreter, cls: Class) -> None:
                 machine.call(hook, (cls, Const(name)))
 
 
-def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[Value], dict[str, Value]]:
+def _bases(machine: Engine, op: ops.MakeClass, frame: Frame) -> tuple[list[Value], dict[str, Value]]:
     """The base classes as written, and the keywords."""
     bases: list[Value] = []
     keywords: dict[str, Value] = {}
@@ -177,7 +175,7 @@ def _bases(machine: Interpreter, op: ops.MakeClass, frame: Frame) -> tuple[list[
     return bases, keywords
 
 
-def _entries(machine: Interpreter, base: Value, bases: tuple[Value, ...]) -> list[Value] | None:
+def _entries(machine: Engine, base: Value, bases: tuple[Value, ...]) -> list[Value] | None:
     """What an object that stands for bases (`__mro_entries__`) gives; None for any other."""
     if base.__class__ is not Ref or machine.obj(base).kind != "instance":
         return None
@@ -185,7 +183,7 @@ def _entries(machine: Interpreter, base: Value, bases: tuple[Value, ...]) -> lis
     return None if hook is None else list(machine.iterate(machine.call(hook, (Tuple(bases),))).known)
 
 
-def _seal(machine: Interpreter, cls: Class, body: Frame) -> None:
+def _seal(machine: Engine, cls: Class, body: Frame) -> None:
     """Fill the `__class__` cell of the body and the names that Python gives attributes."""
     if "__class__" in body.code.cells:
         cell = Ref(body.cells[body.code.cells.index("__class__")])
@@ -226,13 +224,13 @@ def _is_enum_base(base: Value) -> bool:
     return base.__class__ is Class and base.module == "enum" and base.stub
 
 
-def is_enum(_machine: Interpreter, cls: Class) -> bool:
+def is_enum(_machine: Engine, cls: Class) -> bool:
     """Whether a class is an enumeration with members of its own."""
     return cls.enumeration and not _is_enum_base(cls)
 
 
 def new_instance(
-    machine: Interpreter, cls: Class, args: tuple[Value, ...] | None = None, keywords: dict[str, Value] = NO_KEYWORDS
+    machine: Engine, cls: Class, args: tuple[Value, ...] | None = None, keywords: dict[str, Value] = NO_KEYWORDS
 ) -> Ref:
     """An object of a class, before `__init__`; an exception has its arguments by then."""
     machine.instantiated.add(cls.place)
@@ -244,7 +242,7 @@ def new_instance(
     return ref
 
 
-def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+def instantiate(machine: Engine, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """cls(*args, **keywords)."""
     caller = metaclasses.method(machine, cls, "__call__")
     if caller is not None:
@@ -252,7 +250,7 @@ def instantiate(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywo
     return make_instance(machine, cls, args, keywords)
 
 
-def make_instance(machine: Interpreter, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """What `type.__call__` does: `__new__`, then `__init__`."""
     if is_enum(machine, cls) and args:
         return machine.call(Native("enum.lookup"), (cls, args[0]))
@@ -296,14 +294,12 @@ def _hidden(constructor: Value | None) -> bool:
     )
 
 
-def _has(machine: Interpreter, ref: Value, cls: Class) -> bool:
+def _has(machine: Engine, ref: Value, cls: Class) -> bool:
     found = machine.obj(ref).cls  # type: ignore[arg-type]
     return found.__class__ is Class and cls in found.mro
 
 
-def _initialise(
-    machine: Interpreter, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]
-) -> Value:
+def _initialise(machine: Engine, cls: Class, ref: Value, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
     """Run `__init__`; a base that is not known gets the arguments."""
     for base in cls.mro:
         if base.__class__ is Class:
@@ -320,7 +316,7 @@ def _initialise(
     return ref
 
 
-def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
+def _framework(machine: Engine, cls: Class, ref: Ref) -> None:
     """A class whose base is not known may be called by it: any method of its own, with anything."""
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if not outside:
@@ -332,7 +328,7 @@ def _framework(machine: Interpreter, cls: Class, ref: Ref) -> None:
 
 
 def exception_object(
-    machine: Interpreter, cls: Native, args: tuple[Value, ...], keywords: dict[str, Value] | None = None
+    machine: Engine, cls: Native, args: tuple[Value, ...], keywords: dict[str, Value] | None = None
 ) -> Value:
     """An instance of a builtin exception class."""
     return machine.allocate(Obj("instance", own_class(cls, args), attrs={"args": Tuple(args), **(keywords or {})}))

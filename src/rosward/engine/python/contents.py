@@ -18,15 +18,13 @@ from rosward.models.python.containers import dicts
 from rosward.models.python.contents import CONTENTS, KINDS, builtin_of, contents
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _FILLED_LATER: Final = ("list", "dict", "set")
 IN_PLACE: Final = frozenset({"__iadd__", "__imul__", "__ior__", "__iand__", "__isub__", "__ixor__"})
 
 
-def give(
-    machine: Interpreter, cls: Class, ref: Ref, args: tuple[Value, ...] | None, keywords: dict[str, Value]
-) -> None:
+def give(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...] | None, keywords: dict[str, Value]) -> None:
     """A new object holds what its builtin type makes of the arguments; what can change is empty until `__init__`."""
     name = builtin_of(cls)
     if not name:
@@ -40,7 +38,7 @@ def give(
     machine.update(ref, machine.obj(ref).with_attr(CONTENTS, held))
 
 
-def initialiser(machine: Interpreter, base: Value) -> Value | None:
+def initialiser(machine: Engine, base: Value) -> Value | None:
     """`__init__` of a builtin base whose objects are filled by it."""
     if base.__class__ is not Native or base.name.removeprefix("builtins.") not in KINDS:
         return None
@@ -48,7 +46,7 @@ def initialiser(machine: Interpreter, base: Value) -> Value | None:
     return Native(name) if machine.library.native(name) else None
 
 
-def iterated(machine: Interpreter, value: Value, method: Value | None) -> Value | None:
+def iterated(machine: Engine, value: Value, method: Value | None) -> Value | None:
     """What is iterated over where an object leaves its `__iter__` to its builtin type; None where it does not."""
     if method.__class__ is not BoundMethod or method.function.__class__ is not Native:
         return None
@@ -56,7 +54,7 @@ def iterated(machine: Interpreter, value: Value, method: Value | None) -> Value 
     return machine.unknown(Cause.OPERATION, "iteration") if found is None else found
 
 
-def missing(machine: Interpreter, receiver: Value, held: Value, index: Value) -> Value | None:
+def missing(machine: Engine, receiver: Value, held: Value, index: Value) -> Value | None:
     """`dict[index]` where a subclass has `__missing__`; None where it has none."""
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
     hook = attributes.lookup(machine, cls, "__missing__")

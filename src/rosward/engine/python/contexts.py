@@ -11,24 +11,24 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.catcher import Catcher, throw, unseen
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.exceptions import APART, Rest, leave_unseen
 from rosward.engine.python.raised import class_of
-from rosward.engine.state import State, join_states
 from rosward.ir import ops
 from rosward.models.python.plain import FILE_HINT
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _NOTHING: Final = (NONE, NONE, NONE)
 _NAMES: Final = (("__enter__", "__exit__"), ("__aenter__", "__aexit__"))
 
 
-def with_context(machine: Interpreter, op: ops.With, frame: Frame, *, body: Rest | None = None) -> bool | None:
+def with_context(machine: Engine, op: ops.With, frame: Frame, *, body: Rest | None = None) -> bool | None:
     """The statement, with one item. `body`: what is left of it; then it was entered before."""
     frame.op, frame.sequence = op, 0
     context = frame.registers[op.context]
@@ -52,7 +52,7 @@ def with_context(machine: Interpreter, op: ops.With, frame: Frame, *, body: Rest
     return None
 
 
-def _enter(machine: Interpreter, op: ops.With, frame: Frame, context: Value) -> bool:
+def _enter(machine: Engine, op: ops.With, frame: Frame, context: Value) -> bool:
     """Run `__enter__`, and bind what it gives."""
     entered = context if _is_file(context) else machine.call_method(context, _NAMES[op.is_async][0], ())
     entered = machine.wait_for(entered) if op.is_async and entered is not UNBOUND else entered
@@ -61,7 +61,7 @@ def _enter(machine: Interpreter, op: ops.With, frame: Frame, context: Value) -> 
     return entered is not UNBOUND
 
 
-def _swallowed(machine: Interpreter, context: Value) -> tuple[str, ...]:
+def _swallowed(machine: Engine, context: Value) -> tuple[str, ...]:
     """The builtin exceptions that may be swallowed: those that `contextlib.suppress` is told to, any by a class of the program."""
     if context.__class__ is not Ref:
         return ()
@@ -76,7 +76,7 @@ def _swallowed(machine: Interpreter, context: Value) -> tuple[str, ...]:
     return tuple(i.name.removeprefix("builtins.") for i in items if i.__class__ is Native)
 
 
-def _exit(machine: Interpreter, op: ops.With, frame: Frame, context: Value, arguments: Sequence[Value]) -> Value:
+def _exit(machine: Engine, op: ops.With, frame: Frame, context: Value, arguments: Sequence[Value]) -> Value:
     """What `__exit__` gives."""
     frame.op, frame.sequence = op, 0
     if _is_file(context):
@@ -86,7 +86,7 @@ def _exit(machine: Interpreter, op: ops.With, frame: Frame, context: Value, argu
 
 
 def _leave(
-    machine: Interpreter, op: ops.With, frame: Frame, context: Value, inner: Exits, after: Snapshot | None
+    machine: Engine, op: ops.With, frame: Frame, context: Value, inner: Exits, after: Snapshot | None
 ) -> Snapshot | None:
     """Leave without an exception: at the end of the body, by break, continue and return."""
     outer = frame.exits
@@ -107,7 +107,7 @@ def _leave(
 
 
 def _leave_raising(
-    machine: Interpreter, op: ops.With, frame: Frame, context: Value, catcher: Catcher, after: Snapshot | None
+    machine: Engine, op: ops.With, frame: Frame, context: Value, catcher: Catcher, after: Snapshot | None
 ) -> Snapshot | None:
     """Leave by exceptions: `__exit__` may swallow them, and then the way behind the `with` is open."""
     for exception, snapshot in catcher.few(machine, APART).items():
@@ -150,12 +150,12 @@ def _unknown(context: Value) -> bool:
     return any(o.__class__ in (Unknown, External) for o in options(context))
 
 
-def told(machine: Interpreter, exception: Value) -> tuple[Value, Value, Value]:
+def told(machine: Engine, exception: Value) -> tuple[Value, Value, Value]:
     """What `__exit__` is called with."""
     return (class_of(machine, exception), exception, machine.unknown(Cause.LIVE, "traceback"))
 
 
-def unwind(machine: Interpreter, exits: Sequence[Value], exception: Value) -> Value:
+def unwind(machine: Engine, exits: Sequence[Value], exception: Value) -> Value:
     """Call the exits of a stack, the last first, as nested `with` statements would.
 
     Each is a pair (callable, whether its result is awaited). True where they swallow the exception, False where it goes on.
@@ -183,7 +183,7 @@ def unwind(machine: Interpreter, exits: Sequence[Value], exception: Value) -> Va
     return answers
 
 
-def _one_exit(machine: Interpreter, pair: Value, exception: Value) -> list[tuple[Value, State]]:
+def _one_exit(machine: Engine, pair: Value, exception: Value) -> list[tuple[Value, State]]:
     """The exceptions (None: no one) that are on their way behind one exit, each with its state."""
     exit_, awaited = pair.items if pair.__class__ is Tuple and len(pair.items) == 2 else (pair, NONE)
     catchers = machine.catchers

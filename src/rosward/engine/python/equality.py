@@ -35,7 +35,7 @@ from rosward.models.python.operators import operators
 from rosward.models.python.operators.compare import compares
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 __all__ = ["binary", "compare", "join_all", "may", "truth", "unary"]
 
@@ -54,7 +54,7 @@ _COMPARED: Final = frozenset(
 _CALLABLE: Final = (Function, Class, Native, BoundMethod, Partial, ModuleValue)
 
 
-def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, inplace: bool) -> Value:
+def binary(machine: Engine, operator: str, left: Value, right: Value, *, inplace: bool) -> Value:
     """left operator right."""
     if _several_objects(machine, left):
         return each_apart(machine, options(left), lambda o: binary(machine, operator, o, right, inplace=inplace))
@@ -87,7 +87,7 @@ def binary(machine: Interpreter, operator: str, left: Value, right: Value, *, in
     return operators.binary(machine, operator, left, right)
 
 
-def _several_objects(machine: Interpreter, value: Value) -> bool:
+def _several_objects(machine: Engine, value: Value) -> bool:
     """Whether a value is one of several, among them an object whose class may say what an operator does."""
     return value.__class__ is Choice and any(
         o.__class__ is Ref and machine.obj(o).kind == "instance" and machine.obj(o).cls.__class__ is Class
@@ -95,11 +95,11 @@ def _several_objects(machine: Interpreter, value: Value) -> bool:
     )
 
 
-def _is_instance_object(machine: Interpreter, value: Value) -> bool:
+def _is_instance_object(machine: Engine, value: Value) -> bool:
     return value.__class__ is Ref and machine.obj(value).kind in ("instance", "generator")
 
 
-def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> Value:
+def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
     """left operator right."""
     if operator in ("is", "is-not"):
         return _identity(machine, operator, left, right)
@@ -142,7 +142,7 @@ def compare(machine: Interpreter, operator: str, left: Value, right: Value) -> V
     return operators.compare(machine, operator, bare(machine, left), bare(machine, right))
 
 
-def _is_asked_for_each(machine: Interpreter, item: Value, container: Value) -> bool:
+def _is_asked_for_each(machine: Engine, item: Value, container: Value) -> bool:
     """Whether `in` runs code of the program for the elements: a generator, or `==` with an object that says what that means."""
     if container.__class__ is Ref and machine.obj(container).kind == "generator":
         return True
@@ -156,13 +156,13 @@ def _is_asked_for_each(machine: Interpreter, item: Value, container: Value) -> b
     return any(compares(machine, option) for value in (item, *items) for option in options(value))
 
 
-def _has_ne(machine: Interpreter, value: Value) -> bool:
+def _has_ne(machine: Engine, value: Value) -> bool:
     """Whether an object inherits the `!=` of a builtin: then its `__eq__` has no say in that."""
     cls = machine.obj(value).cls if value.__class__ is Ref else None
     return cls.__class__ is Class and any(base in _COMPARED for base in cls.mro)
 
 
-def _by_identity(machine: Interpreter, value: Value) -> bool:
+def _by_identity(machine: Engine, value: Value) -> bool:
     """A value that surely compares by identity: no `__eq__`, no base that may have one."""
     if value.__class__ is not Ref:
         return value.__class__ in (Class, Function)
@@ -179,17 +179,17 @@ def _is_enum(base: Class) -> bool:
     return base.module == "enum" and base.name in ("Enum", "Flag")
 
 
-def _asks_no_code(machine: Interpreter, value: Value) -> bool:
+def _asks_no_code(machine: Engine, value: Value) -> bool:
     """Whether `==` with another object is False, as far as this one has a say: no `__eq__` of it takes objects of other types."""
     return _by_identity(machine, value) or value.__class__ in (Text, Tuple) or _plain(machine, value)
 
 
-def _plain(machine: Interpreter, value: Value) -> bool:
+def _plain(machine: Engine, value: Value) -> bool:
     """A value that compares by content."""
     return value.__class__ is Const or (value.__class__ is Ref and machine.obj(value).kind in ("list", "dict", "set"))
 
 
-def _same(machine: Interpreter, left: Value, right: Value) -> bool | None:
+def _same(machine: Engine, left: Value, right: Value) -> bool | None:
     """Whether both are one object; None where that is not known."""
     if left.__class__ is Ref and right.__class__ is Ref:
         if left == right:
@@ -208,14 +208,14 @@ def _same(machine: Interpreter, left: Value, right: Value) -> bool | None:
     return True if left == right else (None if left.__class__ not in (Class, Function, Native) else False)
 
 
-def _identity(machine: Interpreter, operator: str, left: Value, right: Value) -> Value:
+def _identity(machine: Engine, operator: str, left: Value, right: Value) -> Value:
     answers = {_same(machine, a, b) for a in options(left) for b in options(right)}
     if len(answers) == 1 and None not in answers:
         return TRUE if answers.pop() is (operator == "is") else FALSE
     return machine.unknown(Cause.OPERATION, operator, "bool")
 
 
-def unary(machine: Interpreter, operator: str, value: Value) -> Value:
+def unary(machine: Engine, operator: str, value: Value) -> Value:
     """operator value."""
     if operator == "not":
         decided = truth(machine, value)
@@ -228,7 +228,7 @@ def unary(machine: Interpreter, operator: str, value: Value) -> Value:
     return operators.unary(machine, operator, bare(machine, value))
 
 
-def truth(machine: Interpreter, value: Value) -> bool | None:
+def truth(machine: Engine, value: Value) -> bool | None:
     """The truth of a value; None where both are possible."""
     cls = value.__class__
     if cls is Const:
@@ -264,7 +264,7 @@ def has_unknown_base(cls: Class) -> bool:
     return any(base.__class__ in (External, Unknown) for base in cls.mro)
 
 
-def may(machine: Interpreter, value: Value, test: str, other: Value | None, sense: bool) -> bool:
+def may(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> bool:
     """Whether a test may come out as `sense` for one alternative of a value."""
     if test == "true":
         answer = truth(machine, value)

@@ -21,13 +21,13 @@ from rosward.engine.python.raised import chain, made, may_catch
 from rosward.ir import ops
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 APART: Final = 4
 """For how many exceptions a `finally` or an `__exit__` runs apart."""
 
 
-def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
+def raise_(machine: Engine, op: ops.Raise, frame: Frame) -> bool:
     """The raise statement."""
     frame.op, frame.sequence = op, 0
     if op.src == ops.NO_REGISTER:
@@ -40,7 +40,7 @@ def raise_(machine: Interpreter, op: ops.Raise, frame: Frame) -> bool:
     return False
 
 
-def again(machine: Interpreter) -> None:
+def again(machine: Engine) -> None:
     """A bare `raise`: what is being handled goes on. What Python itself may have raised does not count as an end of the program."""
     handled, implicit = machine.handling[-1] if machine.handling else (UNBOUND, 0)
     if handled is not UNBOUND:
@@ -50,7 +50,7 @@ def again(machine: Interpreter) -> None:
         leave_unseen(machine, Snapshot([], machine.state), max(implicit, 1))
 
 
-def leave_unseen(machine: Interpreter, snapshot: Snapshot, level: int, *, importing: bool = False) -> None:
+def leave_unseen(machine: Engine, snapshot: Snapshot, level: int, *, importing: bool = False) -> None:
     """An exception that is not known leaves in a state: the `try` around may get it."""
     if machine.catchers:
         machine.state = snapshot.state
@@ -58,7 +58,7 @@ def leave_unseen(machine: Interpreter, snapshot: Snapshot, level: int, *, import
         machine.catchers[-1].importing |= importing
 
 
-def thrown_in(machine: Interpreter, exception: Value) -> None:
+def thrown_in(machine: Engine, exception: Value) -> None:
     """An exception is thrown into a generator: one that is not known is what Python itself may have raised where it is handled."""
     if exception.__class__ is Unknown:
         level = machine.handling[-1][1] if machine.handling else 0
@@ -72,7 +72,7 @@ Rest = Callable[[], bool]
 
 
 def attempt(
-    machine: Interpreter, op: ops.Try, frame: Frame, *, body: Rest | None = None, handled: Rest | None = None
+    machine: Engine, op: ops.Try, frame: Frame, *, body: Rest | None = None, handled: Rest | None = None
 ) -> bool | None:
     """try / except / else / finally. `body`: what is left of the body; `handled`: what is left of a handler or of `else`."""
     if handled is None:
@@ -95,7 +95,7 @@ def attempt(
 
 
 def _finally(
-    machine: Interpreter, block: ops.Block, frame: Frame, inner: Exits, catcher: Catcher, alive: bool
+    machine: Engine, block: ops.Block, frame: Frame, inner: Exits, catcher: Catcher, alive: bool
 ) -> bool | None:
     """Run `block` on each way out of the statement, and let each go on where it went."""
     outer = frame.exits
@@ -136,12 +136,12 @@ class Pending(NamedTuple):
     level: int
     snapshot: Snapshot
 
-    def entry(self, machine: Interpreter) -> Snapshot | None:
+    def entry(self, machine: Engine) -> Snapshot | None:
         """All states in which something is pending, joined."""
         return join_snapshots(machine, [*self.arrivals.values(), *((self.snapshot,) if self.level else ())])
 
 
-def _handled(machine: Interpreter, op: ops.Try, frame: Frame, body: Rest | None) -> bool | None:
+def _handled(machine: Engine, op: ops.Try, frame: Frame, body: Rest | None) -> bool | None:
     """The body (or what is left of it) under its handlers, then the handlers, then `else`."""
     if not op.handlers:
         alive = machine.run(op.body, frame) if body is None else body()
@@ -168,7 +168,7 @@ def _handled(machine: Interpreter, op: ops.Try, frame: Frame, body: Rest | None)
 
 
 def _run_handlers(
-    machine: Interpreter, op: ops.Try, frame: Frame, catcher: Catcher, after: Snapshot | None
+    machine: Engine, op: ops.Try, frame: Frame, catcher: Catcher, after: Snapshot | None
 ) -> Snapshot | None:
     """Each handler that may catch, from the join of the states in which it does; the rest goes outward."""
     if machine.catchers and catcher.level and not any(_catches_all(h) for h in op.handlers):
@@ -205,7 +205,7 @@ def _run_handlers(
 
 
 def _divide(
-    machine: Interpreter, pending: Pending, wanted: Value | None
+    machine: Engine, pending: Pending, wanted: Value | None
 ) -> tuple[dict[Value, Snapshot], dict[Value, Snapshot]]:
     """The exceptions that a handler may catch, and those that it may not."""
     caught: dict[Value, Snapshot] = {}
@@ -220,7 +220,7 @@ def _divide(
 
 
 def _run_handler(
-    machine: Interpreter,
+    machine: Engine,
     handler: ops.Handler,
     frame: Frame,
     mine: Pending,
@@ -244,7 +244,7 @@ def _run_handler(
     return after
 
 
-def _may_be_unseen(machine: Interpreter, level: int, catcher: Catcher, wanted: Value | None) -> bool:
+def _may_be_unseen(machine: Engine, level: int, catcher: Catcher, wanted: Value | None) -> bool:
     """Whether an exception that is not known may be one for this handler."""
     if not level:
         return False

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, widen
 from rosward.domain.heap import Obj
+from rosward.domain.state import Merge, State, join_states
 from rosward.domain.suspended import Point, Suspension, add_points
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
@@ -24,11 +25,10 @@ from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
 from rosward.engine.python.stepping import Action, Stepped
-from rosward.engine.state import Merge, State, join_states
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _FEW: Final = 3
 """With more points than that, or where it may be at its beginning or end besides, nobody knows how often it was advanced (a timer may do it
@@ -36,7 +36,7 @@ any number of times): then all points that can be reached are found at once.
 """
 
 
-def make(machine: Interpreter, function: Function, registers: list[Value]) -> Ref:
+def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     """The object that a call of a generator function or coroutine gives."""
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
@@ -74,7 +74,7 @@ class Running:
         return (item, value, *states)
 
 
-def advance(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
+def advance(machine: Engine, ref: Ref, action: Action) -> Stepped:
     """Resume a generator; the machine is left in the state behind its next `yield`."""
     running = machine.advancing.get(ref.address)
     if running is not None:
@@ -90,7 +90,7 @@ def advance(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
         del machine.advancing[ref.address]
 
 
-def _ask(machine: Interpreter, ref: Ref, running: Running) -> Stepped:
+def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
     """A generator is advanced while it runs: it raises ValueError, or (where it stands for several) is another one, which gave this before."""
     if not machine.obj(ref).many:
         machine.throw(machine.call(Native("builtins.ValueError"), ()))
@@ -103,12 +103,12 @@ def _ask(machine: Interpreter, ref: Ref, running: Running) -> Stepped:
     return Stepped(item, None if ended is None else ended.copy(), value)
 
 
-def _widening(machine: Interpreter) -> Merge:
+def _widening(machine: Engine) -> Merge:
     reason = Reason(Cause.LIMIT, "generators nested too deep", machine.place)
     return lambda old, new: widen(old, new, reason)
 
 
-def _until_stable(machine: Interpreter, ref: Ref, action: Action, running: Running) -> Stepped:
+def _until_stable(machine: Engine, ref: Ref, action: Action, running: Running) -> Stepped:
     """One step. Of generators that are nested too deep to be told apart it may ask for itself: solved by iteration from below."""
     for number in range(machine.budget.fixpoint * 2):
         merge = join if number < machine.budget.widen_after else _widening(machine)
@@ -142,7 +142,7 @@ def _until_stable(machine: Interpreter, ref: Ref, action: Action, running: Runni
     return Stepped(item, None if ended is None else ended.copy(), value)
 
 
-def _once(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
+def _once(machine: Engine, ref: Ref, action: Action) -> Stepped:
     """Go on from each point, from the same state; what comes out is joined."""
     record = machine.obj(ref)
     suspension = record.payload
@@ -194,12 +194,12 @@ def _once(machine: Interpreter, ref: Ref, action: Action) -> Stepped:
     return Stepped(result.item, ended, value)
 
 
-def _with(machine: Interpreter, ref: Ref, suspension: Suspension) -> Obj:
+def _with(machine: Engine, ref: Ref, suspension: Suspension) -> Obj:
     return machine.obj(ref).replace(payload=suspension)
 
 
 def _run_from(
-    machine: Interpreter, point: Point, values: tuple[Value, ...], action: Action, result: Yielded, *, uncertain: bool
+    machine: Engine, point: Point, values: tuple[Value, ...], action: Action, result: Yielded, *, uncertain: bool
 ) -> tuple[Value, State] | None:
     """Run a body on from a point, to its next yields; the value that it returns, and the state there, where it comes to its end."""
     function, context, cells, path = point
@@ -233,7 +233,7 @@ def _run_from(
     return activation.left_by(machine, frame, alive=alive)
 
 
-def close(machine: Interpreter, ref: Ref) -> None:
+def close(machine: Engine, ref: Ref) -> None:
     """`generator.close()`: GeneratorExit is raised where it stands, and goes no further. What is no generator has nothing to close."""
     if machine.obj(ref).kind != "generator":
         return
@@ -263,13 +263,13 @@ def close(machine: Interpreter, ref: Ref) -> None:
     machine.update(ref, _with(machine, ref, _over(machine, ref)))
 
 
-def _over(machine: Interpreter, ref: Ref) -> Suspension:
+def _over(machine: Engine, ref: Ref) -> Suspension:
     suspension = machine.obj(ref).payload
     assert isinstance(suspension, Suspension)
     return suspension.at({}, ended=True)
 
 
-def _run_coroutine(machine: Interpreter, suspension: Suspension, action: Action = stepping.NEXT) -> Stepped:
+def _run_coroutine(machine: Engine, suspension: Suspension, action: Action = stepping.NEXT) -> Stepped:
     """A coroutine runs to its end where it is awaited. It is not marked as done: a task that awaits it runs again, as callbacks do."""
     before = machine.state
     if action.kind == "close":
@@ -285,7 +285,7 @@ def _run_coroutine(machine: Interpreter, suspension: Suspension, action: Action 
     return Stepped(UNBOUND, ended, value)
 
 
-def run_out(machine: Interpreter, ref: Ref) -> tuple[Items, Value]:
+def run_out(machine: Engine, ref: Ref) -> tuple[Items, Value]:
     """Advance a generator, or run a coroutine, to its end: what it yields, what it returns (UNBOUND: it never does)."""
     suspension = machine.obj(ref).payload
     assert isinstance(suspension, Suspension)

@@ -17,7 +17,7 @@ from rosward.ir import ops
 from rosward.models.python.exception_groups import Parts, made, split, wrapped
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
 _MOST: Final = 8
@@ -31,7 +31,7 @@ class _Way(NamedTuple):
 
 
 def handle_groups(
-    machine: Interpreter, op: ops.Try, frame: Frame, catcher: Catcher, after: Snapshot | None
+    machine: Engine, op: ops.Try, frame: Frame, catcher: Catcher, after: Snapshot | None
 ) -> Snapshot | None:
     """Run the handlers of a `try` with `except*`; where control goes on, joined with `after`."""
     if machine.catchers and catcher.level:
@@ -62,7 +62,7 @@ def handle_groups(
 
 
 def _handle(
-    machine: Interpreter, op: ops.Try, frame: Frame, exception: Value, begun: Snapshot
+    machine: Engine, op: ops.Try, frame: Frame, exception: Value, begun: Snapshot
 ) -> tuple[list[_Way], Value | None]:
     """Run each handler on its part of one exception, also behind one that raises; and what is left of it."""
     left: Value | None = exception
@@ -88,13 +88,13 @@ def _handle(
     return ways, left
 
 
-def _parts(machine: Interpreter, exception: Value, wanted: Value) -> Parts:
+def _parts(machine: Engine, exception: Value, wanted: Value) -> Parts:
     if exception.__class__ is Ref:
         return split(machine, exception, wanted)
     return Parts(machine.unknown(Cause.LIVE, "exception group"), exception, sure=False)
 
 
-def _joined(machine: Interpreter, ways: list[_Way]) -> list[_Way]:
+def _joined(machine: Engine, ways: list[_Way]) -> list[_Way]:
     """At most two ways for many: on the one nothing was raised, on the other something, nobody knows what."""
     quiet = loud = None
     for way in ways:
@@ -106,7 +106,7 @@ def _joined(machine: Interpreter, ways: list[_Way]) -> list[_Way]:
     return [_Way(here, raised) for here, raised in ((quiet, ()), (loud, (unknown,))) if here is not None]
 
 
-def _of_all(machine: Interpreter, raised: tuple[Value, ...], left: Value | None) -> Value:
+def _of_all(machine: Engine, raised: tuple[Value, ...], left: Value | None) -> Value:
     """What leaves the `try`: one exception that a handler raised as it is, else a group of all, and of what is left."""
     if len(raised) == 1 and left is None:
         return raised[0]
@@ -116,7 +116,7 @@ def _of_all(machine: Interpreter, raised: tuple[Value, ...], left: Value | None)
     return made(machine, Native("builtins.ExceptionGroup"), Tuple(exceptions))
 
 
-def _run(machine: Interpreter, handler: ops.Handler, frame: Frame, group: Value, level: int = 0) -> list[_Way]:
+def _run(machine: Engine, handler: ops.Handler, frame: Frame, group: Value, level: int = 0) -> list[_Way]:
     """One handler, from here: how it comes to its end, and with what it is left."""
     if handler.bind != ops.NO_REGISTER:
         frame.registers[handler.bind] = group

@@ -22,7 +22,7 @@ from rosward.engine.declared import is_model
 from rosward.engine.python.metaclass_of import metaclass_of
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 FOLLOWED: Final = frozenset(
     {
@@ -46,7 +46,7 @@ AT_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__set
 """Called when a class or an object is made, never later."""
 
 
-def callbacks(machine: Interpreter) -> Iterator[Value]:
+def callbacks(machine: Engine) -> Iterator[Value]:
     """Methods of objects that there are, bound, that something may call at any time."""
     for cls, objects in _objects(machine).items():
         receiver = join_all(objects)
@@ -54,7 +54,7 @@ def callbacks(machine: Interpreter) -> Iterator[Value]:
             yield BoundMethod(receiver, function)
 
 
-def _objects(machine: Interpreter) -> dict[Class, list[Value]]:
+def _objects(machine: Engine) -> dict[Class, list[Value]]:
     """The objects of classes of the program, classes with a metaclass among them."""
     found: dict[Class, list[Value]] = {}
     for address, obj in machine.state.heap.items():
@@ -67,7 +67,7 @@ def _objects(machine: Interpreter) -> dict[Class, list[Value]]:
     return found
 
 
-def _uncalled(machine: Interpreter, cls: Class) -> Iterator[Function]:
+def _uncalled(machine: Engine, cls: Class) -> Iterator[Function]:
     seen: set[str] = set()
     for number, base in enumerate(cls.mro):
         if not isinstance(base, Class) or base.stub:
@@ -87,7 +87,7 @@ def _uncalled(machine: Interpreter, cls: Class) -> Iterator[Function]:
                 yield function
 
 
-def _is_declared(machine: Interpreter, bases: tuple[Value, ...], name: str) -> bool:
+def _is_declared(machine: Engine, bases: tuple[Value, ...], name: str) -> bool:
     """Whether the next class that has a method is a model that says nothing of what it does: then the library may call it."""
     for base in bases:
         found = machine.at(base.address).attrs.get(name) if isinstance(base, Class) else None

@@ -25,7 +25,7 @@ from rosward.source.left_out import named_few
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _SYS: Final = Found("sys", "sys", "", True)
 
@@ -46,14 +46,14 @@ class _Reached(NamedTuple):
         return self.possible if self.sure is None else (*self.possible, self.sure)
 
 
-def register(machine: Interpreter, name: str, module: ModuleValue) -> None:
+def register(machine: Engine, name: str, module: ModuleValue) -> None:
     """A module of the sources begins to run: it is in `sys.modules`."""
     table = _variable(machine, "modules")
     if isinstance(table, Ref):
         dicts.store(machine, table, Const(name), module)
 
 
-def registered(machine: Interpreter, name: str) -> Value | None:
+def registered(machine: Engine, name: str) -> Value | None:
     """What an import of that name finds in `sys.modules`, where that may be another module than the one that the rules of the run find."""
     table = _variable(machine, "modules")
     if not isinstance(table, Ref):
@@ -67,7 +67,7 @@ def registered(machine: Interpreter, name: str) -> Value | None:
     return None if key in record.maybe or (ordinary and not _changed(machine)) else value
 
 
-def imported(machine: Interpreter, name: str, found: Found, address: int) -> int:
+def imported(machine: Engine, name: str, found: Found, address: int) -> int:
     """Where the module of a file that was run before is kept: apart from the old one, where the program took that out of `sys.modules`."""
     table = _variable(machine, "modules")
     if not isinstance(table, Ref):
@@ -79,7 +79,7 @@ def imported(machine: Interpreter, name: str, found: Found, address: int) -> int
 
 
 def on_path(
-    machine: Interpreter, name: str, importer: ModuleValue | None, otherwise: Found | None
+    machine: Engine, name: str, importer: ModuleValue | None, otherwise: Found | None
 ) -> tuple[Found | None, ...]:
     """The modules that a name may mean that `importer` imports, where the rules of the run find `otherwise`."""
     path = _variable(machine, "path")
@@ -111,7 +111,7 @@ def on_path(
     return (*others.values(), *((sure,) if sure is not None or not others else ()))
 
 
-def _searched(machine: Interpreter, entries: Iterable[Value], name: str) -> _Reached:
+def _searched(machine: Engine, entries: Iterable[Value], name: str) -> _Reached:
     """What folders give that are searched one after another."""
     before: tuple[Found, ...] = ()
     unknown = False
@@ -129,7 +129,7 @@ def _was_there(entry: Value) -> bool:
     return isinstance(entry, Unknown) and all(r.cause is Cause.LIVE and r.subject == "sys.path" for r in entry.reasons)
 
 
-def _in_folder(machine: Interpreter, entry: Value, name: str) -> _Reached:
+def _in_folder(machine: Engine, entry: Value, name: str) -> _Reached:
     """What one folder gives."""
     sources = machine.library.sources
     location = location_of(entry)
@@ -158,7 +158,7 @@ def _last(entry: Value) -> str:
     return last if slash and last not in (".", "..") else ""
 
 
-def _changed(machine: Interpreter) -> bool:
+def _changed(machine: Engine) -> bool:
     """Whether the program has changed `sys.path`."""
     module = machine.library.load_model(_SYS)
     path = machine.at(module.address).attrs["path"]
@@ -168,6 +168,6 @@ def _changed(machine: Interpreter) -> bool:
     return machine.at(path.address) is not machine.library.at(path.address)
 
 
-def _variable(machine: Interpreter, name: str) -> Value:
+def _variable(machine: Engine, name: str) -> Value:
     """A variable of `sys`."""
     return machine.at(machine.library.load_model(_SYS).address).attrs.get(name, UNBOUND)

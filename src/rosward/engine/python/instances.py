@@ -46,7 +46,7 @@ from rosward.models.python.containers.lists import ITERATOR, VIEW
 from rosward.models.python.plain import LOOSE_HINTS
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
 _ABSTRACT: Final = {"collections.abc": collections.abc, "numbers": numbers, "os": os, "contextlib": contextlib}
@@ -74,7 +74,7 @@ _KINDS: Final[dict[type, tuple[str, ...]]] = {
 """The classes of module `types` that values belong to."""
 
 
-def type_of(machine: Interpreter, value: Value) -> Value | None:
+def type_of(machine: Engine, value: Value) -> Value | None:
     """The class of a value; None where it is not known."""
     kind = value.__class__
     if kind is Ref:
@@ -97,13 +97,13 @@ def type_of(machine: Interpreter, value: Value) -> Value | None:
     return None
 
 
-def is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | None:
+def is_instance(machine: Engine, value: Value, wanted: Value) -> bool | None:
     """isinstance(value, wanted)."""
     answers = {_is_instance(machine, v, w) for v in options(value) for w in options(wanted)}
     return answers.pop() if len(answers) == 1 else None
 
 
-def _is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | None:
+def _is_instance(machine: Engine, value: Value, wanted: Value) -> bool | None:
     if wanted.__class__ is Tuple:
         return _any([is_instance(machine, value, w) for w in wanted.items])
     if wanted.__class__ is not Class:
@@ -124,7 +124,7 @@ def _is_instance(machine: Interpreter, value: Value, wanted: Value) -> bool | No
     return None if cls is None else is_subclass(machine, cls, wanted)
 
 
-def _of_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
+def _of_kind(machine: Engine, value: Value, name: str) -> bool | None:
     """isinstance with a class of module `types`."""
     if isinstance(value, Ref):
         kind = machine.obj(value).kind
@@ -136,13 +136,13 @@ def _of_kind(machine: Interpreter, value: Value, name: str) -> bool | None:
     return False if value.__class__ in (Const, Text, Tuple, Class) else None
 
 
-def is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
+def is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
     """issubclass(cls, wanted)."""
     answers = {_is_subclass(machine, c, w) for c in options(cls) for w in options(wanted)}
     return answers.pop() if len(answers) == 1 else None
 
 
-def _is_subclass(machine: Interpreter, cls: Value, wanted: Value) -> bool | None:
+def _is_subclass(machine: Engine, cls: Value, wanted: Value) -> bool | None:
     if wanted.__class__ is Tuple:
         return _any([is_subclass(machine, cls, w) for w in wanted.items])
     if cls == wanted or wanted == Native("builtins.object"):
@@ -209,7 +209,7 @@ def _abstract(wanted: Class) -> type | None:
     return found if isinstance(found, type) and type(found).__name__ == "ABCMeta" else None
 
 
-def _of_abstract(machine: Interpreter, cls: Value, abstract: type) -> bool | None:
+def _of_abstract(machine: Engine, cls: Value, abstract: type) -> bool | None:
     if cls.__class__ is Native:
         return _of_python(cls.name, abstract)
     assert isinstance(cls, Class)
@@ -228,7 +228,7 @@ def _of_abstract(machine: Interpreter, cls: Value, abstract: type) -> bool | Non
     return _any(by_base)
 
 
-def _has_methods(machine: Interpreter, cls: Class, methods: tuple[str, ...]) -> bool | None:
+def _has_methods(machine: Engine, cls: Class, methods: tuple[str, ...]) -> bool | None:
     """Whether a class has each method, and None in the place of none (`__hash__ = None`)."""
     answers: list[bool | None] = []
     for name in methods:
@@ -240,13 +240,13 @@ def _has_methods(machine: Interpreter, cls: Class, methods: tuple[str, ...]) -> 
     return False if False in answers else (None if None in answers else True)
 
 
-def _by_metaclass(machine: Interpreter, wanted: Value, name: str, value: Value) -> Value:
+def _by_metaclass(machine: Engine, wanted: Value, name: str, value: Value) -> Value:
     """What `__instancecheck__` or `__subclasscheck__` of a metaclass says; UNBOUND where no program has one."""
     found = metaclasses.method(machine, wanted, name)
     return UNBOUND if found is None else machine.call(found, (value,))
 
 
-def _by_hook(machine: Interpreter, wanted: Class, cls: Value) -> Value:
+def _by_hook(machine: Engine, wanted: Class, cls: Value) -> Value:
     """What `__subclasshook__` says; UNBOUND where there is none, or it leaves the answer to the rules."""
     hook = attributes.lookup(machine, wanted, "__subclasshook__")
     if hook.__class__ is not Descriptor:
@@ -259,7 +259,7 @@ def _by_hook(machine: Interpreter, wanted: Class, cls: Value) -> Value:
     return found
 
 
-def _registered(machine: Interpreter, cls: Value, wanted: Class) -> bool | None:
+def _registered(machine: Engine, cls: Value, wanted: Class) -> bool | None:
     """Whether a class was given to `register` of an abstract one, or of one derived from it."""
     given = machine.at(wanted.address).attrs.get(REGISTERED)
     if given is None:
@@ -271,7 +271,7 @@ def _registered(machine: Interpreter, cls: Value, wanted: Class) -> bool | None:
     return found if given.__class__ is Tuple else (None if found else found)
 
 
-def _members(machine: Interpreter, wanted: Class) -> list[str] | None:
+def _members(machine: Engine, wanted: Class) -> list[str] | None:
     """What a Protocol asks for; None where the class is none."""
     if wanted.stub or not any(_is_protocol(b) for b in wanted.bases):
         return None

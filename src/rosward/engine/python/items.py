@@ -31,10 +31,10 @@ from rosward.models.python.operators import operators
 from rosward.models.python.operators.compare import compares
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def build(machine: Interpreter, op: ops.Build, frame: Frame) -> Value:
+def build(machine: Engine, op: ops.Build, frame: Frame) -> Value:
     """A list, tuple, set or dict display."""
     registers = frame.registers
     if op.kind == "dict":
@@ -52,7 +52,7 @@ def build(machine: Interpreter, op: ops.Build, frame: Frame) -> Value:
     return machine.new_list(*found)
 
 
-def _build_dict(machine: Interpreter, op: ops.Build, registers: list[Value]) -> Value:
+def _build_dict(machine: Engine, op: ops.Build, registers: list[Value]) -> Value:
     ref = machine.new_dict({})
     pending: Value | None = None
     for starred, register in op.items:
@@ -67,7 +67,7 @@ def _build_dict(machine: Interpreter, op: ops.Build, registers: list[Value]) -> 
     return ref
 
 
-def load(machine: Interpreter, value: Value, index: Value) -> Value:
+def load(machine: Engine, value: Value, index: Value) -> Value:
     """value[index]."""
     cls = value.__class__
     if cls is Choice:
@@ -97,7 +97,7 @@ def load(machine: Interpreter, value: Value, index: Value) -> Value:
     return operators.load_item(machine, value, index)
 
 
-def store(machine: Interpreter, target: Value, index: Value, value: Value) -> None:
+def store(machine: Engine, target: Value, index: Value, value: Value) -> None:
     """target[index] = value."""
     for option in options(target):
         if option.__class__ is Ref and machine.obj(option).kind == "instance":
@@ -108,7 +108,7 @@ def store(machine: Interpreter, target: Value, index: Value, value: Value) -> No
             operators.store_item(machine, option, index, value, weak=len(options(target)) > 1)
 
 
-def delete(machine: Interpreter, target: Value, index: Value) -> None:
+def delete(machine: Engine, target: Value, index: Value) -> None:
     """del target[index]."""
 
     def one(option: Value) -> Value:
@@ -122,7 +122,7 @@ def delete(machine: Interpreter, target: Value, index: Value) -> None:
     each_apart(machine, options(target), one)
 
 
-def unpack(machine: Interpreter, op: ops.Unpack, frame: Frame) -> bool:
+def unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool:
     """a, *b, c = value; False where this raises for sure."""
     series, registers, count = machine.series(frame.registers[op.src]), frame.registers, len(op.dsts)
     told = _misfit(len(series.head), count, op.star != ops.NO_REGISTER) if series.exact else ""
@@ -149,7 +149,7 @@ def _misfit(found: int, count: int, starred: bool) -> str:
     return "" if starred or found == count else f"too many values to unpack (expected {count})"
 
 
-def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Frame) -> Value:
+def intrinsic(machine: Engine, name: str, arguments: list[Value], frame: Frame) -> Value:
     """The primitives of the language that no other operation says."""
     if name in ("append", "set_add"):
         _append(machine, arguments[0], arguments[1])
@@ -166,7 +166,7 @@ def intrinsic(machine: Interpreter, name: str, arguments: list[Value], frame: Fr
     return NONE
 
 
-def _append(machine: Interpreter, target: Value, value: Value) -> None:
+def _append(machine: Engine, target: Value, value: Value) -> None:
     if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
@@ -180,7 +180,7 @@ def _append(machine: Interpreter, target: Value, value: Value) -> None:
         machine.update(target, obj.replace(**longer))
 
 
-def _annotate(machine: Interpreter, arguments: list[Value], frame: Frame) -> None:
+def _annotate(machine: Engine, arguments: list[Value], frame: Frame) -> None:
     """Keep the annotation of a class variable, in order, in `__annotations__`."""
     namespace = machine.at(frame.namespace) if frame.namespace >= 0 else None
     if namespace is None:

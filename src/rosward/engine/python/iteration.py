@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.series import Series
+from rosward.domain.state import element, join_states
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
@@ -32,14 +33,13 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.python import abandoned, attributes, calls, classes, contents, metaclasses, stepping
-from rosward.engine.state import element, join_states
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series
 from rosward.models.python.operators import operators
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
 class Begun(NamedTuple):
@@ -51,7 +51,7 @@ class Begun(NamedTuple):
     finish: Callable[[], bool]
 
 
-def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun | None = None) -> bool | None:
+def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None = None) -> bool | None:
     """A loop over what a value yields. `begun`: go on in a turn that was suspended."""
     frame.op, frame.sequence = op, 0
     saved, context = (frame.exits.broken, frame.exits.continued), frame.context
@@ -82,7 +82,7 @@ def for_each(machine: Interpreter, op: ops.ForEach, frame: Frame, begun: Begun |
 
 
 def _enter_turn(
-    machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
+    machine: Engine, op: ops.ForEach, frame: Frame, context: int, number: int, source: Value, ahead: Items
 ) -> None:
     """A turn begins: what it makes is told apart from what others make."""
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
@@ -92,7 +92,7 @@ def _enter_turn(
 
 
 def _over_items(
-    machine: Interpreter,
+    machine: Engine,
     op: ops.ForEach,
     frame: Frame,
     context: int,
@@ -173,19 +173,19 @@ def _any_of(items: Items) -> Value | None:
     return join_all(found) if found else None
 
 
-def _is_list(machine: Interpreter, value: Ref) -> bool:
+def _is_list(machine: Engine, value: Ref) -> bool:
     """Whether a value is a list itself, not an iterator over one."""
     record = machine.obj(value)
     return record.kind == "list" and record.payload in (None, VIEW)
 
 
-def _is_drained(machine: Interpreter, value: Ref) -> bool:
+def _is_drained(machine: Engine, value: Ref) -> bool:
     """Whether a value is an iterator over known items, from which a loop takes them one by one."""
     record = machine.obj(value)
     return record.kind == "list" and record.payload == ITERATOR and not record.many
 
 
-def _sizes(machine: Interpreter, source: Value) -> list[int | None]:
+def _sizes(machine: Engine, source: Value) -> list[int | None]:
     """The lengths of the lists that a choice of them holds."""
     if not isinstance(source, Choice):
         return []
@@ -193,7 +193,7 @@ def _sizes(machine: Interpreter, source: Value) -> list[int | None]:
     return [None if r.items is None else len(r.items) for r in records]
 
 
-def _elements_now(machine: Interpreter, source: Value) -> Value:
+def _elements_now(machine: Engine, source: Value) -> Value:
     """What the lists among the sources hold at this moment."""
     found = [element(machine.obj(o)) for o in options(source) if isinstance(o, Ref) and _is_list(machine, o)]
     return join_all(e for e in found if e is not None)
@@ -203,7 +203,7 @@ def _elements_now(machine: Interpreter, source: Value) -> Value:
 
 
 def _over_iterator(
-    machine: Interpreter, op: ops.ForEach, frame: Frame, context: int, iterator: Value, begun: Begun | None
+    machine: Engine, op: ops.ForEach, frame: Frame, context: int, iterator: Value, begun: Begun | None
 ) -> bool:
     """An item, a turn, an item, a turn, …: one by one while it surely gives an item, then to a fixpoint."""
     nothing = Items(())
@@ -249,7 +249,7 @@ def _over_iterator(
 # What a value yields
 
 
-def iterate(machine: Interpreter, value: Value) -> Items:
+def iterate(machine: Engine, value: Value) -> Items:
     """What `for x in value` sees."""
     cls = value.__class__
     if cls is Choice:
@@ -270,7 +270,7 @@ def iterate(machine: Interpreter, value: Value) -> Items:
     return operators.iterate(machine, value)
 
 
-def series(machine: Interpreter, value: Value) -> Series:
+def series(machine: Engine, value: Value) -> Series:
     """What `for x in value` sees, as far as the order is known."""
     if isinstance(value, Ref) and machine.obj(value).kind == "instance":
         iterator = stepping.made(machine, value, asynchronous=False)
@@ -283,7 +283,7 @@ def series(machine: Interpreter, value: Value) -> Series:
     return operators.series(machine, value)
 
 
-def _iterate_choice(machine: Interpreter, value: Choice) -> Items:
+def _iterate_choice(machine: Engine, value: Choice) -> Items:
     """Item by item where all alternatives have one length, else any number of any item. Each alternative runs from the same state."""
     all_items: list[Items] = []
 
@@ -301,7 +301,7 @@ def _iterate_choice(machine: Interpreter, value: Choice) -> Items:
     return Items((), join_all(elements)) if elements else Items(())
 
 
-def _iterate_instance(machine: Interpreter, value: Value) -> Items:
+def _iterate_instance(machine: Engine, value: Value) -> Items:
     method = attributes.method(machine, value, "__iter__")
     held = contents.iterated(machine, value, method)
     if held is not None:

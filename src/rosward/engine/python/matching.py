@@ -15,35 +15,35 @@ from rosward.models.python.contents import bare
 from rosward.models.python.plain import unknown_from
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _SEQUENCES: Final = frozenset({"list", "tuple", "deque", "Sequence", "MutableSequence", "_NamedTuple"})
 _MAPPINGS: Final = frozenset({"dict", "Mapping", "MutableMapping", "_Dict"})
 
 
-def ask(machine: Interpreter, name: str, arguments: list[Value]) -> Value | None:
+def ask(machine: Engine, name: str, arguments: list[Value]) -> Value | None:
     """What an intrinsic of a pattern gives; None where it is none."""
     question = _QUESTIONS.get(name)
     return None if question is None else question(machine, name, arguments)
 
 
-def _is_instance(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+def _is_instance(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     return _answer(machine, machine.is_instance(arguments[0], arguments[1]))
 
 
-def _answer(machine: Interpreter, answer: bool | None) -> Value:
+def _answer(machine: Engine, answer: bool | None) -> Value:
     if answer is None:
         return machine.unknown(Cause.OPERATION, "match", "bool")
     return TRUE if answer else FALSE
 
 
-def _is_kind(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
+def _is_kind(machine: Engine, name: str, arguments: list[Value]) -> Value:
     wanted = _SEQUENCES if name == "is_sequence" else _MAPPINGS
     answers = {_is_one(machine, option, wanted) for option in options(bare(machine, arguments[0]))}
     return _answer(machine, answers.pop() if len(answers) == 1 else None)
 
 
-def _is_one(machine: Interpreter, value: Value, wanted: frozenset[str]) -> bool | None:
+def _is_one(machine: Engine, value: Value, wanted: frozenset[str]) -> bool | None:
     if isinstance(value, Ref):
         obj = machine.obj(value)
         return _derives(obj.cls, wanted) if obj.kind == "instance" else obj.kind in wanted
@@ -61,7 +61,7 @@ def _derives(cls: Value, wanted: frozenset[str]) -> bool | None:
     return None if any(isinstance(b, (External, Unknown)) for b in cls.mro) else False
 
 
-def _length(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
+def _length(machine: Engine, name: str, arguments: list[Value]) -> Value:
     series, wanted = machine.series(arguments[0]), arguments[1]
     if not isinstance(wanted, Const) or not isinstance(wanted.value, int):
         return machine.unknown(Cause.OPERATION, "match", "bool")
@@ -73,7 +73,7 @@ def _length(machine: Interpreter, name: str, arguments: list[Value]) -> Value:
     return FALSE if name == "length_is" and series.least > count else machine.unknown(Cause.OPERATION, "match", "bool")
 
 
-def _match_args(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+def _match_args(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     cls = arguments[0]
     found = attributes.lookup(machine, cls, "__match_args__") if isinstance(cls, Class) else None
     if found is None and _derives(cls, frozenset({"_NamedTuple"})):
@@ -85,22 +85,22 @@ _ABSENT: Final = Native("match.absent")
 """What stands for the value of an attribute that is not there."""
 
 
-def _attribute(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+def _attribute(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     return machine.call(Native("builtins.getattr"), (*arguments, _ABSENT))
 
 
-def _is_there(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+def _is_there(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     found = options(arguments[0])
     if any(o.__class__ in (Unknown, External) for o in found) or (_ABSENT in found and len(found) > 1):
         return machine.unknown(Cause.OPERATION, "match", "bool")
     return FALSE if _ABSENT in found else TRUE
 
 
-def _there(_machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+def _there(_machine: Engine, _name: str, arguments: list[Value]) -> Value:
     return join_all([o for o in options(arguments[0]) if o != _ABSENT] or [UNBOUND])
 
 
-def _rest(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
+def _rest(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     """A new dict of what a mapping pattern names no key of."""
     subject, keys = bare(machine, arguments[0]), arguments[1:]
     found: list[Value] = []
@@ -118,7 +118,7 @@ def _rest(machine: Interpreter, _name: str, arguments: list[Value]) -> Value:
     return join_all(found) if found else UNBOUND
 
 
-_QUESTIONS: Final[dict[str, Callable[[Interpreter, str, list[Value]], Value]]] = {
+_QUESTIONS: Final[dict[str, Callable[[Engine, str, list[Value]], Value]]] = {
     "isinstance": _is_instance,
     "is_sequence": _is_kind,
     "is_mapping": _is_kind,

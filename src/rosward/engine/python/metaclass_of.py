@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.values import UNBOUND, Class, Native, Value
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 TYPE: Final = Native("builtins.type")
 
 
-def metaclass_of(machine: Interpreter, cls: Value) -> Value:
+def metaclass_of(machine: Engine, cls: Value) -> Value:
     """The class of a class."""
     found = machine.at(cls.address).cls if isinstance(cls, Class) else TYPE
     return found if found.__class__ is Class else TYPE
 
 
-def in_metaclass(machine: Interpreter, cls: Value, name: str) -> Value | None:
+def in_metaclass(machine: Engine, cls: Value, name: str) -> Value | None:
     """What the program's metaclass of a class has under a name; None where it has no such thing, or there is none."""
     meta = metaclass_of(machine, cls)
     if not isinstance(meta, Class):

@@ -26,10 +26,10 @@ from rosward.engine.python import attributes
 from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def chosen(machine: Interpreter, written: Value | None, bases: tuple[Value, ...]) -> Value:
+def chosen(machine: Engine, written: Value | None, bases: tuple[Value, ...]) -> Value:
     """The metaclass of a class to be made: the one that is written, or the most derived one of its bases."""
     best: Value = next((o for o in options(written) if o.__class__ is Class), TYPE) if written is not None else TYPE
     for base in bases:
@@ -39,13 +39,13 @@ def chosen(machine: Interpreter, written: Value | None, bases: tuple[Value, ...]
     return best
 
 
-def method(machine: Interpreter, cls: Value, name: str) -> Value | None:
+def method(machine: Engine, cls: Value, name: str) -> Value | None:
     """What the program's metaclass of a class has under a name, bound to the class; None where it has no such thing."""
     found = in_metaclass(machine, cls, name)
     return None if found is None else attributes.bind(machine, found, cls, metaclass_of(machine, cls))
 
 
-def prepare(machine: Interpreter, meta: Value, name: str, bases: Value, keywords: dict[str, Value]) -> dict[str, Value]:
+def prepare(machine: Engine, meta: Value, name: str, bases: Value, keywords: dict[str, Value]) -> dict[str, Value]:
     """What `__prepare__` puts into a class body before its first line."""
     hook = attributes.lookup(machine, meta, "__prepare__")
     if hook is None or hook.__class__ not in (Function, Descriptor):
@@ -59,11 +59,11 @@ def prepare(machine: Interpreter, meta: Value, name: str, bases: Value, keywords
     return found
 
 
-Complete = Callable[["Interpreter", Class, dict[str, Value]], Class]
+Complete = Callable[["Engine", Class, dict[str, Value]], Class]
 
 
 def finish(
-    machine: Interpreter, cls: Class, meta: Class, bases: Value, keywords: dict[str, Value], complete: Complete
+    machine: Engine, cls: Class, meta: Class, bases: Value, keywords: dict[str, Value], complete: Complete
 ) -> Value:
     """Run `__new__` and `__init__` of the metaclass over a class whose body has been run; what becomes of it."""
     record = machine.at(cls.address)
@@ -90,7 +90,7 @@ def finish(
     return made
 
 
-def fill(machine: Interpreter, cls: Class, names: Value) -> None:
+def fill(machine: Engine, cls: Class, names: Value) -> None:
     """Give a class the names of a namespace: what `type.__new__` does."""
     sure = len(options(names)) == 1
     for option in options(names):

@@ -23,13 +23,13 @@ from rosward.ir import ops
 from rosward.models.failures import fail
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _STARS: Final = "*"
 """The variable of a module that lists the external modules of which it took everything."""
 
 
-def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
+def import_module(machine: Engine, op: ops.Import, frame: Frame) -> Value:
     """import a.b.c [as d]."""
     leaf = load_asked(machine, op.module, frame)
     if leaf is UNBOUND or op.leaf or "." not in op.module:
@@ -37,7 +37,7 @@ def import_module(machine: Interpreter, op: ops.Import, frame: Frame) -> Value:
     return load(machine, op.module.partition(".")[0], frame)
 
 
-def load_asked(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
+def load_asked(machine: Engine, name: str, frame: Frame | None, level: int = 0) -> Value:
     """The module of a name that the program asks for; a handler of ImportError may be reached where it may not be there."""
     module = load(machine, name, frame, level)
     if module is not UNBOUND and not _surely_there(machine, module):
@@ -45,7 +45,7 @@ def load_asked(machine: Interpreter, name: str, frame: Frame | None, level: int 
     return module
 
 
-def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value:
+def import_from(machine: Engine, op: ops.ImportFrom, frame: Frame) -> Value:
     """from a.b import c."""
     module = load(machine, op.module, frame, op.level)
     if module is UNBOUND:
@@ -66,12 +66,12 @@ def import_from(machine: Interpreter, op: ops.ImportFrom, frame: Frame) -> Value
     return value
 
 
-def _surely_there(machine: Interpreter, module: Value) -> bool:
+def _surely_there(machine: Engine, module: Value) -> bool:
     """Whether the import of a module cannot fail: it is among the sources. What is modelled may be of another version."""
     return module.__class__ is ModuleValue and not machine.library.is_model_file(module.file)
 
 
-def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> bool:
+def import_star(machine: Engine, op: ops.ImportStar, frame: Frame) -> bool:
     """from a.b import *; False where no execution goes on."""
     module = load(machine, op.module, frame, op.level)
     if module is UNBOUND:
@@ -102,12 +102,12 @@ def import_star(machine: Interpreter, op: ops.ImportStar, frame: Frame) -> bool:
     return True
 
 
-def load(machine: Interpreter, name: str, frame: Frame | None, level: int = 0) -> Value:
+def load(machine: Engine, name: str, frame: Frame | None, level: int = 0) -> Value:
     """The module of a name as written in `frame`, run if it has not been; UNBOUND where no execution goes on."""
     return load_for(machine, name, frame.module if frame is not None else None, level)
 
 
-def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, level: int = 0) -> Value:
+def load_for(machine: Engine, name: str, importer: ModuleValue | None, level: int = 0) -> Value:
     """The module of a name as written in the module `importer`; the packages around it are run first."""
     for_models = level == 0 and name.startswith("_rosward")
     if for_models and (importer is None or machine.library.is_model_file(importer.file)):
@@ -134,7 +134,7 @@ def load_for(machine: Interpreter, name: str, importer: ModuleValue | None, leve
 
 
 def _load_found(
-    machine: Interpreter, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: Found | None
+    machine: Engine, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: Found | None
 ) -> Value:
     """The module that an import of a name leads to."""
     if found is None and not level and name.startswith("_rosward"):  # a program's own, and not among the sources
@@ -177,7 +177,7 @@ def _load_found(
     return module
 
 
-def run_packages(machine: Interpreter, module: ModuleValue) -> bool:
+def run_packages(machine: Engine, module: ModuleValue) -> bool:
     """Run the packages around a module that an entry point names, from the outermost; False where one does not come to its end."""
     parts = module.name.split(".")
     for number in range(1, len(parts)):
@@ -198,7 +198,7 @@ def _is_interface_module(name: str) -> bool:
     return len(parts) > 1 and parts[1] in ("msg", "srv", "action")
 
 
-def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int = 0) -> bool:
+def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -> bool:
     """Run the top level of a module; False where it does not come to its end. `turn` tells apart that a file is run again."""
     package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
     attrs: dict[str, Value] = {
@@ -228,7 +228,7 @@ def run_module(machine: Interpreter, module: ModuleValue, name: str, turn: int =
         machine.frames = frames
 
 
-def attribute(machine: Interpreter, module: ModuleValue, name: str, *, importing: bool = False) -> Value:
+def attribute(machine: Engine, module: ModuleValue, name: str, *, importing: bool = False) -> Value:
     """module.name."""
     record = machine.at(module.address)
     found = record.attrs.get(name)
@@ -251,11 +251,11 @@ def attribute(machine: Interpreter, module: ModuleValue, name: str, *, importing
     if fallback is not None:
         return machine.call(fallback, (Const(name),))
     if not module.file:
-        return machine.library.missing(machine, dotted)
+        return machine.library.missing(dotted)
     return machine.unknown(Cause.ERROR, f"no name {name} in {module.file}")
 
 
-def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | None:
+def load_below(machine: Engine, module: ModuleValue, name: str) -> Value | None:
     """The submodule of a package, if there is one."""
     found = machine.library.find(name, 1, module) if not machine.library.is_model_file(module.file) else None
     if found is None:
@@ -272,7 +272,7 @@ def load_below(machine: Interpreter, module: ModuleValue, name: str) -> Value | 
     return value
 
 
-def _from_stars(machine: Interpreter, record: Obj, name: str, *, sure: bool = False) -> Value | None:
+def _from_stars(machine: Engine, record: Obj, name: str, *, sure: bool = False) -> Value | None:
     """A name that came by `from package import *` from an external module; where `sure`, only from one that is known to have it."""
     stars = record.attrs.get(_STARS)
     if not isinstance(stars, Tuple) or not stars.items or name.startswith("_"):
@@ -291,7 +291,7 @@ def _from_stars(machine: Interpreter, record: Obj, name: str, *, sure: bool = Fa
     return None
 
 
-def load_global(machine: Interpreter, module: ModuleValue, name: str, *, quiet: bool = False) -> Value:
+def load_global(machine: Engine, module: ModuleValue, name: str, *, quiet: bool = False) -> Value:
     """A name that is not (or not yet) a variable of the module: from a star import, or a builtin."""
     builtin = hasattr(builtins, name)
     star = _from_stars(machine, machine.at(module.address), name, sure=builtin)
@@ -306,7 +306,7 @@ def load_global(machine: Interpreter, module: ModuleValue, name: str, *, quiet: 
     return machine.unknown(Cause.ERROR, f"name {name} is not defined")
 
 
-def store_global(machine: Interpreter, module: ModuleValue, name: str, value: Value) -> None:
+def store_global(machine: Engine, module: ModuleValue, name: str, value: Value) -> None:
     """Assign a variable of a module."""
     record = machine.at(module.address)
     if record.attrs.get(name) is not value:

@@ -16,10 +16,10 @@ from rosward.models.native import Items
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def table_of(machine: Interpreter, address: int) -> Value:
+def table_of(machine: Engine, address: int) -> Value:
     """A dict of the attributes kept at an address, without those in slots; what is stored in it becomes an attribute there."""
     attrs = machine.at(address).attrs
     partial = machine.at(address).partial
@@ -33,7 +33,7 @@ def table_of(machine: Interpreter, address: int) -> Value:
     return machine.allocate(record, ("variables", address))
 
 
-def slots_of(machine: Interpreter, cls: Value) -> tuple[str, ...] | None:
+def slots_of(machine: Engine, cls: Value) -> tuple[str, ...] | None:
     """The names that `__slots__` of a class lists; None where it has none, or they are not known."""
     written = machine.at(cls.address).attrs.get("__slots__") if isinstance(cls, Class) and not cls.stub else None
     if written is None:
@@ -44,7 +44,7 @@ def slots_of(machine: Interpreter, cls: Value) -> tuple[str, ...] | None:
     return tuple(str(n.value) for n in names if isinstance(n, Const))
 
 
-def variables(machine: Interpreter, *, local: bool) -> Value | None:
+def variables(machine: Engine, *, local: bool) -> Value | None:
     """What `locals()` or `globals()` gives here; None where no code of the program is running."""
     frame = next((f for f in reversed(machine.frames) if not f.stub), None)
     if frame is None:
@@ -57,7 +57,7 @@ def variables(machine: Interpreter, *, local: bool) -> Value | None:
     return machine.new_dict({Const(name): value for name, value in _of_function(machine, frame).items()})
 
 
-def _of_function(machine: Interpreter, frame: Frame) -> dict[str, Value]:
+def _of_function(machine: Engine, frame: Frame) -> dict[str, Value]:
     """The variables of a function that have a value: registers, and cells where inner functions share them."""
     code = frame.code
     found = dict(zip(code.variables, frame.registers, strict=False))

@@ -23,7 +23,7 @@ from rosward.models.python.contents import KINDS
 from rosward.models.python.contents import contents as held_by
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _NOTHING: Final[frozenset[str]] = frozenset()
 _HELD: Final = frozenset(KINDS.values())
@@ -40,7 +40,7 @@ _RUN_THROUGH: Final = frozenset(
 
 
 def invoke(
-    machine: Interpreter, native: NativeFunction, name: str, args: tuple[Value, ...], keywords: dict[str, Value]
+    machine: Engine, native: NativeFunction, name: str, args: tuple[Value, ...], keywords: dict[str, Value]
 ) -> Value:
     """What the native gives for the arguments."""
     loose, unsure, anything = keywords.get(LOOSE), _NOTHING, ANY in keywords
@@ -65,7 +65,7 @@ def invoke(
     return value
 
 
-def _on_contents(machine: Interpreter, native: NativeFunction, call: NativeCall) -> Value:
+def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> Value:
     """A method of a builtin type, on an object of a subclass, acts on what the object holds."""
     kind, _, method = call.name.rpartition(".")
     if kind not in _HELD or not call.args:

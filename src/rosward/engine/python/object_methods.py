@@ -19,7 +19,7 @@ from rosward.engine.python import assignment, attributes, classes, removal
 from rosward.engine.python.specials import NOT_IMPLEMENTED
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _MOST: Final = {"__getattribute__": 2, "__delattr__": 2, "__setattr__": 3, "__eq__": 2, "__ne__": 2}
 """How many arguments those take that do something here."""
@@ -29,7 +29,7 @@ _DIFFER: Final = {"__repr__": "str", "__str__": "str", "__format__": "str", "__h
 """What an address shows in."""
 
 
-def call(machine: Interpreter, name: str, args: tuple[Value, ...]) -> Value:
+def call(machine: Engine, name: str, args: tuple[Value, ...]) -> Value:
     """What `object`, or `object.__method__` with the receiver first, gives."""
     if name == "object":
         return machine.allocate(Obj("instance", Native("builtins.object")))
@@ -59,13 +59,13 @@ def call(machine: Interpreter, name: str, args: tuple[Value, ...]) -> Value:
     return machine.unknown(Cause.ERROR, f"no attribute {method} in any base")
 
 
-def _attribute(machine: Interpreter, target: Value, name: Value) -> Value:
+def _attribute(machine: Engine, target: Value, name: Value) -> Value:
     if target.__class__ is Ref and machine.obj(target).kind == "instance" and name.__class__ is Const:
         return attributes.plain_attribute(machine, target, str(name.value))
     return machine.unknown(Cause.OPERATION, "object.__getattribute__")
 
 
-def _set(machine: Interpreter, target: Value, name: Value, value: Value) -> Value:
+def _set(machine: Engine, target: Value, name: Value, value: Value) -> Value:
     known = [str(n.value) for n in options(name) if n.__class__ is Const]
     several = len(options(name)) > 1 or len(options(target)) > 1
     if len(known) < len(options(name)):
@@ -78,13 +78,13 @@ def _set(machine: Interpreter, target: Value, name: Value, value: Value) -> Valu
     return NONE
 
 
-def _delete(machine: Interpreter, target: Value, name: Value) -> Value:
+def _delete(machine: Engine, target: Value, name: Value) -> Value:
     if name.__class__ is Const and len(options(target)) == 1:
         removal.remove(machine, target, str(name.value))
     return NONE
 
 
-def _equal(machine: Interpreter, method: str, left: Value, right: Value) -> Value:
+def _equal(machine: Engine, method: str, left: Value, right: Value) -> Value:
     """Identity; for any two others NotImplemented, whose place Python gives to the other operand, and then to identity again."""
     same = machine.compare("is", left, right)
     if same == TRUE:

@@ -14,21 +14,21 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.heap import Obj
+from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.catcher import LIBRARY, OPERATION, Catcher, note, rethrow, throw
 from rosward.engine.python.classes import exception_object
 from rosward.engine.python.instances import is_subclass, type_of
-from rosward.engine.state import State, join_states
 from rosward.models.python.exceptions import builtin_base
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _EVERYTHING: Final = ("Exception", "BaseException")
 
 
-def made(machine: Interpreter, value: Value) -> Value:
+def made(machine: Engine, value: Value) -> Value:
     """The object that `raise value` raises: of a class it is made here. UNBOUND where making it fails."""
     found: list[Value] = []
     for option in options(value):
@@ -43,12 +43,12 @@ def made(machine: Interpreter, value: Value) -> Value:
     return join_all(found)
 
 
-def _told(machine: Interpreter) -> Value:
+def _told(machine: Engine) -> Value:
     """A message that Python writes, and that is not followed."""
     return machine.unknown(Cause.LIVE, "message of an exception", "str")
 
 
-def chain(machine: Interpreter, exception: Value, cause: Value | None) -> None:
+def chain(machine: Engine, exception: Value, cause: Value | None) -> None:
     """Set `__cause__` and `__context__` of what is about to be raised."""
     context = machine.handled
     for option in options(exception):
@@ -62,7 +62,7 @@ def chain(machine: Interpreter, exception: Value, cause: Value | None) -> None:
             machine.update(option, obj.with_attr("__suppress_context__", Const(True)))
 
 
-def may_catch(machine: Interpreter, exception: Value, wanted: Value | None) -> bool | None:
+def may_catch(machine: Engine, exception: Value, wanted: Value | None) -> bool | None:
     """Whether a handler for `wanted` catches; None where it may."""
     if wanted is None:
         return True
@@ -83,7 +83,7 @@ def _catches_any(wanted: Value) -> bool:
     return wanted.__class__ is Native and wanted.name.removeprefix("builtins.") in _EVERYTHING
 
 
-def class_of(machine: Interpreter, exception: Value) -> Value:
+def class_of(machine: Engine, exception: Value) -> Value:
     """The class of what was raised, as `__exit__` and `sys.exc_info()` have it."""
     found: list[Value] = []
     for each in options(exception):
@@ -92,7 +92,7 @@ def class_of(machine: Interpreter, exception: Value) -> Value:
     return join_all(found)
 
 
-def builtin_error(machine: Interpreter, error: str, args: Sequence[Value] | None) -> Value:
+def builtin_error(machine: Engine, error: str, args: Sequence[Value] | None) -> Value:
     """An exception of Python's own; without `args` what it says is not known."""
     made = exception_object(machine, Native(f"builtins.{error}"), tuple(args or ()))
     if args is None and made.__class__ is Ref:
@@ -101,9 +101,7 @@ def builtin_error(machine: Interpreter, error: str, args: Sequence[Value] | None
     return made
 
 
-def fail(
-    machine: Interpreter, error: str, told: str, args: Sequence[Value] | None, *, sure: bool, plain: bool
-) -> Value:
+def fail(machine: Engine, error: str, told: str, args: Sequence[Value] | None, *, sure: bool, plain: bool) -> Value:
     """A builtin raises for the values that we see.
 
     Where the program says that it waits for this exception, its handler gets it; where moreover no value is a mere default, the path ends
@@ -118,9 +116,7 @@ def fail(
     return UNBOUND if sure and (waits or plain) else unknown
 
 
-def guarded(
-    machine: Interpreter, action: Callable[[], Value], error: str, *, unseen: bool = True
-) -> tuple[Value, bool]:
+def guarded(machine: Engine, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
     """What an action gives, and whether it may raise a builtin exception, which goes no further (`getattr(x, 'y', default)`).
 
     `unseen`: whether what Python or a library may raise by itself, in any operation, counts as that exception.
@@ -151,7 +147,7 @@ def guarded(
     return value, len(caught) > (value is not UNBOUND)
 
 
-def _waits(machine: Interpreter, error: str) -> bool | None:
+def _waits(machine: Engine, error: str) -> bool | None:
     """Whether a `try` around catches a builtin exception: True by its name, False by a handler for everything, None where none does."""
     raised = getattr(builtins, error, None)
     may = None  # a `with` on the way may swallow it

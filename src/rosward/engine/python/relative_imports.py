@@ -17,7 +17,7 @@ from rosward.domain.choice import options
 from rosward.domain.values import NONE, Const, ModuleValue, Value
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 _NO_PARENT: Final = "attempted relative import with no known parent package"
 _BEYOND: Final = "attempted relative import beyond top-level package"
@@ -31,7 +31,7 @@ class Relative(NamedTuple):
     may: bool = False
 
 
-def relative(machine: Interpreter, importer: ModuleValue, name: str, level: int) -> Relative:
+def relative(machine: Engine, importer: ModuleValue, name: str, level: int) -> Relative:
     """What `level` dots and a name mean in a module."""
     package = machine.at(importer.address).attrs.get("__package__")
     names: list[str] = []
@@ -56,7 +56,7 @@ def relative(machine: Interpreter, importer: ModuleValue, name: str, level: int)
     return Relative(names[0] if len(names) == 1 and not others else "", may=bool(refusals))
 
 
-def main_package(machine: Interpreter, file: str) -> tuple[Value, ...]:
+def main_package(machine: Engine, file: str) -> tuple[Value, ...]:
     """The values that `__package__` may have in a file that is run: none where it is run by its path, that of its module by `python -m`."""
     package = machine.library.sources.python_package(file)
     return (NONE, Const(package)) if package else (NONE,)

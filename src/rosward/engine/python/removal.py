@@ -12,10 +12,10 @@ from rosward.engine.python import attributes
 from rosward.models.python.attribute_tables import remove_from_table
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def delete(machine: Interpreter, target: Value, name: str) -> None:
+def delete(machine: Engine, target: Value, name: str) -> None:
     """del target.name."""
 
     def one(option: Value) -> Value:
@@ -41,7 +41,7 @@ def delete(machine: Interpreter, target: Value, name: str) -> None:
         each_apart(machine, several, one)
 
 
-def remove(machine: Interpreter, target: Value, name: str) -> None:
+def remove(machine: Engine, target: Value, name: str) -> None:
     """What an object, class or module holds under a name is gone."""
     if target.__class__ is Ref or target.__class__ is Class or target.__class__ is ModuleValue:
         record = machine.at(target.address)

@@ -25,10 +25,10 @@ from rosward.ir import ops
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 
-def go_on(machine: Interpreter, block: ops.Block, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
+def go_on(machine: Engine, block: ops.Block, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
     """Go on in a block at the yield to which `path` leads; True where control comes out at its end. `kept`: what its loops keep."""
     step, inner = path[0], path[1:]
     op: Any = block[step.number]
@@ -39,9 +39,7 @@ def go_on(machine: Interpreter, block: ops.Block, frame: Frame, path: Path, kept
     return alive is not False and machine.run(block[step.number + 1 :], frame)
 
 
-def _behind(
-    machine: Interpreter, op: ops.Yield, frame: Frame, turn: int, kept: list[Value], action: Action
-) -> bool | None:
+def _behind(machine: Engine, op: ops.Yield, frame: Frame, turn: int, kept: list[Value], action: Action) -> bool | None:
     """At the yield itself."""
     frame.op, frame.sequence = op, 0
     if op.many:
@@ -62,20 +60,18 @@ def _behind(
 
 
 def _inside(
-    machine: Interpreter, op: ops.Op, frame: Frame, path: Path, kept: list[Value], action: Action
+    machine: Engine, op: ops.Op, frame: Frame, path: Path, kept: list[Value], action: Action
 ) -> Callable[[], bool]:
     """Going on in the block of `op` that the path leads into, when the statement around it is ready."""
     block = dict(suspending.parts(op))[path[0].part]
     return lambda: go_on(machine, block, frame, path[1:], kept, action)
 
 
-def _if(machine: Interpreter, op: ops.If, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
+def _if(machine: Engine, op: ops.If, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
     return _inside(machine, op, frame, path, kept, action)()
 
 
-def _while(
-    machine: Interpreter, op: ops.While, frame: Frame, path: Path, kept: list[Value], action: Action
-) -> bool | None:
+def _while(machine: Engine, op: ops.While, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
     finish = _inside(machine, op, frame, path, kept, action)
     part, turn = path[0].part, path[0].turn
     if part == "orelse":
@@ -97,7 +93,7 @@ def _while(
 
 
 def _for_each(
-    machine: Interpreter, op: ops.ForEach, frame: Frame, path: Path, kept: list[Value], action: Action
+    machine: Engine, op: ops.ForEach, frame: Frame, path: Path, kept: list[Value], action: Action
 ) -> bool | None:
     if path[0].part != EACH:
         return _inside(machine, op, frame, path, kept, action)()
@@ -113,7 +109,7 @@ def _for_each(
     return iteration.for_each(machine, op, frame, Begun(path[0].turn, source, left, rest_of_turn))
 
 
-def _try(machine: Interpreter, op: ops.Try, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
+def _try(machine: Engine, op: ops.Try, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
     part, finish = path[0].part, _inside(machine, op, frame, path, kept, action)
     if part == "final":
         return _in_finally(machine, frame, finish)
@@ -122,7 +118,7 @@ def _try(machine: Interpreter, op: ops.Try, frame: Frame, path: Path, kept: list
     return exceptions.attempt(machine, op, frame, handled=finish)
 
 
-def _in_finally(machine: Interpreter, frame: Frame, finish: Callable[[], bool]) -> bool:
+def _in_finally(machine: Engine, frame: Frame, finish: Callable[[], bool]) -> bool:
     """Behind a `finally` that was suspended: on any of the ways that lead through one."""
     if not finish():
         return False
@@ -132,9 +128,7 @@ def _in_finally(machine: Interpreter, frame: Frame, finish: Callable[[], bool]) 
     return True
 
 
-def _with(
-    machine: Interpreter, op: ops.With, frame: Frame, path: Path, kept: list[Value], action: Action
-) -> bool | None:
+def _with(machine: Engine, op: ops.With, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
     return contexts.with_context(machine, op, frame, body=_inside(machine, op, frame, path, kept, action))
 
 

@@ -14,7 +14,7 @@ from rosward.domain.values import Class, Native, Ref, Value
 from rosward.engine.python import attributes, metaclasses
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 NOT_IMPLEMENTED: Final = Native("builtins.NotImplemented")
 
@@ -22,7 +22,7 @@ Try = tuple[Value, str, Value]
 """An operand, its method, and what that is called with."""
 
 
-def special(machine: Interpreter, value: Value, name: str) -> Value | None:
+def special(machine: Engine, value: Value, name: str) -> Value | None:
     """The special method of an instance of a class, or of a class of a metaclass, bound; None where there is none."""
     if value.__class__ is Class:
         return metaclasses.method(machine, value, name)
@@ -35,7 +35,7 @@ def special(machine: Interpreter, value: Value, name: str) -> Value | None:
     return None
 
 
-def goes_first(machine: Interpreter, left: Value, right: Value, name: str) -> bool:
+def goes_first(machine: Engine, left: Value, right: Value, name: str) -> bool:
     """Whether the right operand is asked first: its class derives from that of the left one."""
     if not isinstance(left, Ref) or not isinstance(right, Ref):
         return False
@@ -45,7 +45,7 @@ def goes_first(machine: Interpreter, left: Value, right: Value, name: str) -> bo
     return attributes.lookup(machine, theirs, name) != attributes.lookup(machine, ours, name)
 
 
-def first_of(machine: Interpreter, tries: list[Try]) -> Value | None:
+def first_of(machine: Engine, tries: list[Try]) -> Value | None:
     """What the first method gives that does not refuse; NotImplemented where all refuse, None where there is none."""
     found: list[Value] = []
     for operand, name, argument in tries:
@@ -65,5 +65,5 @@ def refused(made: Value) -> bool:
     return made == NOT_IMPLEMENTED
 
 
-def _any(machine: Interpreter, tries: list[Try]) -> bool:
+def _any(machine: Engine, tries: list[Try]) -> bool:
     return any(special(machine, operand, name) is not None for operand, name, _ in tries)

@@ -10,16 +10,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import join, join_all, widen
+from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unknown, Value
 from rosward.engine.catcher import Catcher, rethrow
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
-from rosward.engine.state import State, join_states
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 STEP: Final = {
     False: ("__iter__", "__next__", "StopIteration"),
@@ -46,7 +46,7 @@ class Stepped(NamedTuple):
     value: Value = NONE
 
 
-def made(machine: Interpreter, source: Value, *, asynchronous: bool = False) -> Value:
+def made(machine: Engine, source: Value, *, asynchronous: bool = False) -> Value:
     """What `__iter__` of an object of the program gives; any other value itself."""
     if not isinstance(source, Ref) or machine.obj(source).kind != "instance":
         return source
@@ -57,7 +57,7 @@ def made(machine: Interpreter, source: Value, *, asynchronous: bool = False) -> 
     return source if method is None else calls.call(machine, method, (), {})
 
 
-def steps(machine: Interpreter, source: Value, *, asynchronous: bool = False) -> bool:
+def steps(machine: Engine, source: Value, *, asynchronous: bool = False) -> bool:
     """Whether a value is followed step by step: a generator, an object with `__next__`, or one of several values among which there is one."""
     if isinstance(source, Choice):
         return any(steps(machine, o, asynchronous=asynchronous) for o in source.options)
@@ -69,7 +69,7 @@ def steps(machine: Interpreter, source: Value, *, asynchronous: bool = False) ->
     return kind == "instance" and attributes.method(machine, source, STEP[asynchronous][1]) is not None
 
 
-def is_followed(machine: Interpreter, value: Value) -> bool:
+def is_followed(machine: Engine, value: Value) -> bool:
     """Whether iterating over a value runs code of the program, item by item."""
     if isinstance(value, Choice):
         return any(is_followed(machine, o) for o in value.options)
@@ -81,7 +81,7 @@ def is_followed(machine: Interpreter, value: Value) -> bool:
     return steps(machine, value)
 
 
-def iterator_of(machine: Interpreter, source: Value, *, asynchronous: bool = False) -> Value:
+def iterator_of(machine: Engine, source: Value, *, asynchronous: bool = False) -> Value:
     """What a loop advances: of several values, those that are no iterators become such."""
     if not isinstance(source, Choice):
         return source
@@ -93,7 +93,7 @@ def iterator_of(machine: Interpreter, source: Value, *, asynchronous: bool = Fal
     )
 
 
-def step(machine: Interpreter, iterator: Value, action: Action = NEXT, *, asynchronous: bool = False) -> Stepped:
+def step(machine: Engine, iterator: Value, action: Action = NEXT, *, asynchronous: bool = False) -> Stepped:
     """Advance an iterator."""
     if isinstance(iterator, Choice):
         return _step_each(machine, iterator, action, asynchronous=asynchronous)
@@ -113,7 +113,7 @@ def step(machine: Interpreter, iterator: Value, action: Action = NEXT, *, asynch
     return Stepped(item, machine.state.copy())
 
 
-def _step_each(machine: Interpreter, iterators: Choice, action: Action, *, asynchronous: bool) -> Stepped:
+def _step_each(machine: Engine, iterators: Choice, action: Action, *, asynchronous: bool) -> Stepped:
     """One of several iterators, each from the same state."""
     before = machine.state
     after: State | None = None
@@ -137,7 +137,7 @@ def _step_each(machine: Interpreter, iterators: Choice, action: Action, *, async
 _METHODS: Final = {"send": "send", "throw": "throw", "close": "close"}
 
 
-def _step_object(machine: Interpreter, iterator: Ref, action: Action, *, asynchronous: bool) -> Stepped:
+def _step_object(machine: Engine, iterator: Ref, action: Action, *, asynchronous: bool) -> Stepped:
     """`__next__` of an object of the program (or `send`, `throw`), and the StopIteration that it raises."""
     _, name, stop = STEP[asynchronous]
     frame = machine.frames[-1]
@@ -168,7 +168,7 @@ def _step_object(machine: Interpreter, iterator: Ref, action: Action, *, asynchr
     return Stepped(item, ended, value)
 
 
-def stop_value(machine: Interpreter, exception: Value, state: State) -> Value:
+def stop_value(machine: Engine, exception: Value, state: State) -> Value:
     """The `value` of a StopIteration that was raised in a state."""
     here, machine.state = machine.state, state
     value = machine.load_attr(exception, "value") if isinstance(exception, Ref) else NONE
@@ -177,7 +177,7 @@ def stop_value(machine: Interpreter, exception: Value, state: State) -> Value:
 
 
 def next_of(
-    machine: Interpreter,
+    machine: Engine,
     iterator: Value,
     action: Action = NEXT,
     default: Value | None = None,
@@ -199,7 +199,7 @@ def next_of(
     return item
 
 
-def drain(machine: Interpreter, iterator: Value, *, asynchronous: bool = False) -> tuple[Items, Value]:
+def drain(machine: Engine, iterator: Value, *, asynchronous: bool = False) -> tuple[Items, Value]:
     """All that an iterator gives, where no loop of the program asks for it (`list(words)`); and what it returns at its end.
 
     Leaves the machine in a state that covers each end; the value is UNBOUND where it never ends.
@@ -230,12 +230,12 @@ def drain(machine: Interpreter, iterator: Value, *, asynchronous: bool = False) 
         frame.context = context
 
 
-def is_generator(machine: Interpreter, iterator: Value) -> bool:
+def is_generator(machine: Engine, iterator: Value) -> bool:
     """Whether an iterator is a generator."""
     return isinstance(iterator, Ref) and machine.obj(iterator).kind == "generator"
 
 
-def _drain_rest(machine: Interpreter, iterator: Value, *, asynchronous: bool) -> tuple[Value, Value]:
+def _drain_rest(machine: Engine, iterator: Value, *, asynchronous: bool) -> tuple[Value, Value]:
     """Any number of further items, joined, and what is returned; leaves the machine in a state that covers each end."""
     reason = Reason(Cause.LOOP, "", machine.place)
 

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.values import UNBOUND, Class, Value
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
 
 __all__ = ["inherited"]
 
 _NAME: Final = "__init_subclass__"
 
 
-def inherited(machine: Interpreter, cls: Class) -> Value | None:
+def inherited(machine: Engine, cls: Class) -> Value | None:
     """The hook that Python calls for this class; None where no base has one.
 
     `machine.unhooked` is None as soon as a class is given a hook behind its body: from then on every class is looked at.

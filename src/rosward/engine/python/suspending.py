@@ -10,16 +10,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.choice import join
+from rosward.domain.state import join_states
 from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, YIELD, Path, Point, Step, join_values
 from rosward.domain.values import NONE, UNBOUND, Tuple, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
-from rosward.engine.state import join_states
 from rosward.ir import ops
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.machine import Engine
     from rosward.ir.program import Code
 
 Way = tuple[tuple[int, str, ops.Op], ...]
@@ -44,7 +44,7 @@ def parts(op: ops.Op) -> list[tuple[str, ops.Block]]:
     return found
 
 
-def ways(machine: Interpreter, code: Code) -> dict[int, Way]:
+def ways(machine: Engine, code: Code) -> dict[int, Way]:
     """The way to each yield of a body, by id() of the operation."""
     found = machine.ways.get(id(code))
     if found is None:
@@ -61,7 +61,7 @@ def _find(block: ops.Block, before: Way, found: dict[int, Way]) -> None:
             _find(inner, (*before, (index, part, op)), found)
 
 
-def yield_(machine: Interpreter, op: ops.Yield, frame: Frame) -> bool | None:
+def yield_(machine: Engine, op: ops.Yield, frame: Frame) -> bool | None:
     """The handler of `yield` and `yield from`."""
     frame.op, frame.sequence = op, 0
     source = frame.registers[op.src]
@@ -79,7 +79,7 @@ def yield_(machine: Interpreter, op: ops.Yield, frame: Frame) -> bool | None:
 
 
 def delegate(
-    machine: Interpreter, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: stepping.Action
+    machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: stepping.Action
 ) -> bool | None:
     """`yield from` an iterator that is advanced: its next item; behind its end this call goes on. A generator counts its turns itself."""
     context = frame.context
@@ -95,7 +95,7 @@ def delegate(
     return None
 
 
-def give(machine: Interpreter, op: ops.Yield, frame: Frame, source: Value, items: Items, turn: int) -> bool | None:
+def give(machine: Engine, op: ops.Yield, frame: Frame, source: Value, items: Items, turn: int) -> bool | None:
     """`yield from` items: the first of those that are ahead."""
     known, rest = items
     if known:
@@ -121,7 +121,7 @@ def join_all_items(items: Items) -> Value:
 
 
 def _suspend(
-    machine: Interpreter,
+    machine: Engine,
     op: ops.Yield,
     frame: Frame,
     item: Value,

@@ -16,7 +16,6 @@ from rosward.domain.heap import Obj
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, External, Native, Ref, Tuple, Unknown, Value
-from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.source.location import Place
 
@@ -135,7 +134,7 @@ def place_of(obj: Obj) -> Place:
 
 def _launch(call: NativeCall) -> LaunchContext | None:
     """The launch that is going on. Its answers may be others next time, so no call that asks is remembered."""
-    machine = host(call.machine)
+    machine = call.machine
     launch = machine.log.launch
     if launch is not None:
         machine.state.version = machine.fresh_version()
@@ -175,7 +174,7 @@ def _configuration(call: NativeCall) -> Value:
             return found
         if len(call.args) > 1:
             return call.args[1]
-        if not host(call.machine).catchers:
+        if not call.machine.is_tried:
             call.machine.report("RW320", f"the launch configuration '{text_of(name)}' is not set")
         return call.machine.die("KeyError", text_of(name))
 
@@ -211,7 +210,7 @@ def _set_configuration(call: NativeCall) -> Value:
 
 def _assign(call: NativeCall, read: Callable[[str], Value | None], write: Callable[[str, Value | None], None]) -> None:
     name, value = call.exactly(2)
-    sure = not any(f.uncertain for f in host(call.machine).frames)
+    sure = call.machine.is_sure
     for each in options(name):
         if not isinstance(each, Const):
             continue

@@ -29,7 +29,6 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import spread
 
@@ -80,7 +79,7 @@ def _taken(call: NativeCall) -> Value:
 
 def _awaited(call: NativeCall) -> Value:
     """`awaited(value)`: what a coroutine comes to; any other value as it is."""
-    machine = host(call.machine)
+    machine = call.machine
     return join_all(
         machine.wait_for(option) if isinstance(option, Ref) and machine.obj(option).kind == "generator" else option
         for option in options(call.args[0])

@@ -29,7 +29,6 @@ from rosward.domain.values import (
 )
 from rosward.effects.log import EntityEffect, NodeEffect
 from rosward.models.failures import fail
-from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data
 from rosward.models.ros.given_words import context_lines, keep_line, lines_of, words_of_process
@@ -38,7 +37,7 @@ from rosward.models.ros.qos import qos_of
 from rosward.naming.options import callback_name, interface_type
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 
 # Decorators
@@ -77,7 +76,7 @@ def _reads_only(call: NativeCall) -> Value:
     return call.args[0]
 
 
-def perform(machine: Interpreter, spec: Tuple, named: dict[str, Value]) -> None:
+def perform(machine: Machine, spec: Tuple, named: dict[str, Value]) -> None:
     """An effect that a decorator declares; `named` are the arguments of the call by parameter."""
     kind = text_of(spec.items[0])
     if kind == "spins":
@@ -94,7 +93,7 @@ def perform(machine: Interpreter, spec: Tuple, named: dict[str, Value]) -> None:
             machine.schedule(callback, args, text_of(spec.items[2]))
 
 
-def _argument(machine: Interpreter, wanted: str, named: dict[str, Value]) -> Value:
+def _argument(machine: Machine, wanted: str, named: dict[str, Value]) -> Value:
     """What a callback is called with: see the notation of models."""
     kind, _, name = wanted.partition(":")
     if kind == "param":
@@ -106,7 +105,7 @@ def _argument(machine: Interpreter, wanted: str, named: dict[str, Value]) -> Val
     return machine.unknown(Cause.CALL, "argument of a callback")
 
 
-def message_of(machine: Interpreter, type_: Value, kind: str = "message") -> Value:
+def message_of(machine: Machine, type_: Value, kind: str = "message") -> Value:
     """A message of a type (or the request, response, goal of one) that somebody sent."""
     found = interface_type(type_)
     subject = found.rpartition("/")[2] if found else "message"
@@ -120,7 +119,7 @@ def message_of(machine: Interpreter, type_: Value, kind: str = "message") -> Val
 
 
 def create(
-    machine: Interpreter,
+    machine: Machine,
     kind: str,
     node: Value | None,
     name: Value | None,
@@ -166,7 +165,7 @@ def create(
         machine.log.add_entity(machine, effect)
 
 
-def _plain_text(machine: Interpreter, value: Value) -> Value:
+def _plain_text(machine: Machine, value: Value) -> Value:
     """A name as rclpy reads it: a member of a `str` enumeration is its text."""
 
     def one(option: Value) -> Value:
@@ -181,7 +180,7 @@ def _why(value: Value) -> str:
     return f": {reasons[0]}" if reasons else ""
 
 
-def _used_as_node(machine: Interpreter, ref: Value) -> bool:
+def _used_as_node(machine: Machine, ref: Value) -> bool:
     """An instance of a class with a base that is not known may be a node; then it is taken to be one."""
     obj = machine.obj(ref)  # type: ignore[arg-type]
     cls = obj.cls
@@ -193,7 +192,7 @@ def _used_as_node(machine: Interpreter, ref: Value) -> bool:
 
 
 def _create(call: NativeCall) -> Value:
-    machine = host(call.machine)
+    machine = call.machine
     introspection = call.keywords.get("introspection")
     prefix = call.keywords.get("ros_prefix")
     create(
@@ -226,7 +225,7 @@ _READ_BY_LIBRARY: Final = ("use_sim_time", "start_type_description_service")
 """Parameters that decide what the client library itself creates."""
 
 
-def _own_overrides(machine: Interpreter, overrides: Value | None) -> tuple[tuple[str, Value], ...]:
+def _own_overrides(machine: Machine, overrides: Value | None) -> tuple[tuple[str, Value], ...]:
     """Those among the parameter overrides of the code itself that the client library reads."""
     if overrides is None or overrides == NONE:
         return ()
@@ -240,7 +239,7 @@ def _own_overrides(machine: Interpreter, overrides: Value | None) -> tuple[tuple
 
 
 def _create_node(call: NativeCall) -> Value:
-    machine = host(call.machine)
+    machine = call.machine
     keywords = call.keywords
     use_global = keywords.get("use_global_arguments")
     for node in options(call.args[0]):
@@ -261,7 +260,7 @@ def _create_node(call: NativeCall) -> Value:
                 words,
                 machine.obj(node).cls,
                 machine.place,
-                machine.schedule_book.running or len(lines) > 1,
+                machine.in_callback or len(lines) > 1,
             )
             machine.log.add_node(machine, effect)
         if overrides is not None and overrides != NONE:
@@ -271,13 +270,13 @@ def _create_node(call: NativeCall) -> Value:
 
 def _init(call: NativeCall) -> Value:
     """`init(context, args)`: the context keeps its command line."""
-    keep_line(host(call.machine), call.args[0], call.arg(1, "args"))
+    keep_line(call.machine, call.args[0], call.arg(1, "args"))
     return NONE
 
 
 def _remove_ros_args(call: NativeCall) -> Value:
     """`rclpy.utilities.remove_ros_args(args)`: the words that are not between --ros-args and --."""
-    machine = host(call.machine)
+    machine = call.machine
     args = call.arg(0, "args")
     words = machine.series(words_of_process(machine) if args is None or args == NONE else args)
     kept: list[list[Value]] = []
@@ -297,20 +296,20 @@ def _remove_ros_args(call: NativeCall) -> Value:
 
 def _environment(call: NativeCall) -> Value:
     """`_rosward.environment(name)`: a variable that the deployment sets, or that is known of the shell; None where nothing is known."""
-    machine = host(call.machine)
+    machine = call.machine
     return _own_variables(machine).get(text_of(call.args[0])) or NONE
 
 
 def _is_unset(call: NativeCall) -> Value:
     """`_rosward.unset(name)`: whether the deployment has removed a variable."""
-    variables, name = _own_variables(host(call.machine)), text_of(call.args[0])
+    variables, name = _own_variables(call.machine), text_of(call.args[0])
     return Const(name in variables and variables[name] is None)
 
 
-def _own_variables(machine: Interpreter) -> Mapping[str, Value | None]:
+def _own_variables(machine: Machine) -> Mapping[str, Value | None]:
     """What is known of the environment of the process, before the program changes it."""
     configuration = machine.log.configuration
-    shell: Mapping[str, Value | None] = machine.library.environment
+    shell: Mapping[str, Value | None] = machine.environment
     return shell if configuration is None else ChainMap(dict(configuration.environment), dict(shell))
 
 
@@ -326,7 +325,7 @@ def _schedule(call: NativeCall) -> Value:
 
 def _spun(call: NativeCall) -> Value:
     """`_rosward.spun(node)`: the program lets a node work; which one may not be known."""
-    machine = host(call.machine)
+    machine = call.machine
     for option in options(call.args[0]):
         if isinstance(option, (Unknown, External)):
             machine.log.spun.setdefault(machine.place, _why(option))
@@ -339,7 +338,7 @@ def _spin(call: NativeCall) -> Value:
 
 
 def _message(call: NativeCall) -> Value:
-    return message_of(host(call.machine), call.args[0])
+    return message_of(call.machine, call.args[0])
 
 
 def _unknown(call: NativeCall) -> Value:
@@ -352,7 +351,7 @@ def _unknown(call: NativeCall) -> Value:
     return Unknown(value.reasons, value.hint, name) if whole else value
 
 
-def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
+def mark(machine: Machine, value: Value, origin: Origin) -> Value:
     """The value, and all that it holds, as computed from an origin."""
     if isinstance(value, Const):
         return value if value.value is None else Const(value.value, value.origins | {origin})
@@ -372,7 +371,7 @@ def mark(machine: Interpreter, value: Value, origin: Origin) -> Value:
 
 def _default(call: NativeCall) -> Value:
     kind, name, value = call.exactly(3)
-    return mark(host(call.machine), value, Origin(text_of(kind), text_of(name, readable(name))))
+    return mark(call.machine, value, Origin(text_of(kind), text_of(name, readable(name))))
 
 
 def _either(call: NativeCall) -> Value:
@@ -395,7 +394,7 @@ def _report(call: NativeCall) -> Value:
 
 def _fail_unless(call: NativeCall) -> Value:
     """`_rosward.fail_unless(condition, exception, message)`: the library raises where the condition surely does not hold."""
-    machine = host(call.machine)
+    machine = call.machine
     condition, exception, message = call.exactly(3)
     if machine.truth(condition) is not False:
         return NONE

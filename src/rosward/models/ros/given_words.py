@@ -18,19 +18,19 @@ from rosward.models.python.plain import listed
 from rosward.naming.command_line import UNKNOWN_ARGUMENTS, read_words
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 _WORDS: Final = "__words__"
 _MOST: Final = 16
 """So many command lines that one call may give are kept apart."""
 
 
-def words_of_process(machine: Interpreter) -> Value:
+def words_of_process(machine: Machine) -> Value:
     """`sys.argv` as the program left it."""
     return machine.load_attr(machine.load_module("sys"), "argv")
 
 
-def lines_of(machine: Interpreter, value: Value | None) -> tuple[Series, ...]:
+def lines_of(machine: Machine, value: Value | None) -> tuple[Series, ...]:
     """The command lines that `args` may be; what is wrong with them, or not known, is told here."""
     found: dict[Series, None] = {}
     for option in options(value) if value is not None else (NONE,):
@@ -40,7 +40,7 @@ def lines_of(machine: Interpreter, value: Value | None) -> tuple[Series, ...]:
     return tuple(found)
 
 
-def _series(machine: Interpreter, value: Value) -> Series:
+def _series(machine: Machine, value: Value) -> Series:
     return Series((), value) if isinstance(value, Unknown) else machine.series(value)
 
 
@@ -57,7 +57,7 @@ def _apart(line: Series) -> tuple[Series, ...]:
     return tuple(Series(one[:size], line.middle, one[size:]) for one in several)
 
 
-def _tell(machine: Interpreter, line: Series) -> None:
+def _tell(machine: Machine, line: Series) -> None:
     configuration = machine.log.configuration
     read = read_words(line, configuration)
     known = read_words(Series(configuration.words), configuration) if configuration is not None else None
@@ -75,7 +75,7 @@ def _because(reasons: tuple[Reason, ...]) -> str:
     return " because of " + "; ".join(str(r) for r in dict.fromkeys(reasons))
 
 
-def keep_line(machine: Interpreter, context: Value, args: Value | None) -> None:
+def keep_line(machine: Machine, context: Value, args: Value | None) -> None:
     """`context.init(args)`: the context keeps its command line, that of the process where it is given none."""
     given = join_all(words_of_process(machine) if o == NONE else o for o in options(args or NONE))
     words = join_all(listed(machine, ("words", number), *line) for number, line in enumerate(lines_of(machine, given)))
@@ -84,7 +84,7 @@ def keep_line(machine: Interpreter, context: Value, args: Value | None) -> None:
             machine.update(each, machine.obj(each).with_attr(_WORDS, words))
 
 
-def context_lines(machine: Interpreter, context: Value | None) -> tuple[Series, ...]:
+def context_lines(machine: Machine, context: Value | None) -> tuple[Series, ...]:
     """The command lines that a context may have; without init, that of the process."""
     found: dict[Series, None] = {}
     for each in options(context) if context is not None else ():

@@ -11,21 +11,20 @@ from rosward.domain.text import concat, pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Ref, Value
 from rosward.effects.log import NodeEffect
-from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.naming.final_name import final_name, remaps_of
 from rosward.ros import names
 
 
 def _effects(machine: Machine, node: Value) -> list[NodeEffect]:
-    log = host(machine).log
+    log = machine.log
     found = [o.address for o in options(node) if isinstance(o, Ref)]
     return [e for e in log.nodes if e.address in found]
 
 
 def _named(machine: Machine, node: Value, part: int) -> Value:
     """The node's final name (part 0) or namespace (part 1)."""
-    log = host(machine).log
+    log = machine.log
     found = [final_name(log, e)[part] for e in _effects(machine, node)]
     return join_all(found) if found else machine.unknown(Cause.LIVE, "name of a node that is not known", "str")
 
@@ -50,7 +49,7 @@ def _qualified(name: Value, namespace: Value) -> Value:
 
 
 def _resolve_name(call: NativeCall) -> Value:
-    log = host(call.machine).log
+    log = call.machine.log
     kind = names.RemapKind.SERVICE if text_of(call.arg(2, "kind")) == "service" else names.RemapKind.TOPIC
     found: list[Value] = []
     for effect in _effects(call.machine, call.args[0]):

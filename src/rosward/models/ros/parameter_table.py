@@ -21,7 +21,7 @@ from rosward.models.python.containers import dicts
 from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 _TABLE: Final = "__parameters__"
 UNDECLARED: Final = "__undeclared__"
@@ -30,7 +30,7 @@ REFUSES: Final = "__refuses__"
 """Attribute of a node: whether something may refuse a new value (a callback, a descriptor)."""
 
 
-def table_of(machine: Interpreter, node: Value) -> Ref | None:
+def table_of(machine: Machine, node: Value) -> Ref | None:
     """The table of an object that surely is a node."""
     if not isinstance(node, Ref):
         return None
@@ -38,7 +38,7 @@ def table_of(machine: Interpreter, node: Value) -> Ref | None:
     return found if isinstance(found, Ref) else None
 
 
-def flag(machine: Interpreter, node: Value, name: str) -> bool:
+def flag(machine: Machine, node: Value, name: str) -> bool:
     """Whether a flag of a node may be set."""
     if not isinstance(node, Ref):
         return True
@@ -46,7 +46,7 @@ def flag(machine: Interpreter, node: Value, name: str) -> bool:
     return not all(machine.truth(v) is False for v in options(value))
 
 
-def is_declared(machine: Interpreter, node: Value, name: Value) -> bool | None:
+def is_declared(machine: Machine, node: Value, name: Value) -> bool | None:
     """Whether a node has a parameter; None where it may."""
     table = table_of(machine, node)
     if table is None:
@@ -59,25 +59,25 @@ def is_declared(machine: Interpreter, node: Value, name: Value) -> bool | None:
     return None if missing is None else not missing
 
 
-def may_be_set(machine: Interpreter) -> bool:
+def may_be_set(machine: Machine) -> bool:
     """Whether the services of the node can have been called: it was spun."""
-    return machine.schedule_book.running or machine.schedule_book.was_run
+    return machine.in_callback or machine.schedule_book.was_run
 
 
-def put(machine: Interpreter, node: Value, name: Value, value: Value, *, sure: bool = True) -> None:
+def put(machine: Machine, node: Value, name: Value, value: Value, *, sure: bool = True) -> None:
     """A node has a parameter of this name and value from here on; not `sure`: it may have."""
     table = table_of(machine, node)
     if table is not None:
         dicts.store(machine, table, name, value, weak=not sure)
 
 
-def put_any(machine: Interpreter, node: Value, subject: str) -> None:
+def put_any(machine: Machine, node: Value, subject: str) -> None:
     """A node may have any parameters from here on, of any values."""
     name = machine.unknown(Cause.PARAMETER, subject, "str")
     put(machine, node, name, Unknown(name.reasons), sure=False)
 
 
-def take(machine: Interpreter, node: Value, name: Value, *, sure: bool = True) -> None:
+def take(machine: Machine, node: Value, name: Value, *, sure: bool = True) -> None:
     """A parameter is gone from here on; not `sure`: it may be."""
     table = table_of(machine, node)
     if table is None:
@@ -91,7 +91,7 @@ def take(machine: Interpreter, node: Value, name: Value, *, sure: bool = True) -
     machine.update(table, obj.replace(maybe=obj.maybe | set(doubtful)))
 
 
-def value_of(machine: Interpreter, node: Value, name: Value) -> Value | None:
+def value_of(machine: Machine, node: Value, name: Value) -> Value | None:
     """The join of the values that a parameter may have; None where the table has none."""
     table = table_of(machine, node)
     if table is None:
@@ -101,7 +101,7 @@ def value_of(machine: Interpreter, node: Value, name: Value) -> Value | None:
     return join_all(known) if known else None
 
 
-def narrow(machine: Interpreter, before: Value, after: Value) -> None:
+def narrow(machine: Machine, before: Value, after: Value) -> None:
     """The value that was read of a parameter turned out to be another one: so it is where it is read again.
 
     The origin of a default names its parameter, not the node: where two nodes have such a one, it is not known whose was read.
@@ -118,20 +118,20 @@ def narrow(machine: Interpreter, before: Value, after: Value) -> None:
         machine.update(held[0], record.replace(entries={**record.entries, key: after}))
 
 
-def not_declared(machine: Interpreter, name: Value, method: str) -> Value:
+def not_declared(machine: Machine, name: Value, method: str) -> Value:
     """`method` raises, since the parameter is not declared."""
     message = f"parameter {readable(name)!r} is not declared here: {method} raises ParameterNotDeclaredException"
     return raise_(machine, "ParameterNotDeclaredException", message, name)
 
 
-def may_lack_value(machine: Interpreter, value: Value, label: str) -> None:
+def may_lack_value(machine: Machine, value: Value, label: str) -> None:
     """`get_parameter` raises where nobody has given a parameter a value that has no default: whoever catches that is reached."""
     reasons = [r for option in options(value) if isinstance(option, Unknown) for r in option.reasons]
     if any(r.cause is Cause.PARAMETER and r.subject == label for r in reasons):
         machine.throw(machine.unknown(Cause.PARAMETER, label, EXCEPTION_HINT))
 
 
-def raise_(machine: Interpreter, exception: str, message: str, *args: Value) -> Value:
+def raise_(machine: Machine, exception: str, message: str, *args: Value) -> Value:
     """An exception of rclpy is raised."""
     cls = machine.load_attr(machine.load_module("rclpy.exceptions"), exception)
     return fail(machine, cls, message, args)
@@ -144,19 +144,19 @@ def is_unset(value: Value) -> bool | None:
     return None if any(v == NONE or isinstance(v, Unknown) for v in options(value)) else False
 
 
-def new_table(machine: Interpreter, node: Ref, undeclared: Value | None) -> None:
+def new_table(machine: Machine, node: Ref, undeclared: Value | None) -> None:
     """A new node has no parameters."""
     obj = machine.obj(node).with_attr(_TABLE, machine.new_dict({}))
     machine.update(node, obj.with_attr(UNDECLARED, undeclared or FALSE))
 
 
-def may_name(machine: Interpreter, node: Value, name: Value) -> bool:
+def may_name(machine: Machine, node: Value, name: Value) -> bool:
     """Whether a parameter of this name may be among those whose names are known."""
     table, key = table_of(machine, node), dicts.key_of(name)
     return table is None or key is None or key in machine.obj(table).entries
 
 
-def labels(machine: Interpreter, node: Value) -> list[Const]:
+def labels(machine: Machine, node: Value) -> list[Const]:
     """The names that a node has or may have, as far as they are known."""
     table = table_of(machine, node)
     return [k for k in machine.obj(table).entries if isinstance(k, Const)] if table is not None else []

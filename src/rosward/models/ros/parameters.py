@@ -16,7 +16,6 @@ from rosward.domain.unknown import Cause, Origin, Origins, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref, Text, Tuple, Unknown, Value
 from rosward.effects.log import NodeEffect, ParameterEffect
 from rosward.models.failures import fail
-from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import plain_data
@@ -27,11 +26,11 @@ from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 
 def _declare(call: NativeCall) -> Value:
-    machine = host(call.machine)
+    machine = call.machine
     nodes, names = options(call.args[0]), options(plain_data(machine, call.args[1]))
     default = plain_data(machine, call.arg(2, "default", NONE) or NONE)
     type_ = call.arg(3, "type", NONE) or NONE
@@ -61,7 +60,7 @@ def _declare(call: NativeCall) -> Value:
     return join_all(found) if found else UNBOUND
 
 
-def _refused(machine: Interpreter, node: Value, name: Value) -> Value | None:
+def _refused(machine: Machine, node: Value, name: Value) -> Value | None:
     """Declaring raises: the name is empty or no str, or the parameter is there already."""
     if isinstance(name, Const) and not isinstance(name.value, str):
         return fail(
@@ -78,19 +77,19 @@ def _refused(machine: Interpreter, node: Value, name: Value) -> Value | None:
 _HINTS: Final = {"BOOL": "bool", "INTEGER": "int", "DOUBLE": "float", "STRING": "str"}
 
 
-def _hint(machine: Interpreter, type_: Value) -> str:
+def _hint(machine: Machine, type_: Value) -> str:
     """The Python type of a parameter of a declared type; '' where it is not known."""
     word = _type_label(machine, type_)
     return "list" if word.endswith("_ARRAY") else _HINTS.get(word, "")
 
 
-def _type_label(machine: Interpreter, type_: Value) -> str:
+def _type_label(machine: Machine, type_: Value) -> str:
     """The name of a member of Parameter.Type."""
     attrs = machine.obj(type_).attrs if isinstance(type_, Ref) else {}
     return text_of(attrs.get("name", attrs.get("_name_")))
 
 
-def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
+def _initial(machine: Machine, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
     """The value of a parameter when it is declared: what the code or the command line sets, else its default.
 
     Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
@@ -112,7 +111,7 @@ def _initial(machine: Interpreter, node: Value, name: Value, default: Value, hin
 
 
 def _given_wrongly(
-    machine: Interpreter, node: Value, name: Value, default: Value, type_: Value, ignored: Value, typed: bool
+    machine: Machine, node: Value, name: Value, default: Value, type_: Value, ignored: Value, typed: bool
 ) -> Value | None:
     """Declaring raises: what sets the parameter is of another type than the default. Without `typed` any type will do."""
     label = text_of(name)
@@ -126,7 +125,7 @@ def _given_wrongly(
     return table.raise_(machine, "InvalidParameterTypeException", message, name, Const(declared))
 
 
-def _open(machine: Interpreter, node: Value) -> tuple[Reason, ...]:
+def _open(machine: Machine, node: Value) -> tuple[Reason, ...]:
     """The parameter files of the node's command lines that are not known: they may set anything."""
     return tuple(
         dict.fromkeys(
@@ -135,11 +134,11 @@ def _open(machine: Interpreter, node: Value) -> tuple[Reason, ...]:
     )
 
 
-def _effects(machine: Interpreter, node: Value) -> list[NodeEffect]:
+def _effects(machine: Machine, node: Value) -> list[NodeEffect]:
     return [e for e in machine.log.nodes if isinstance(node, Ref) and e.address == node.address]
 
 
-def _override(machine: Interpreter, node: Value, name: str) -> Value | None:
+def _override(machine: Machine, node: Value, name: str) -> Value | None:
     """What the node's own code sets by parameter_overrides, or its command line."""
     if not isinstance(node, Ref):
         return None
@@ -157,7 +156,7 @@ def _override(machine: Interpreter, node: Value, name: str) -> Value | None:
     return join_all(found) if found else None
 
 
-def _own(machine: Interpreter, node: Value) -> tuple[dict[str, Value], bool]:
+def _own(machine: Machine, node: Value) -> tuple[dict[str, Value], bool]:
     """What the code itself sets by parameter_overrides, by name; and whether it may set others."""
     given = machine.obj(node).attrs.get("__overrides__") if isinstance(node, Ref) else None
     if given is None:
@@ -176,16 +175,16 @@ def _own(machine: Interpreter, node: Value) -> tuple[dict[str, Value], bool]:
     return found, others
 
 
-def _on_heap(machine: Interpreter, name: str, value: Value) -> Value:
+def _on_heap(machine: Machine, name: str, value: Value) -> Value:
     """A given value as the program holds it, marked as set from outside."""
     if isinstance(value, Tuple):
         value = machine.new_list(value.items)
     return mark(machine, value, Origin("parameter", name, settled=True, given=True))
 
 
-def _now(machine: Interpreter, value: Value, label: str) -> Value:
+def _now(machine: Machine, value: Value, label: str) -> Value:
     """The value of a parameter when a callback reads it: by then `ros2 param set` may have given it another."""
-    if not machine.schedule_book.running:
+    if not machine.in_callback:
         return value
     if isinstance(value, Const):
         return Const(value.value, _reopened(value.origins, label))
@@ -198,7 +197,7 @@ def _reopened(origins: Origins, label: str) -> Origins:
 
 def _parameter(call: NativeCall) -> Value:
     """The value that `get_parameter` gives; it raises for what is not declared, unless the node takes such parameters."""
-    machine = host(call.machine)
+    machine = call.machine
     nodes, names = options(call.args[0]), options(call.args[1])
     found: list[Value] = []
     for node in nodes:
@@ -224,7 +223,7 @@ def _parameter(call: NativeCall) -> Value:
 
 def _set(call: NativeCall) -> Value:
     """A new value; where it may be refused (by a callback, by its type) the old one stays possible."""
-    machine = host(call.machine)
+    machine = call.machine
     node, name, value = call.exactly(3)
     nodes, names = options(node), options(name)
     alone = len(nodes) == len(names) == 1
@@ -252,7 +251,7 @@ def _set(call: NativeCall) -> Value:
 
 def _has(call: NativeCall) -> Value:
     """Whether a parameter is declared."""
-    machine = host(call.machine)
+    machine = call.machine
     answers = {table.is_declared(machine, n, k) for n in options(call.args[0]) for k in options(call.args[1])}
     if len(answers) == 1 and None not in answers:
         return TRUE if answers.pop() else FALSE
@@ -264,7 +263,7 @@ def _is_given(call: NativeCall) -> Value:
 
     What nobody here knows to be set is for `get_parameter_or` as for a parameter with a default: the default stands for all that may be.
     """
-    machine = host(call.machine)
+    machine = call.machine
     node, name = call.exactly(2)
     if machine.log.configuration is None and not _own(machine, node)[1]:
         if all(
@@ -275,7 +274,7 @@ def _is_given(call: NativeCall) -> Value:
 
 
 def _undeclare(call: NativeCall) -> Value:
-    machine = host(call.machine)
+    machine = call.machine
     nodes, names = options(call.args[0]), options(call.args[1])
     alone = len(nodes) == len(names) == 1
     for node in nodes:
@@ -291,7 +290,7 @@ def _undeclare(call: NativeCall) -> Value:
 
 def _needs(call: NativeCall) -> Value:
     """`_rosward.needs_parameter(node, name, method)`: the method raises where the parameter surely is not declared."""
-    machine = host(call.machine)
+    machine = call.machine
     node, name = call.args[0], call.args[1]
     if table.is_declared(machine, node, name) is False and not table.flag(machine, node, table.UNDECLARED):
         return table.not_declared(machine, name, text_of(call.args[2]))
@@ -300,7 +299,7 @@ def _needs(call: NativeCall) -> Value:
 
 def _by_prefix(call: NativeCall) -> Value:
     """The declared parameters below a prefix, by the rest of their names."""
-    machine = host(call.machine)
+    machine = call.machine
     prefix = call.args[1]
     parts = options(prefix)
     cls = machine.load_attr(machine.load_module("rclpy.parameter"), "Parameter")
@@ -335,7 +334,7 @@ def _declare_given(call: NativeCall) -> Value:
     That is what the code gives by parameter_overrides, and what command line and parameter files give. Where it is not known who starts
     the process, it may be any.
     """
-    machine = host(call.machine)
+    machine = call.machine
     for node in options(call.args[0]):
         own, others = _own(machine, node)
         open_ = _open(machine, node)
@@ -359,7 +358,7 @@ def _declare_given(call: NativeCall) -> Value:
     return NONE
 
 
-def _as_declared(machine: Interpreter, value: Value) -> Value:
+def _as_declared(machine: Machine, value: Value) -> Value:
     """The value as it stands at the declaration: of a list its elements, since what is recorded must not change with the list."""
     if isinstance(value, Ref):
         record = machine.obj(value)
@@ -368,7 +367,7 @@ def _as_declared(machine: Interpreter, value: Value) -> Value:
     return value
 
 
-def _declared_by(machine: Interpreter, node: Value, label: str, value: Value, *, sure: bool) -> None:
+def _declared_by(machine: Machine, node: Value, label: str, value: Value, *, sure: bool) -> None:
     address = node.address if isinstance(node, Ref) else None
     effect = ParameterEffect(address, Const(label), NONE, _as_declared(machine, value), NONE, machine.place)
     machine.log.parameters[effect] = None
@@ -377,7 +376,7 @@ def _declared_by(machine: Interpreter, node: Value, label: str, value: Value, *,
 
 def _declare_own(call: NativeCall) -> Value:
     """What the client library declares for every node: use_sim_time, and in most distros start_type_description_service."""
-    machine = host(call.machine)
+    machine = call.machine
     for node in options(call.args[0]):
         for label, default, sure in (("use_sim_time", FALSE, True), ("start_type_description_service", TRUE, False)):
             if table.is_declared(machine, node, Const(label)) is not True:
@@ -389,7 +388,7 @@ def _declare_own(call: NativeCall) -> Value:
 
 def _unset(call: NativeCall) -> Value:
     """`_rosward.is_unset(value)`: whether a parameter has no value."""
-    machine = host(call.machine)
+    machine = call.machine
     answer = table.is_unset(call.args[0])
     if answer is None:
         return machine.unknown(Cause.PARAMETER, "whether it has a value", "bool")
@@ -398,7 +397,7 @@ def _unset(call: NativeCall) -> Value:
 
 def _lacks(call: NativeCall) -> Value:
     """`_rosward.may_lack(node)`: each parameter that is there may be declared anew by an override."""
-    machine = host(call.machine)
+    machine = call.machine
     for node in options(call.args[0]):
         for label in table.labels(machine, node):
             table.take(machine, node, label, sure=False)
@@ -407,7 +406,7 @@ def _lacks(call: NativeCall) -> Value:
 
 def _refuses(call: NativeCall) -> Value:
     """`_rosward.may_refuse(node)`: from here on something may refuse a new value of a parameter."""
-    machine = host(call.machine)
+    machine = call.machine
     for node in options(call.args[0]):
         if isinstance(node, Ref):
             machine.update(node, machine.obj(node).with_attr(table.REFUSES, TRUE))

@@ -9,7 +9,7 @@ from rosward.domain.values import Const, Ref, Value
 from rosward.ros.entities import Qos
 
 if TYPE_CHECKING:
-    from rosward.engine.interpreter import Interpreter
+    from rosward.models.native import Machine
 
 _POLICIES: Final = ("reliability", "durability", "history")
 _NUMBERS: Final = {
@@ -19,7 +19,7 @@ _NUMBERS: Final = {
 }
 
 
-def qos_of(machine: Interpreter, value: Value | None) -> tuple[Qos | None, bool]:
+def qos_of(machine: Machine, value: Value | None) -> tuple[Qos | None, bool]:
     """What is known of a QoS profile, and whether the topic keeps the prefix of the ROS name space."""
     if value is None:
         return None, True
@@ -35,13 +35,13 @@ def qos_of(machine: Interpreter, value: Value | None) -> tuple[Qos | None, bool]
     return Qos(words[0], words[1], words[2], known), prefix
 
 
-def _attr(machine: Interpreter, value: Value, name: str) -> Value | None:
+def _attr(machine: Machine, value: Value, name: str) -> Value | None:
     attrs = machine.obj(value).attrs  # type: ignore[arg-type]
     found = attrs.get(name, attrs.get(f"_{name}"))
     return found if found is not None else machine.load_attr(value, name)
 
 
-def _policy(machine: Interpreter, name: str, value: Value | None) -> str | None:
+def _policy(machine: Machine, name: str, value: Value | None) -> str | None:
     if isinstance(value, Const) and isinstance(value.value, int):
         return _NUMBERS[name].get(value.value)
     if isinstance(value, Ref):

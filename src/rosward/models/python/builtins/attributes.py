@@ -28,7 +28,6 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.operators.compare import kind_of
@@ -90,8 +89,7 @@ def _of_callable(machine: Machine, value: Value, name: str) -> bool | None:
     if not isinstance(value, Function):
         return None
     every = hasattr(_METHOD if bound else _FUNCTION, name)
-    interpreter = host(machine)
-    kept = interpreter.state.heap.get(interpreter.library.function_address(value))
+    kept = machine.function_record(value)
     if kept is None or every:
         return every
     own = kept.attrs.get(name, UNBOUND)
@@ -246,7 +244,7 @@ def _get_one(call: NativeCall, value: Value, name: Value) -> Value:
 
 def note_any(machine: Machine, value: Value) -> None:
     """An attribute of a name that is not known is read: whatever the classes of the program have there may be called unseen."""
-    asked = host(machine).asked
+    asked = machine.asked
     for option in options(value):
         cls = machine.obj(option).cls if isinstance(option, Ref) else option
         if isinstance(cls, Class):

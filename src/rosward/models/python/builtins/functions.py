@@ -13,7 +13,6 @@ from typing import Final
 from rosward.domain.choice import options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, BoundMethod, Class, Const, Function, Native, Ref, Tuple, Unknown, Value
-from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import attribute_names, has_attribute
 from rosward.models.python.builtins.constructors import is_callable
@@ -111,7 +110,7 @@ def _print(call: NativeCall) -> Value:
     """What is printed goes to `file`, or to what the program put in the place of sys.stdout: its `write` runs."""
     file = call.keywords.get("file")
     if file is None or file == NONE:
-        machine = host(call.machine)
+        machine = call.machine
         file = machine.load_attr(machine.load_module("sys"), "stdout")
     for option in options(file):
         cls = call.machine.obj(option).cls if isinstance(option, Ref) else None

@@ -12,7 +12,6 @@ from typing import Final
 from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Value
-from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 
 
@@ -44,13 +43,13 @@ def _import_module(call: NativeCall) -> Value:
     for name in options(call.arg(0, "name", UNBOUND) or UNBOUND):
         for base in options(package):
             whole = _absolute(name, base)
-            found.append(_not_known(call) if whole is None else host(call.machine).load_module(whole, asked=True))
+            found.append(_not_known(call) if whole is None else call.machine.load_module(whole, asked=True))
     return join_all(found)
 
 
 def _import(call: NativeCall) -> Value:
     """`__import__(name, globals=None, locals=None, fromlist=(), level=0)`; `globals` is taken for that of the calling module."""
-    machine = host(call.machine)
+    machine = call.machine
     level = call.arg(4, "level", Const(0))
     if not isinstance(level, Const) or not isinstance(level.value, int) or level.value < 0:
         return _not_known(call)

@@ -32,7 +32,6 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.effects.shell import ORIGIN
-from rosward.models.host import host
 from rosward.models.native import Machine
 from rosward.models.python.plain import (
     LOOSE_HINTS,
@@ -149,7 +148,7 @@ def equal(machine: Machine, left: Value, right: Value, depth: int = MAX_DEPTH) -
         return bool(left.value == right.value)
     if isinstance(left, Unknown) or isinstance(right, Unknown):
         if _is_variable(left) or _is_variable(right):
-            differs = host(machine).log.variables.equal(left, right) is False
+            differs = machine.log.variables.equal(left, right) is False
             return False if differs else _of_unknown(kind_of(machine, left), kind_of(machine, right))
         return _of_unknown(kind_of(machine, left), kind_of(machine, right))
     if isinstance(left, (Text, Const)) and isinstance(right, (Text, Const)):
@@ -173,7 +172,7 @@ def _compared_defaults(machine: Machine, left: Const, right: Const) -> None:
     """What a default of the environment is compared with is another value that it may have."""
     for one, other in ((left, right), (right, left)):
         if any(origin.kind == ORIGIN and not origin.settled for origin in one.origins):
-            host(machine).log.variables.of_default(one.origins, other, machine.place)
+            machine.log.variables.of_default(one.origins, other, machine.place)
 
 
 def _never(left: Value, right: Value) -> bool | None:

@@ -16,7 +16,6 @@ from rosward.domain.text import concat, make, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, TRUE, Const, Unknown, Value
 from rosward.models.file_paths import is_beside, location_of
-from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import FILE_HINT
 from rosward.models.python.std.paths import as_text
@@ -48,7 +47,7 @@ def _open(call: NativeCall) -> Value:
         text = _text(call, path) if mode in _READING else None
         if text is None:
             return call.machine.unknown(Cause.FILE, readable(path), FILE_HINT)
-        opened = host(call.machine).load_module("_opened")
+        opened = call.machine.load_module("_opened")
         if mode is not None and "b" in mode:
             data = Const(str(text.value).encode("utf-8", "surrogateescape"), text.origins)
             return call.machine.call(call.machine.load_attr(opened, "BinaryFile"), (data, path))

@@ -25,7 +25,6 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.models.host import host
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT
@@ -171,7 +170,7 @@ def _end(call: NativeCall) -> Value:
         message = "generator didn't stop" if exception == NONE else "generator didn't stop after throw()"
         if not stopped:
             machine.close_generator(generator)
-        host(machine).throw(machine.call(Native("builtins.RuntimeError"), (Const(message),)))
+        machine.throw(machine.call(Native("builtins.RuntimeError"), (Const(message),)))
         if not stopped:
             return UNBOUND
     return Const(exception != NONE)
@@ -187,7 +186,7 @@ def _unwind(call: NativeCall) -> Value:
     exits, exception = call.exactly(2)
     items = call.machine.iterate(exits)
     known = items.known if items.rest is None else (*items.known, items.rest)
-    return host(call.machine).unwind(known, exception)
+    return call.machine.unwind(known, exception)
 
 
 def _any_of(call: NativeCall) -> Value:
@@ -198,8 +197,7 @@ def _any_of(call: NativeCall) -> Value:
 
 def _alone(call: NativeCall) -> Value:
     """queue._alone(): whether nothing else runs that could put or take something, now or before."""
-    book = host(call.machine).schedule_book
-    return Const(not book.entries and not book.running)
+    return Const(not call.machine.schedule_book.entries and not call.machine.in_callback)
 
 
 def _elements(call: NativeCall) -> Value:
@@ -275,9 +273,9 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "contextlib._begin": _begin,
     "contextlib._end": _end,
     "contextlib._unwind": _unwind,
-    "sys._handled": lambda call: host(call.machine).handled,
-    "sys._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.main_raised),
-    "threading._uncaught": lambda call: _or_any(call, host(call.machine).schedule_book.threads_raised),
+    "sys._handled": lambda call: call.machine.handled,
+    "sys._uncaught": lambda call: _or_any(call, call.machine.schedule_book.main_raised),
+    "threading._uncaught": lambda call: _or_any(call, call.machine.schedule_book.threads_raised),
     "inspect._awaits": _awaits,
     "inspect._kind_of": _kind_of,
     "inspect._yields": _yields,

@@ -32,7 +32,6 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.models.host import host
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.support import class_obj, exact_dict, place, place_dict, place_list, text_of
 
@@ -206,7 +205,7 @@ def _set(machine: Machine, instance: Value, name: str, value: Value) -> None:
 
 def _refuse(call: NativeCall) -> Value:
     """dataclasses.refuse(instance, name, value): an attribute of a frozen object is set."""
-    machine = host(call.machine)
+    machine = call.machine
     cls = machine.load_attr(machine.load_module("dataclasses"), "FrozenInstanceError")
     machine.throw(machine.call(cls, (machine.unknown(Cause.LIVE, "message of an exception", "str"),)))
     return UNBOUND
