@@ -24,8 +24,8 @@ from rosward import extract
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.read import read_sources
 from rosward.analysis.systems import Outset, systems_of
+from rosward.deployment.launched import Launched
 from rosward.deployment.request import Request
-from rosward.deployment.resolve import Launched
 from rosward.deployment.started import StartKind
 from rosward.pipeline import NothingToReadError, Result
 from rosward.ros.distro import Distro

@@ -7,7 +7,6 @@ There is no input that is known to make it fail, so the tests break it in one pl
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
@@ -23,6 +22,7 @@ from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.engine.python import native_calls
 from rosward.findings import RULES, Severity
+from rosward.frontends.registry import PYTHON
 from rosward.models.native import perform as real_perform
 from rosward.outputs import files as output_files
 from rosward.outputs.report.packed import document_in
@@ -149,10 +149,8 @@ def test_a_reader_costs_what_it_reads(
 
 
 def test_a_source_file_costs_no_other(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    lower: Callable[[str, str], Any] = rosward.analysis.source_tree.lower_module  # type: ignore[attr-defined]
-    monkeypatch.setattr(
-        "rosward.analysis.source_tree.lower_module", lambda t, f: failing() if f == "bad.py" else lower(t, f)
-    )
+    failing_one = PYTHON._replace(lower=lambda t, f, *o: failing() if f == "bad.py" else PYTHON.lower(t, f, *o))
+    monkeypatch.setattr("rosward.analysis.source_tree.front_end_of", lambda *_: failing_one)
     result = rosward.extract(workspace)
     assert names(result) == {"/before_good", "/after_good"}
     assert internal(result) == [("bad.py", 0)]

@@ -39,7 +39,7 @@ from rosward.network.contexts import EnclaveMode, each_its_own, with_enclaves
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
-from rosward.ros.distro import Distro
+from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.text import place_name
@@ -85,7 +85,7 @@ def budget_of(factor: float) -> Budget:
 
 def extract(
     *paths: SourcePath,
-    distro: str = "jazzy",
+    distro: str = DEFAULT_DISTRO,
     unknown: UnknownNames = "deny",
     models: Sequence[SourcePath] = (),
     tests: bool = False,
@@ -106,7 +106,7 @@ def extract(
 
     Args:
         paths: files, packages or workspaces; the working directory where there is none.
-        distro: humble, iron, jazzy, kilted or rolling; decides what the client library adds by itself.
+        distro: One of `rosward.ros.distro.DISTROS`; decides what the client library adds by itself.
         unknown: 'deny' or 'wildcard', what a policy made of the result will write for a name that is not known.
         models: folders of stub files that describe libraries, and of declared interfaces of nodes.
         tests: whether test files are read too.

@@ -132,8 +132,8 @@ def dicts(draw: st.DrawFn, variables: bool = False) -> Obj:
 REGISTERS: Final = 2
 _NOTHING: Final = Parameters((), 0, None, (), None)
 CODES: Final = tuple(
-    Code(CodeKind.FUNCTION, name, name, "a.py", 1, _NOTHING, [], REGISTERS, (), (), (), is_generator=True)
-    for name in ("one", "two")
+    Code(CodeKind.FUNCTION, name, name, "a.py", 1, _NOTHING, [], REGISTERS, (), (), (), is_generator=True, index=number)
+    for number, name in enumerate(("one", "two"))
 )
 FUNCTIONS: Final = tuple(Function(code, ModuleValue(0, "m", "a.py"), (), (), ()) for code in CODES)
 

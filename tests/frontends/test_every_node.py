@@ -47,7 +47,7 @@ def test_unknown_node_is_said() -> None:
     """A node type of a Python to come becomes `unsupported`, not nothing."""
     tree = ast.parse("x")
     symbols = collect(tree)
-    body = Body(Unit("a.py", symbols, {}, {}), symbols.by_node[tree], "<module>")
+    body = Body(Unit("a.py", "a.py", symbols, {}, {}), symbols.by_node[tree], "<module>")
     body.statements(tree.body)
     assert [type(op).__name__ for op in body.ops] == ["Intrinsic"]
     assert "unsupported" not in code_text(lower_module("x", "a.py").code)

@@ -8,7 +8,8 @@ import sys
 
 import pytest
 
-from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.frontends.front_end import FrontendError
+from rosward.frontends.python_module import lower_module
 from rosward.frontends.python_newer import older
 
 NEWER = [

@@ -32,13 +32,13 @@ Fibonacci = pytest.importorskip("test_msgs.action").Fibonacci
 
 from rosward.ros import names, validation  # noqa: E402
 from rosward.ros.arguments import key_fits_node, parameters_of_node, parse_arguments  # noqa: E402
-from rosward.ros.distro import (  # noqa: E402
-    Distro,
+from rosward.ros.distro import Distro  # noqa: E402
+from rosward.ros.entities import EntityKind  # noqa: E402
+from rosward.ros.implicit import (  # noqa: E402
     implicit_entities,
     parameter_client_services,
     service_event_topic,
 )
-from rosward.ros.entities import EntityKind  # noqa: E402
 from rosward.ros.names import RemapKind  # noqa: E402
 
 REAL = settings(max_examples=200, suppress_health_check=list(HealthCheck))
@@ -377,7 +377,7 @@ def endpoints(node: Any) -> set[tuple[EntityKind, str, str]]:
 
 
 def test_actions_are_remapped_like_topics() -> None:
-    assert names.action_names_are_remapped(Distro.KILTED)
+    assert Distro.KILTED.facts.actions_are_remapped
     for rule, expected in (("fib:=seq", "/seq"), ("rosservice://fib:=seq", "/fib"), ("rostopic://fib:=seq", "/seq")):
         with real_context("--ros-args", "-r", rule) as context, real_node(context) as node:
             client = ActionClient(node, Fibonacci, "fib")

@@ -110,6 +110,7 @@ class Stubs:
                 escape=lambda *_: None,
                 ask=lambda *_: None,
                 reads_only=lambda marked: marked,
+                raises_nothing=lambda marked: marked,
                 register=lambda *_: None,
                 spins=lambda function: function,
             )

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import itertools
+import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rosward.ros.distro import Distro, implicit_entities, parameter_client_services, service_event_topic
+from rosward.ros.distro import DISTROS, Distro
 from rosward.ros.entities import EntityKind, Qos
+from rosward.ros.implicit import implicit_entities, parameter_client_services, service_event_topic
 
 PARAMETER_SERVICES = {
     "describe_parameters",
@@ -103,6 +106,29 @@ def test_parameter_client() -> None:
     assert {name for name, _ in parameter_client_services("arm")} == {
         f"arm/{service}" for service in PARAMETER_SERVICES
     }
+
+
+def test_between_kilted_and_lyrical_nothing_changed_that_a_policy_grants() -> None:
+    kilted, lyrical = (
+        implicit_entities(distro, node_fqn="/n", logger_service=True, use_sim_time=True, lifecycle=True)
+        for distro in (Distro.KILTED, Distro.LYRICAL)
+    )
+    assert lyrical == kilted
+    assert service_event_topic(Distro.LYRICAL, "/a", None, action=True) is not None
+    assert Distro.LYRICAL.facts.actions_are_remapped
+
+
+def test_a_distribution_is_named_in_one_place() -> None:
+    """Whoever lists them, reads the list: a new one is a row of the table."""
+    root = Path(__file__).parents[2]
+    every = re.compile(r"\b(" + "|".join(DISTROS) + r")\b")
+    files = [p for p in root.joinpath("src").rglob("*") if p.suffix in {".py", ".json", ".j2", ".js", ".html"}]
+    listing = {
+        path.relative_to(root).as_posix()
+        for path in [*files, root / "docs/configuration.md", root / "docs/library.md", root / "action.yml"]
+        if any(len(set(every.findall(line))) > 2 for line in path.read_text(encoding="utf-8").splitlines())
+    }
+    assert listing == {"src/rosward/ros/distro.py"}
 
 
 def test_order_of_distributions() -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import pytest
 
-from rosward.ros.distro import ClientLibrary, Distro, implicit_entities
+from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity
+from rosward.ros.implicit import ClientLibrary, implicit_entities
 
 PARAMETERS = (
     "describe_parameters",

@@ -231,7 +231,7 @@ def test_remap_node() -> None:
 
 
 def test_action_names() -> None:
-    assert [names.action_names_are_remapped(distro) for distro in Distro] == [False, False, True, True, True]
+    assert [d.value for d in Distro if not d.facts.actions_are_remapped] == ["humble", "iron"]
 
 
 # Laws

@@ -13,6 +13,7 @@ from typing import Final
 import pytest
 
 from rosward.cli import main
+from rosward.ros.distro import DISTROS
 
 pytest.importorskip("argcomplete")
 
@@ -52,7 +53,7 @@ def workspace(tmp_path: Path) -> Path:
     [
         ("rosward ext", ["extract"]),
         ("rosward extract --all", ["--all-launch"]),
-        ("rosward extract --distro ", ["humble", "iron", "jazzy", "kilted", "rolling"]),
+        ("rosward extract --distro ", list(DISTROS)),
         ("rosward extract --launch delivery_bringup:f", ["delivery_bringup:fleet.launch.py"]),
         ("rosward extract src --launch delivery_bringup:b", ["delivery_bringup:building.launch.xml"]),
         ("rosward extract --node delivery_base/b", ["delivery_base/base_driver", "delivery_base/battery_monitor"]),

@@ -23,8 +23,8 @@ from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
 from rosward.analysis.unreached import unreached
 from rosward.deployment.declared.effects import declared
+from rosward.deployment.launched import Launched
 from rosward.deployment.request import Request
-from rosward.deployment.resolve import Launched
 from rosward.deployment.undeclared import undeclared
 from rosward.domain.series import Series
 from rosward.effects.configuration import Configuration
@@ -38,7 +38,7 @@ from rosward.naming.collect import Process, collect
 from rosward.naming.command_line import read_words
 from rosward.naming.doubts import unknown_arguments
 from rosward.network.launch_tree import LaunchSystem
-from rosward.ros.distro import Distro
+from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.ros.entities import Interface, Node
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
@@ -68,7 +68,7 @@ def of_request(request: Request, read: SourcesRead, progress: Progress) -> Deplo
 
 def launched(
     *paths: SourcePath,
-    distro: str = "jazzy",
+    distro: str = DEFAULT_DISTRO,
     models: Sequence[SourcePath] = (),
     tests: bool = False,
     exclude: Sequence[str | Exclusion] = (),
@@ -144,9 +144,11 @@ def _of_systems(
     for each in runs.all():
         asked.add_required(each.log.variables)
     entered = {code for run in runs.all() for code in run.entered}
-    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and id(m.code) in entered]
+    read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
     missing = "code that never runs is not told"
-    told = guarded(lambda: list(unreached(runs.all(), read)), Place("", 0), missing, net=outset.budget.net)
+    told = guarded(
+        lambda: list(unreached(runs.all(), read, outset.library.facts)), Place("", 0), missing, net=outset.budget.net
+    )
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
     return Gathered(nodes, list(findings))
 

@@ -8,18 +8,20 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
-import sys
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
 from rosward.engine.library import Library
-from rosward.engine.stub_files import STUBS
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.ros.entities import assumed_label
+from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.workspace import ExecutableKind, SourceFile, Workspace
+
+_WITHOUT_NODES: Final = ("numpy", "yaml")
+"""Modelled libraries that are not Python's own and know nothing of ROS."""
 
 
 class Plan(NamedTuple):
@@ -116,7 +118,7 @@ def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library
             continue
         for name in module.imports:
             top = name.lstrip(".").partition(".")[0]
-            if not name.startswith(".") and (_is_ros(top) or _is_interfaces(name)):
+            if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
                 related.add(file)
             found = _follow(name, file, library, sources)
             if found:
@@ -138,13 +140,11 @@ def _follow(name: str, file: str, library: Library, sources: SourceTree) -> str:
     return found.file if found is not None else ""
 
 
-def _is_ros(top: str) -> bool:
-    """Whether a top-level module is a modelled library that is neither Python's own nor free of ROS."""
-    if top in sys.stdlib_module_names or top in ("numpy", "yaml"):
+def _is_ros(top: str, library: Library) -> bool:
+    """Whether a top-level module is a modelled library that is neither Python's own nor free of ROS, or one that the user describes."""
+    if top in STANDARD_LIBRARY or top in _WITHOUT_NODES:
         return False
-    if len(top) > 200:  # no name of a file
-        return False
-    return (STUBS / top).is_dir() or (STUBS / f"{top}.pyi").is_file() or top in ("launch", "rclpy")
+    return library.describes(top)
 
 
 def _is_interfaces(name: str) -> bool:

@@ -7,7 +7,6 @@ nothing instantiates. Each of those is instantiated with unknown arguments, and 
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, NamedTuple
@@ -28,8 +27,10 @@ from rosward.engine.python import modules
 from rosward.engine.python.binding import ANY
 from rosward.findings import Finding
 from rosward.guard import internal_error
+from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
+from rosward.source.standard_library import STANDARD_LIBRARY
 
 
 @dataclass(slots=True)
@@ -46,9 +47,9 @@ class Run(NamedTuple):
     entry: Entry
     log: EffectLog
     done: frozenset[tuple[object, ...]]
-    entered: frozenset[int]
+    entered: frozenset[str]
     instantiated: frozenset[Place]
-    reached: frozenset[int]
+    reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
 
 
@@ -157,7 +158,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)
     for qualname in entry.classes:
         found = machine.at(address).attrs.get(qualname)
-        if isinstance(found, Class) and machine.library.node_class(machine) in found.mro:
+        if isinstance(found, Class) and _is_node(found, machine.library.node_classes):
             assumed.make(machine, found)
         elif isinstance(found, Class):
             machine.handed[found] = found.place  # whoever calls it from outside has it
@@ -171,26 +172,30 @@ def _needs_nothing(function: Value) -> bool:
     )
 
 
-def node_classes(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
+def node_classes(runs: Iterable[Run], nodes: tuple[Class, ...]) -> dict[str, list[str]]:
     """The node classes that no process instantiates and no other class inherits from, by file: their names."""
-    return _by_file(c for c in _unmade(runs) if node is not None and node in c.mro)
+    return _by_file(c for c in _unmade(runs) if _is_node(c, nodes))
 
 
-def called_from_outside(runs: Iterable[Run], node: Class | None) -> dict[str, list[str]]:
+def called_from_outside(runs: Iterable[Run], nodes: tuple[Class, ...]) -> dict[str, list[str]]:
     """The classes that no process instantiates, but a framework may, by file: their names.
 
     class ArmEnv(gymnasium.Env)                                    a framework that is not read makes what derives from its classes
     class Driver: def init(self, robot, properties), def step      Webots makes what has these methods
     """
     return _by_file(
-        c for c in _unmade(runs) if node not in c.mro and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
+        c for c in _unmade(runs) if not _is_node(c, nodes) and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
     )
+
+
+def _is_node(cls: Class, nodes: tuple[Class, ...]) -> bool:
+    return any(node in cls.mro for node in nodes)
 
 
 def _derives_from_outside(cls: Class) -> bool:
     """Whether a class has a base that is not read, of a library that may know ROS."""
     return any(
-        isinstance(b, External) and b.name.partition(".")[0] not in sys.stdlib_module_names and not creates_nothing(b)
+        isinstance(b, External) and b.name.partition(".")[0] not in STANDARD_LIBRARY and not creates_nothing(b)
         for b in cls.mro
     )
 

@@ -9,7 +9,8 @@ from typing import Final, final
 
 from rosward.engine.found import Found
 from rosward.findings import Finding
-from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.frontends.front_end import FrontEnd, FrontendError
+from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.source.imports import ImportResolver, Resolution
@@ -28,8 +29,16 @@ _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null"
 class SourceTree:
     """Implements `engine.library.Sources` for a workspace."""
 
-    def __init__(self, workspace: Workspace, underlays: Sequence[Path] = (), *, net: bool = True) -> None:
+    def __init__(
+        self,
+        workspace: Workspace,
+        underlays: Sequence[Path] = (),
+        *,
+        net: bool = True,
+        front_ends: Sequence[FrontEnd] = FRONT_ENDS,
+    ) -> None:
         self.workspace = workspace
+        self._front_ends = front_ends
         self.files = Installed(workspace, underlays)
         self.findings: dict[Finding, None] = {}
         self._net = net
@@ -83,7 +92,7 @@ class SourceTree:
         self.files_read += 1
         self.lines_read += text.text.count("\n") + (not text.text.endswith("\n"))
         try:
-            return lower_module(text.text, file)
+            return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
             self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
@@ -102,7 +111,7 @@ class SourceTree:
             self.findings[Finding("RW008", message, problem.place)] = None
             return None
         try:
-            return lower_module(made.text, file, made.lines)
+            return PYTHON.lower(made.text, file, made.lines)
         except FrontendError:
             message = "The parameters of this module are not read: they are nested deeper than Python allows."
             self.findings[Finding("RW008", message, Place(file, 1))] = None

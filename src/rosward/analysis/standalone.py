@@ -67,7 +67,7 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
             findings.update(dict.fromkeys(made[1]))
     modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
     missing = "code that never runs is not told"
-    told = guarded(lambda: list(unreached(everything, modules)), Place("", 0), missing, net=net)
+    told = guarded(lambda: list(unreached(everything, modules, read.library.facts)), Place("", 0), missing, net=net)
     findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
     asked = Variables()
     for each in everything:
@@ -88,13 +88,13 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
     entered = {code for r in runs for code in r.entered}
     for file in sorted(plan.related):
         module = read.sources.module(file)
-        if module is not None and id(module.code) not in entered:
+        if module is not None and module.code.key not in entered:
             runs.append(run(library, plan.for_file(file), budget, configuration))
             entered |= runs[-1].entered
-    for file, names in node_classes(runs, library.node_class(None)).items() if assumed else ():
+    for file, names in node_classes(runs, library.node_classes).items() if assumed else ():
         for name in names:  # nothing says that two of them share a process
             runs.append(run(library, plan.for_class(file, name), budget, configuration))
-    for file, names in called_from_outside(runs, library.node_class(None)).items():
+    for file, names in called_from_outside(runs, library.node_classes).items():
         for name in names:
             each = run(library, plan.for_framework(file, name, alone=len(names) == 1), budget, configuration)
             if each.log.nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)

@@ -23,10 +23,11 @@ from rosward.deployment.declared.effects import Declarations
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.given import parameter_files
+from rosward.deployment.launched import Launched
 from rosward.deployment.named_files import NamedFiles
 from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.request import LaunchRequest, NodeRequest, Request, UnknownRequestError
-from rosward.deployment.resolve import Launched, Programs
+from rosward.deployment.resolve import Programs
 from rosward.deployment.shown import entry
 from rosward.deployment.started import Started, StartKind
 from rosward.domain.values import Const, Value

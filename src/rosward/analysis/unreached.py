@@ -12,38 +12,23 @@ class P(rqt_gui_py.plugin.Plugin): …              # nothing here makes a P, bu
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import Final, final
+from collections.abc import Container, Iterable, Iterator, Sequence
+from typing import final
 
 from rosward.analysis.process import Run
 from rosward.domain.values import Class, External, Unknown, Value
 from rosward.engine.escape import name_of
-from rosward.engine.python.attributes import CREATING
 from rosward.findings import Finding
 from rosward.ir import ops
-from rosward.ir.program import Code, Module
+from rosward.ir.program import Code, Module, OpKey
+from rosward.models.facts import Facts
 from rosward.source.location import Place
 
-_LIBRARY: Final = {
-    "ActionServer": "rclpy",
-    "ActionClient": "rclpy",
-    "wait_for_message": "rclpy",
-    "TransformListener": "tf2_ros",
-    "TransformBroadcaster": "tf2_ros",
-    "StaticTransformBroadcaster": "tf2_ros",
-    "BufferClient": "tf2_ros",
-    "BufferServer": "tf2_ros",
-    "Subscriber": "message_filters",
-    "Updater": "diagnostic_updater",
-    "BasicNavigator": "nav2_simple_commander",
-}
-"""What creates entities when it is called, and the library that it is known by."""
 
-
-def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
+def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> list[Finding]:
     """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
-    entered: set[int] = set()
-    reached: set[int] = set()
+    entered: set[str] = set()
+    reached: set[OpKey] = set()
     for run in runs:
         entered |= run.entered
         reached |= run.reached
@@ -51,11 +36,10 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
     unseen = _Unseen(runs)
     found: dict[Finding, None] = {}
     for module in modules:
-        libraries = {name.partition(".")[0] for name in module.imports}
-        names = {name for name, library in _LIBRARY.items() if library in libraries}
+        names = facts.creators_of(name.partition(".")[0] for name in module.imports)
         for code in _functions(module.code):
-            dead = id(code) not in entered
-            for name, op in _creations(code.ops, names):
+            dead = code.key not in entered
+            for name, op, key in _creations(code, facts.creating, names):
                 base = bases.get((code.file, code.qualname.rpartition(".")[0]))
                 if dead and base is not None:
                     what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
@@ -67,7 +51,7 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module]) -> list[Finding]:
                     continue
                 if dead:
                     what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
-                elif name in CREATING and id(op) not in reached:
+                elif name in facts.creating and key not in reached:
                     what = f"no execution comes to this {name}, as far as the values are known: it is left out"
                 else:
                     continue
@@ -118,29 +102,33 @@ def _unknown_bases(runs: Iterable[Run]) -> dict[tuple[str, str], str]:
 def _functions(code: Code) -> Iterator[Code]:
     """The code itself and all functions in it."""
     yield code
-    for op in _all_ops(code.ops):
+    for _, op in _all_ops(code):
         if isinstance(op, ops.MakeFunction):
             yield from _functions(op.code)
 
 
-def _creations(block: ops.Block, names: set[str]) -> Iterator[tuple[str, ops.Op]]:
+def _creations(code: Code, methods: Container[str], names: Container[str]) -> Iterator[tuple[str, ops.Op, OpKey]]:
     """The reads of what creates an entity, in nested blocks too but not in functions."""
     called: set[int] = set()
-    for op in reversed(list(_all_ops(block))):
+    for body, op in reversed(list(_all_ops(code))):
         if isinstance(op, ops.Call):
             called.add(op.func)
         elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
-            if (op.name in CREATING if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names) or (
+            if (op.name in methods if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names) or (
                 isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names
             ):
-                yield op.name, op
+                yield op.name, op, (body.key, op.number)
 
 
-def _all_ops(block: ops.Block) -> Iterator[ops.Op]:
-    """Every operation of a block, of the blocks in it, and of the bodies of its classes."""
+def _all_ops(code: Code) -> Iterator[tuple[Code, ops.Op]]:
+    """Every operation of a body and of the bodies of its classes, each with the body that it belongs to."""
+    yield from _ops_of(code, code.ops)
+
+
+def _ops_of(code: Code, block: ops.Block) -> Iterator[tuple[Code, ops.Op]]:
     for op in block:
-        yield op
+        yield code, op
         if isinstance(op, ops.MakeClass):
-            yield from _all_ops(op.code.ops)
+            yield from _all_ops(op.code)
         for inner in op.blocks:
-            yield from _all_ops(inner)
+            yield from _ops_of(code, inner)

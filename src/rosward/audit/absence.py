@@ -73,14 +73,14 @@ class Absence:
         self._tell(node.name, what, message, place)
 
     def of_nodes(self, met: Collection[int]) -> None:
-        """Which expected nodes do not run; `met` are the identities of those that do."""
+        """Which expected nodes do not run; `met` are the numbers of those that do."""
         if not self._graph.whole:
             return
         counts = {node.name: node.count for node in self._graph.nodes}
         names: dict[str, list[Node]] = {}
         for expected in self._expected.nodes:
             names.setdefault(expected.node.fqn, []).append(expected.node)
-            if id(expected) not in met:
+            if expected.number not in met:
                 self._node_missing(expected.node)
         for name, nodes in names.items():
             sure = [n for n in nodes if not n.conditional]

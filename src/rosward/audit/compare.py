@@ -62,7 +62,7 @@ class _Comparison:
 
     def result(self) -> Audit:
         """What was found."""
-        untold = 0 if self._graph.whole else sum(id(e) not in self._met for e in self._expected.nodes)
+        untold = 0 if self._graph.whole else sum(e.number not in self._met for e in self._expected.nodes)
         return Audit(
             source=self._graph.source,
             looks=self._graph.looks,
@@ -104,7 +104,7 @@ class _Comparison:
 
     def _explained(self, node: LiveNode, candidates: Candidates) -> None:
         self._nodes[candidates.how] += 1
-        self._met.update(map(id, candidates.nodes))
+        self._met.update(e.number for e in candidates.nodes)
         first = candidates.nodes[0].node
         number = len(candidates.nodes)
         if candidates.how is How.UNKNOWN:
@@ -124,7 +124,7 @@ class _Comparison:
             self._absence.of_node(node, candidates)
 
     def _of(self, candidates: Candidates) -> ExpectedEntities:
-        key = tuple(map(id, candidates.nodes))
+        key = tuple(e.number for e in candidates.nodes)
         if key not in self._entities:
             self._entities[key] = ExpectedEntities(candidates.nodes, self._work)
         return self._entities[key]

@@ -51,8 +51,9 @@ class Work:
 
 
 class ExpectedNode(NamedTuple):
-    """A node of the source; `open`: its interface is not wholly known (RW314)."""
+    """A node of the source, and which one it is; `open`: its interface is not wholly known (RW314)."""
 
+    number: int
     node: Node
     open: bool
 
@@ -75,7 +76,9 @@ class ExpectedNodes:
 
     def __init__(self, nodes: Iterable[Node], findings: Iterable[Finding], work: Work) -> None:
         open_at = {(f.place.file, f.place.line) for f in findings if f.code == "RW314"}
-        self.nodes = tuple(ExpectedNode(n, (n.defined_at.file, n.defined_at.line) in open_at) for n in nodes)
+        self.nodes = tuple(
+            ExpectedNode(number, n, (n.defined_at.file, n.defined_at.line) in open_at) for number, n in enumerate(nodes)
+        )
         self._work = work
         self._exact: dict[str, list[ExpectedNode]] = {}
         self._wild: dict[How, list[tuple[Pattern, ExpectedNode]]] = {How.PATTERN: [], How.UNKNOWN: []}

@@ -7,12 +7,11 @@ import argparse
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
-    DISTROS,
     INCOMPLETE,
     WrongUseError,
     add_deployment,
@@ -23,6 +22,7 @@ from rosward.cli.shared import (
     request_of,
 )
 from rosward.cli.snapshot import add_looks
+from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 
 if TYPE_CHECKING:
     from rosward.audit.accepted import Accepted
@@ -32,8 +32,6 @@ if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.ros.entities import Node
     from rosward.suppression.judge import Judged, Sources
-
-_DISTRO: Final = "jazzy"
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -90,7 +88,7 @@ def _run(options: argparse.Namespace) -> int:
         accepted = _accepted(options)
         graph = _graph(options)
         if options.distro is None:
-            options.distro = graph.distro if graph.distro in DISTROS else _DISTRO
+            options.distro = graph.distro if graph.distro in DISTROS else DEFAULT_DISTRO
         said = _earlier(options) if options.network is not None else _extracted(options)
         found = audit(said.nodes, said.findings, graph, accepted)
     except UnreadableError as error:

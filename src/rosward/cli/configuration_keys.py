@@ -14,8 +14,9 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from rosward.cli.shared import DISTROS, MODES
+from rosward.cli.shared import MODES
 from rosward.findings import RULES
+from rosward.ros.distro import DISTROS
 from rosward.source.exclude import Exclusion, PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, checked_variable
 from rosward.suppression.ignore_in import IgnoreIn
@@ -154,7 +155,7 @@ def _pattern(text: str) -> str:
 
 
 KEYS: Final[Mapping[str, Key]] = {
-    "distro": Key(_one_of(*DISTROS), "`humble`, `iron`, `jazzy`, `kilted` or `rolling`"),
+    "distro": Key(_one_of(*DISTROS), "a distribution, as `--distro` lists them"),
     "models": Key(_paths, "list of folders"),
     "underlay": Key(_paths, "list of folders"),
     "ament-prefix-path": Key(_flag, "true, false"),

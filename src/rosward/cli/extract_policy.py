@@ -21,7 +21,6 @@ from rosward.cli.extract import add_compact, compacted, summarise
 from rosward.cli.reviewing import add_review, reviewed_result, write_baseline, write_file
 from rosward.cli.shared import (
     COMPLETE,
-    DISTROS,
     INCOMPLETE,
     WrongUseError,
     add_deployment,
@@ -33,6 +32,7 @@ from rosward.cli.shared import (
     request_of,
     told,
 )
+from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.source.text import read_bytes
 
 if TYPE_CHECKING:
@@ -75,9 +75,9 @@ def _as_sourced(parser: argparse.ArgumentParser) -> None:
         action="store_false",
         help="the folders of AMENT_PREFIX_PATH are no underlays",
     )
-    parser.set_defaults(ament_prefix_path=True, distro=os.environ.get("ROS_DISTRO") or "jazzy")
+    parser.set_defaults(ament_prefix_path=True, distro=os.environ.get("ROS_DISTRO") or DEFAULT_DISTRO)
     texts = {
-        "--distro": "what the client library adds by itself (default: that of ROS_DISTRO, else jazzy)",
+        "--distro": f"what the client library adds by itself (default: that of ROS_DISTRO, else {DEFAULT_DISTRO})",
         "--ament-prefix-path": "the folders of the environment variable AMENT_PREFIX_PATH are underlays, too (default)",
     }
     for action in parser._actions:

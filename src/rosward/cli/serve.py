@@ -8,7 +8,8 @@ import sys
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import COMPLETE, DISTROS, WrongUseError, refusing
+from rosward.cli.shared import COMPLETE, WrongUseError, refusing
+from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -28,7 +29,9 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "paths", nargs="*", metavar="PATH", help="workspace to begin with; it is analysed again when it changes"
     )
-    parser.add_argument("--distro", choices=DISTROS, default="jazzy", help="for PATH (default: jazzy)")
+    parser.add_argument(
+        "--distro", choices=DISTROS, default=DEFAULT_DISTRO, help=f"for PATH (default: {DEFAULT_DISTRO})"
+    )
     parser.add_argument(
         "--port", type=_port, metavar="N", help="where to listen (default: 8765, or another that is free)"
     )

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
 from rosward.findings import INTERNAL_ERROR, UNREAD_ARGUMENT
+from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.safe import printable
 from rosward.source.exclude import PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, parse_variable, surroundings
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from rosward.pipeline import Progress, Result
     from rosward.source.exclude import Exclusion
 
-DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
 MOST_BUDGET: Final = 1_000
 MODES: Final = ("node", "process", "launch")
 COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
@@ -63,8 +63,8 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--distro",
         choices=DISTROS,
-        default="jazzy",
-        help="what the client library adds by itself (default: jazzy)",
+        default=DEFAULT_DISTRO,
+        help=f"what the client library adds by itself (default: {DEFAULT_DISTRO})",
     )
     parser.add_argument(
         "--models",

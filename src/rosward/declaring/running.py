@@ -14,8 +14,9 @@ from typing import Final
 from rosward.audit.graph import LiveGraph, LiveNode
 from rosward.audit.tools import tool_of
 from rosward.declaring.sketch import Seen, Sketch, is_usable
-from rosward.ros.distro import ClientLibrary, Distro, implicit_entities
+from rosward.ros.distro import Distro
 from rosward.ros.entities import ENTITY_LISTS, Entity, Qos
+from rosward.ros.implicit import ClientLibrary, implicit_entities
 
 __all__ = ["NotRunningError", "node_of", "sketch_of"]
 

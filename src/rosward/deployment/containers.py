@@ -26,7 +26,7 @@ from rosward.network.launch_tree import CONTAINER
 
 if TYPE_CHECKING:
     from rosward.deployment.declared.shapes import Group, Program
-    from rosward.deployment.resolve import Launched
+    from rosward.deployment.launched import Launched
     from rosward.deployment.started import Started
 
 _LOADS: Final = "composition_interfaces/srv/LoadNode"

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Protocol, final
 
-from rosward.deployment.execution.scene import LaunchFiles
+from rosward.deployment.execution.launch_files import LaunchFiles
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Hole, Value

@@ -12,14 +12,14 @@ A component belongs to the process of its container.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, final
+from typing import TYPE_CHECKING, Final, Protocol, final
 
 from rosward.deployment.containers import Containers, label_of, loaded, target_of
+from rosward.deployment.launched import Launched
 from rosward.deployment.started import Started, StartKind
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import readable
 from rosward.domain.values import Const, Value
-from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.findings import Finding
 from rosward.source.workspace import Executable, ExecutableKind
@@ -27,25 +27,6 @@ from rosward.source.workspace import Executable, ExecutableKind
 if TYPE_CHECKING:
     from rosward.deployment.declared.shapes import Program
     from rosward.source.workspace import Target
-
-
-class Launched(NamedTuple):
-    """One program of a process. Exactly one of `entry` (interpreted), `program` (declared) and `unknown` (why its interface is not known) is set.
-
-    `process` is what the programs of one process share: a component's is that of its container. `cause` is what several that are unknown
-    may have in common.
-    """
-
-    process: str
-    package: str | None
-    executable: str | None
-    started: Started
-    configuration: Configuration
-    conditional: bool
-    entry: Entry | None = None
-    program: Program | None = None
-    unknown: str | None = None
-    cause: str = ""
 
 
 class Declared(Protocol):

@@ -16,7 +16,7 @@ from rosward.domain.values import Const, Tuple, Value
 from rosward.network.launch_tree import LaunchEntry, SetParameter, Shown
 
 if TYPE_CHECKING:
-    from rosward.deployment.resolve import Launched
+    from rosward.deployment.launched import Launched
     from rosward.deployment.started import Started
 
 _FOLDERS = {Cause.SHARE: "find-pkg-share", Cause.PREFIX: "find-pkg-prefix"}

@@ -6,7 +6,7 @@ Node(package='acme', executable='driver', name='lidar')  ->  /lidar, of unknown 
 
 from __future__ import annotations
 
-from rosward.deployment.resolve import Launched
+from rosward.deployment.launched import Launched
 from rosward.deployment.started import StartKind
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason

@@ -63,7 +63,7 @@ class Suspension:
     """A suspended call: each point at which it may stand, with the values that it holds there. `ended`: it may be at its end.
 
     The values are the registers, then `KEPT` ones for each step of a loop over items or a `yield from`, outermost first.
-    `lineage`: the code bodies of the generators in which it was made, and its own. `shared`: it stands for all calls that are nested too deep.
+    `lineage`: the keys of the bodies of the generators in which it was made, and its own. `shared`: it stands for all calls that are nested too deep.
     """
 
     __slots__ = ("ended", "lineage", "points", "shared")
@@ -73,7 +73,7 @@ class Suspension:
         points: dict[Point, tuple[Value, ...]],
         *,
         ended: bool = False,
-        lineage: tuple[int, ...] = (),
+        lineage: tuple[str, ...] = (),
         shared: bool = False,
     ) -> None:
         self.points = points

@@ -19,9 +19,15 @@ Plain = None | bool | int | float | complex | str | bytes
 
 
 class Value:
-    """What a register, an attribute or an element can hold."""
+    """What a register, an attribute or an element can hold.
+
+    Those that keep their hash are copied to another process by what they are made of: there a text has another hash.
+    """
 
     __slots__ = ()
+
+
+Reduced = tuple[type, tuple[object, ...]]
 
 
 _PLAIN_HASH: Final = 1 << 60
@@ -59,6 +65,9 @@ class Const(Value):
     def __hash__(self) -> int:
         return self._hash
 
+    def __reduce__(self) -> Reduced:
+        return Const, (self.value, self.origins)
+
     def __repr__(self) -> str:
         return f"Const({self.value!r})" if not self.origins else f"Const({self.value!r}, {set(self.origins)})"
 
@@ -88,6 +97,9 @@ class Text(Value):
 
     def __hash__(self) -> int:
         return self._hash
+
+    def __reduce__(self) -> Reduced:
+        return Text, (self.parts, self.origins)
 
     def __repr__(self) -> str:
         return f"Text({''.join(p if isinstance(p, str) else '*' for p in self.parts)!r})"
@@ -119,6 +131,9 @@ class Unknown(Value):
     def __hash__(self) -> int:
         return self._hash
 
+    def __reduce__(self) -> Reduced:
+        return Unknown, (self.reasons, self.hint, self.variable)
+
     def __repr__(self) -> str:
         return f"Unknown({self.hint}: {'; '.join(map(str, self.reasons))})"
 
@@ -140,6 +155,9 @@ class Choice(Value):
 
     def __hash__(self) -> int:
         return self._hash
+
+    def __reduce__(self) -> Reduced:
+        return Choice, (self.options,)
 
     def __repr__(self) -> str:
         return f"Choice{self.options!r}"
@@ -202,6 +220,9 @@ class Tuple(Value):
 
     def __hash__(self) -> int:
         return self._hash
+
+    def __reduce__(self) -> Reduced:
+        return Tuple, (self.items,)
 
     def __repr__(self) -> str:
         return f"Tuple{self.items!r}"
@@ -315,12 +336,12 @@ class Function(Value):
         self.defaults = defaults
         self.kwdefaults = kwdefaults
         self.effects = effects  # what a model's decorators declare of it, innermost first
-        self._hash = hash((id(code), cells))
+        self._hash = hash((code.key, cells))
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
             other.__class__ is Function
-            and self.code is other.code
+            and self.code.key == other.code.key
             and self.module == other.module
             and self.cells == other.cells
             and self.defaults == other.defaults
@@ -329,6 +350,9 @@ class Function(Value):
 
     def __hash__(self) -> int:
         return self._hash
+
+    def __reduce__(self) -> Reduced:
+        return Function, (self.code, self.module, self.cells, self.defaults, self.kwdefaults, self.effects)
 
     def __repr__(self) -> str:
         return f"Function({self.code.qualname})"
@@ -398,6 +422,9 @@ class Unbound(Value):
     """What a variable holds before its first assignment."""
 
     __slots__ = ()
+
+    def __reduce__(self) -> str:
+        return "UNBOUND"
 
     def __repr__(self) -> str:
         return "UNBOUND"

@@ -118,7 +118,7 @@ class EffectLog:
             int, dict[Finding, None]
         ] = {}  # what to tell of an exception of a library that nothing catches
         self.classes: dict[Class, None] = {}
-        self.functions: dict[int, Code] = {}
+        self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
         self.ends: list[frozenset[tuple[object, ...]]] = []
         self._addresses: set[int] = set()
@@ -192,7 +192,7 @@ class EffectLog:
     def seen(self, code: Code, *, stub: bool) -> None:
         """A function was made."""
         if not stub:
-            self.functions[id(code)] = code
+            self.functions[code.key] = code
 
     def blocks(self, machine: Execution) -> None:
         """The program can stay here for ever: what surely happened so far is what an execution is sure of."""

@@ -10,7 +10,8 @@ from collections.abc import Mapping
 
 from rosward.domain.unknown import Origin
 from rosward.domain.values import Const
-from rosward.source.surroundings import OF_DISTRO, usual
+from rosward.ros.distro import Distro
+from rosward.source.surroundings import OF_DISTRO
 
 ORIGIN = "environment variable"
 """The kind of the origins of values that come from the environment."""
@@ -21,8 +22,9 @@ Shell = Mapping[str, Const]
 def shell(variables: Mapping[str, str]) -> Shell:
     """The value of each variable, with where it comes from."""
     found = {name: _value(name, text) for name, text in variables.items()}
-    for name, text in usual(variables["ROS_DISTRO"]).items() if "ROS_DISTRO" in variables else ():
-        found.setdefault(name, Const(text, frozenset({Origin(ORIGIN, name)})))
+    if "ROS_DISTRO" in variables:
+        for name, text in Distro(variables["ROS_DISTRO"]).facts.environment.items():
+            found.setdefault(name, Const(text, frozenset({Origin(ORIGIN, name)})))
     return found
 
 

@@ -33,7 +33,7 @@ class Variables:
     """What was asked of variables that are not known. `excluded`: values that they do not have in this run."""
 
     def __init__(self, excluded: Mapping[str, frozenset[str]] = _NONE) -> None:
-        self._excluded = excluded
+        self._excluded = dict(excluded)  # a copy, which can be sent
         self.values: dict[str, dict[str, None]] = {}
         """By variable: the values that it was compared with."""
         self.files: dict[str, dict[str, None]] = {}

@@ -72,20 +72,21 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
 
 
 def _is_large(machine: Engine, function: Function) -> bool:
-    """Whether running a body again costs more than asking for its summary. What makes nodes and entities is run each time."""
+    """Whether running a body again costs more than asking for its summary. What a library says to be worth it is run each time."""
     code = function.code
-    found = machine.large.get(id(code))
+    found = machine.large.get(code.key)
     if found is None:
-        kept = code.name == "__init__" or declared.is_model(function) or _creates(code.ops)
-        found = machine.large[id(code)] = not kept and _weight(code.ops) > _LARGE
+        precise = machine.library.facts.precise
+        kept = code.name == "__init__" or declared.is_model(function) or _calls(code.ops, precise)
+        found = machine.large[code.key] = not kept and _weight(code.ops) > _LARGE
     return found
 
 
-def _creates(block: Block) -> bool:
-    """Whether something in a block looks as if it created a node, an entity or a parameter."""
+def _calls(block: Block, beginnings: tuple[str, ...]) -> bool:
+    """Whether a block reads an attribute whose name begins so."""
     return any(
-        (isinstance(op, LoadAttr) and op.name.startswith(("create_", "declare_parameter")))
-        or any(_creates(inner) for inner in _inner(op))
+        (isinstance(op, LoadAttr) and op.name.startswith(beginnings))
+        or any(_calls(inner, beginnings) for inner in _inner(op))
         for op in block
     )
 
@@ -108,7 +109,7 @@ def run_body(
 ) -> Value:
     """Interpret a body in a frame of its own; the value returned."""
     code = function.code
-    machine.entered.add(id(code))
+    machine.entered.add(code.key)
     machine.choosing = False
     if context is None:
         context = context_of(machine, code, caller)
@@ -151,7 +152,7 @@ def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
 
 def _summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
-    key = (id(function.code), function.cells)
+    key = (function.code.key, function.cells)
     summary = machine.summaries.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 

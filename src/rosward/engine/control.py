@@ -107,13 +107,13 @@ def loop(
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number = True, 0
-    machine.begin_loop(op)
+    machine.begin_loop(op, frame)
     if begun is not None:
         number, finish = begun
         _enter_turn(machine, op, frame, context, number)
         alive = finish()
         if not alive:
-            machine.end_loop(op)
+            machine.end_loop(op, frame)
             frame.context = context
             return behind(machine, frame, alive, saved)
         limit += number + 1
@@ -153,7 +153,7 @@ def loop(
         number += 1
         machine.turns += 1
         machine.check_time()
-    machine.end_loop(op)
+    machine.end_loop(op, frame)
     frame.context = context
     return behind(machine, frame, alive, saved)
 
@@ -162,7 +162,7 @@ def _enter_turn(machine: Engine, op: ops.While, frame: Frame, context: int, numb
     """A turn begins: what it makes is told apart from what others make."""
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
-        frame.turns[id(op)] = (number,)
+        frame.turns[op.number] = (number,)
 
 
 def _never_ends(machine: Engine, frame: Frame) -> None:
@@ -193,7 +193,7 @@ def until_stable(
     head = machine.snapshot(frame)
     done = head.state.done
     if machine.coarse:  # where it came to rest before it probably does again
-        head = join_into(machine, machine.heads.pop(id(op), None), head, widening)
+        head = join_into(machine, machine.heads.pop((frame.code.key, op.number), None), head, widening)
         head = Snapshot(head.registers.copy(), head.state.copy())
     ended: Snapshot | None = None
     frame.uncertain += 1
@@ -229,7 +229,7 @@ def until_stable(
     frame.uncertain -= 1
     machine.fixpoints -= 1
     if machine.coarse:
-        machine.heads[id(op)] = head
+        machine.heads[frame.code.key, op.number] = head
     if ended is None:
         _never_ends(machine, frame)
         return False

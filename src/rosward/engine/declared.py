@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 _PURE: Final = Tuple((Const("pure"),))
+_RAISES_NOTHING: Final = Tuple((Const("raises_nothing"),))
 MODEL_PREFIX = "models:"
 """How the file name of every code body of a model begins."""
 
@@ -42,48 +43,16 @@ def is_model(function: Function) -> bool:
     return function.code.file.startswith(MODEL_PREFIX)
 
 
-_QUIET: Final = (
-    "rclpy.impl.",
-    "rclpy.logging",
-    "logging",
-    "rclpy.clock",
-    "rclpy.time",
-    "rclpy.duration",
-    "contextlib",
-    "_rosward",
-    "time",
-)
-"""The modules whose functions raise nothing, for what programs give them."""
-
-
-def may_raise(function: Function, registers: list[Value]) -> bool:
+def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bool:
     """Whether a function of a model, which shows nothing of what it does, may raise an exception."""
     if not is_model(function) or not (function.code.is_stub or function.effects):
         return False
-    if function.code.name in _CREATING:
+    facts = machine.library.facts
+    if function.code.name in facts.creating:
         return not all(_fits(v) for v in registers)
-    return not function.module.name.startswith(_QUIET) and function.code.name not in _HARMLESS
+    return function.module.name not in facts.raising_nothing and _RAISES_NOTHING not in function.effects
 
 
-_HARMLESS: Final = frozenset(
-    [
-        "__enter__",
-        "__exit__",
-        "get_name",
-        "get_namespace",
-        "get_fully_qualified_name",
-        "get_logger",
-        "get_clock",
-        "now",
-        "to_msg",
-        "ok",
-        "set_level",
-        "start",
-        "is_set",
-    ]
-)
-"""Methods of which the same holds."""
-_CREATING: Final = ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
 _NAME: Final = re.compile(r"[~/]?[A-Za-z_{}/][A-Za-z0-9_{}/]*")
 
 

@@ -62,7 +62,7 @@ class Yielded:
 
     __slots__ = ("context", "function", "item", "lineage", "points", "state")
 
-    def __init__(self, function: Function, lineage: tuple[int, ...]) -> None:
+    def __init__(self, function: Function, lineage: tuple[str, ...]) -> None:
         self.lineage = lineage
         self.function = function
         self.context = 0
@@ -79,7 +79,7 @@ class Frame:
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
     `op` is the operation that is running.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
-    gives, and `turns` holds for each loop that is running, by id() of the operation, its turn and what it keeps between two of them.
+    gives, and `turns` holds for each loop that is running, by the number of the operation, its turn and what it keeps between two of them.
     """
 
     __slots__ = (

@@ -82,7 +82,7 @@ def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
 def _called(machine: Engine, name: str, method: Value) -> bool:
     """Whether a method was run. One that a decorator replaced is another function, which may stand for many."""
     function = method.function if isinstance(method, BoundMethod) else method
-    return isinstance(function, Function) and function.code.name == name and id(function.code) in machine.entered
+    return isinstance(function, Function) and function.code.name == name and function.code.key in machine.entered
 
 
 def _place(callback: Value) -> Place:

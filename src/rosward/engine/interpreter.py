@@ -61,7 +61,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
     from rosward.engine.library import Library
-    from rosward.ir.program import Code
+    from rosward.ir.program import Code, OpKey
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
 
@@ -87,8 +87,8 @@ class Interpreter:
         self.always_coarse = False  # the callback that is running took too many steps when it ran before
         self.coarse_limit = int(budget.steps * budget.coarse)
         self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
-        self.heavy: set[int] = set()  # id() of the outermost loops that took too many steps
-        self.heads: dict[int, Snapshot] = {}  # where loops came to rest, by id() of the operation; in coarse mode only
+        self.heavy: set[OpKey] = set()  # the outermost loops that took too many steps
+        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
         self.deadline = time.thread_time() + budget.seconds
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
@@ -103,16 +103,16 @@ class Interpreter:
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
-        self.ways: dict[int, dict[int, suspending.Way]] = {}  # how each body that yields leads to its yields, by id()
+        self.ways: dict[str, dict[int, suspending.Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
         self.summaries: dict[object, activation.Summary] = {}
         self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
-        self.large: dict[int, bool] = {}  # whether a code body, by its id(), has loops
+        self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
         self.instantiated: set[Place] = set()
         self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
-        self.entered: set[int] = set()  # id() of each code body that was run
-        self.reached: set[int] = set()  # id() of each operation that was run and reads a method that creates an entity
+        self.entered: set[str] = set()  # the key of each code body that was run
+        self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
         self.asked: set[tuple[str, str, str]] = set()  # what may be called without being seen: see `unreached.py`
         self._versions = 0
         self._first_address = library.first_address
@@ -151,20 +151,20 @@ class Interpreter:
         if self.steps > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
 
-    def begin_loop(self, op: ops.Op) -> None:
+    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
         """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
         if not self.loops:
             self.turns = 0
             self.loop_limit = min(self.coarse_limit, self.steps + self.budget.loop_steps)
-            self.coarse = self.coarse or id(op) in self.heavy
+            self.coarse = self.coarse or (frame.code.key, op.number) in self.heavy
         self.loops += 1
 
-    def end_loop(self, op: ops.Op) -> None:
+    def end_loop(self, op: ops.Op, frame: Frame) -> None:
         """A loop has ended."""
         self.loops -= 1
         if not self.loops:
             if self.coarse and not self.always_coarse:
-                self.heavy.add(id(op))
+                self.heavy.add((frame.code.key, op.number))
                 self.always_coarse = self.schedule_book.running  # in a callback, until it ends
             if not self.schedule_book.running:  # what follows in the main body has its part of what is left
                 left = int((self.step_limit - self.steps) * self.budget.coarse)

@@ -6,8 +6,7 @@ Models are run once, in an interpreter of their own; its heap is the ground on w
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Final, final
 
@@ -28,15 +27,16 @@ from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
+from rosward.models.facts import Facts, marked
 from rosward.models.native import NativeFunction
+from rosward.models.ros.facts import OWN
 from rosward.source.location import Place
+from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.surroundings import ROS_2
 
 _NUMBERS: Final = (int, float)
 _SMALL: Final = 1 << 60
 _PROCESS_ADDRESSES: Final = 10_000_000
-_MODELLED_FIRST: Final = frozenset({"rclpy", "launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common"})
-"""Libraries whose models go before their sources: what they do is more than their Python says, or is asked for by name."""
 
 
 @final
@@ -49,6 +49,7 @@ class Library:
         natives: Mapping[str, NativeFunction],
         models: tuple[Path, ...] = (),
         environment: Shell | None = None,
+        facts: Facts = OWN,
         *,
         net: bool = True,
     ) -> None:
@@ -58,6 +59,10 @@ class Library:
         )  # of every process, unless it is given another
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
+        self.facts = facts
+        for folder in models:
+            self.facts = self.facts.joined(marked(folder))
+        self.creating = self.facts.creating
         self._natives = natives
         self._stubs = StubFiles(models, net=net)
         self._net = net
@@ -69,7 +74,7 @@ class Library:
         self._running: set[str] = set()  # models that have begun to run, and have not ended
         self._awaited: list[tuple[ModuleValue, ModuleValue, str, Value]] = []  # importer, module, name, its stand-in
         self._function_addresses: dict[Function, int] = {}
-        self._node: Class | None = None
+        self._node_classes: tuple[Class, ...] | None = None
         self._loader = Interpreter(self, Budget(steps=200_000, seconds=3600.0), EffectLog())
         self.first_address = _PROCESS_ADDRESSES
 
@@ -111,13 +116,20 @@ class Library:
         """Where the attributes of a function object are kept."""
         return self._function_addresses.setdefault(function, -2 - len(self._function_addresses))
 
-    def node_class(self, _machine: object) -> Class | None:
-        """The model of rclpy.node.Node."""
-        if self._node is None:
-            module = self.load_model(Found("rclpy.node", "rclpy.node", "", True))
-            found = self.at(module.address).attrs.get("Node")
-            self._node = found if isinstance(found, Class) else None
-        return self._node
+    @property
+    def node_classes(self) -> tuple[Class, ...]:
+        """The models of the classes of nodes."""
+        if self._node_classes is None:
+            self._node_classes = tuple(self._classes(sorted(self.facts.node_classes)))
+        return self._node_classes
+
+    def _classes(self, names: Iterable[str]) -> Iterator[Class]:
+        for name in names:
+            package, _, leaf = name.rpartition(".")
+            model = self._model(package)
+            found = None if model is None else self.at(self.load_model(model).address).attrs.get(leaf)
+            if isinstance(found, Class):
+                yield found
 
     def file_value(self, _machine: object, module: ModuleValue) -> Value:
         """`__file__`: of a launch file in the share folder of its package; else where the module is installed, which is beside what it is beside
@@ -147,17 +159,22 @@ class Library:
         found = self.sources.find(name, level, file)
         if level:
             return found
-        # The client library itself is modelled, never read. Any other library that stands among the sources is read, unless it is only a
-        # guess, or a folder without a file of its own: an installed package goes before that (the folder `launch` of a package, say).
+        # A library whose model says so is never read: what it does is more than its Python says, or is asked for by name. Any other
+        # that stands among the sources is read, unless it is only a guess, or a folder without a file of its own: an installed
+        # package goes before that (the folder `launch` of a package, say).
         weak = found is None or found.guess or not found.file
-        model = self._model(name) if weak or top in _MODELLED_FIRST else None
+        model = self._model(name) if weak or top in self.facts.before_sources else None
         if model is not None:
             return model
-        return None if found is not None and found.guess and top in sys.stdlib_module_names else found
+        return None if found is not None and found.guess and top in STANDARD_LIBRARY else found
 
     def _model(self, name: str) -> Found | None:
         path = self._stubs.find(name)
         return None if path is None else Found(name, name, path, True)
+
+    def describes(self, package: str) -> bool:
+        """Whether there is any model of a top-level package."""
+        return self._stubs.describes(package)
 
     @staticmethod
     def is_model_file(file: str) -> bool:

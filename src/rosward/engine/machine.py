@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from rosward.engine.python.suspending import Way
     from rosward.engine.schedule import Schedule
     from rosward.ir import ops
-    from rosward.ir.program import Code
+    from rosward.ir.program import Code, OpKey
     from rosward.models.native import Items
     from rosward.source.location import Place
 
@@ -44,8 +44,8 @@ class Engine(Machine, Protocol):
     always_coarse: bool
     coarse_limit: int
     loop_limit: int
-    heavy: set[int]
-    heads: dict[int, Snapshot]
+    heavy: set[OpKey]
+    heads: dict[OpKey, Snapshot]
     deadline: float
     making: list[Class]
     unhooked: set[int] | None
@@ -59,16 +59,16 @@ class Engine(Machine, Protocol):
     turns: int
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
-    ways: dict[int, dict[int, Way]]
+    ways: dict[str, dict[int, Way]]
     ends: State | None
     summaries: dict[object, Summary]
     finished: dict[object, Summary]
-    large: dict[int, bool]
+    large: dict[str, bool]
     memo: dict[object, tuple[Value, int]]
     instantiated: set[Place]
     handed: dict[Value, Place]
-    entered: set[int]
-    reached: set[int]
+    entered: set[str]
+    reached: set[OpKey]
     asked: set[tuple[str, str, str]]
 
     @property
@@ -89,10 +89,10 @@ class Engine(Machine, Protocol):
     def give_up_value(self, op: ops.Op, frame: Frame) -> None:
         """What an operation makes is too large to keep: its result is not known."""
 
-    def begin_loop(self, op: ops.Op) -> None:
+    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
         """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
 
-    def end_loop(self, op: ops.Op) -> None:
+    def end_loop(self, op: ops.Op, frame: Frame) -> None:
         """A loop has ended."""
 
     def check_time(self) -> None:

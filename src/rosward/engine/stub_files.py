@@ -13,7 +13,8 @@ from typing import Final, final
 
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.findings import Finding
-from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.frontends.front_end import FrontendError
+from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.source.location import Place
@@ -21,6 +22,8 @@ from rosward.source.text import decode, read_bytes
 
 STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
 _LARGEST: Final = 1_000_000
+_LONGEST_NAME: Final = 200
+"""No file has a longer name."""
 _CODES: Final = {"python2": "RW006", "depth": "RW005"}
 
 _OWN: Final[dict[str, Module]] = {}
@@ -35,6 +38,7 @@ class StubFiles:
         self._net = net
         self._folders = (*folders, STUBS)
         self._found: dict[str, str | None] = {}
+        self._packages: dict[str, bool] = {}
         self._modules: dict[str, Module] = {}
         self.findings: dict[Finding, None] = {}
 
@@ -43,6 +47,14 @@ class StubFiles:
         if name not in self._found:
             self._found[name] = self._look_up(name) if name and "\0" not in name else None
         return self._found[name]
+
+    def describes(self, package: str) -> bool:
+        """Whether there is any stub of a top-level package or module."""
+        if package not in self._packages:
+            self._packages[package] = len(package) <= _LONGEST_NAME and any(
+                (folder / package).is_dir() or (folder / f"{package}.pyi").is_file() for folder in self._folders
+            )
+        return self._packages[package]
 
     def module(self, file: str) -> Module | None:
         """The lowered file of a stub that was found."""
@@ -83,7 +95,7 @@ class StubFiles:
             self.findings[source.finding] = None
             return False
         try:
-            self._modules[file] = lower_module(source.text, file)
+            self._modules[file] = front_end_of(file).lower(source.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
             self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None

@@ -104,8 +104,8 @@ def _new_cell(machine: Engine, op: ops.NewCell, frame: Frame) -> None:
 
 def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    if op.name in attributes.CREATING:
-        machine.reached.add(id(op))
+    if op.name in machine.library.creating:
+        machine.reached.add((frame.code.key, op.number))
     value = attributes.load(machine, frame.registers[op.obj], op.name)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None

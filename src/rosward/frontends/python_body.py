@@ -14,6 +14,7 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, Protocol, final
 
+from rosward.frontends.front_end import FrontendError
 from rosward.frontends.python_scopes import Place, PlaceKind, Scope, ScopeKind
 from rosward.frontends.python_symbols import Symbols
 from rosward.ir.ops import (
@@ -58,18 +59,6 @@ class Located(Protocol):
     col_offset: int
 
 
-@final
-class FrontendError(Exception):
-    """A source text that can't be read; kind is 'syntax', 'python2', 'depth' or 'null'."""
-
-    def __init__(self, kind: str, message: str, line: int, column: int) -> None:
-        super().__init__(message)
-        self.kind = kind
-        self.message = message
-        self.line = line
-        self.column = column
-
-
 def misplaced(node: Located, message: str) -> FrontendError:
     """What the compiler of Python, unlike its parser, rejects."""
     return FrontendError("syntax", message, node.lineno, node.col_offset + 1)
@@ -79,16 +68,18 @@ def misplaced(node: Located, message: str) -> FrontendError:
 class Unit:
     """What the bodies of one file share."""
 
-    __slots__ = ("bodies", "expressions", "file", "first", "has_main", "imports", "statements", "symbols")
+    __slots__ = ("bodies", "expressions", "file", "first", "has_main", "imports", "name", "statements", "symbols")
 
     def __init__(
         self,
         file: str,
+        name: str,
         symbols: Symbols,
         expressions: Mapping[type, Callable[[Body, Any], int]],
         statements: Mapping[type, Callable[[Body, Any], None]],
     ) -> None:
         self.file = file
+        self.name = name  # what the keys of its bodies begin with
         self.symbols = symbols
         self.expressions = expressions
         self.statements = statements

@@ -81,6 +81,7 @@ def lower_code(
         returns=returns,
         doc=doc,
         index=index,
+        unit=unit.name,
     )
 
 

@@ -24,7 +24,8 @@ from rosward.frontends import (
     python_patterns,
     python_statements,
 )
-from rosward.frontends.python_body import Body, FrontendError, Unit, misplaced
+from rosward.frontends.front_end import FrontendError
+from rosward.frontends.python_body import Body, Unit, misplaced
 from rosward.frontends.python_definitions import lower_code
 from rosward.frontends.python_fstrings import parse_with_fstrings
 from rosward.frontends.python_newer import older
@@ -66,15 +67,15 @@ _PYTHON_2_LINE: Final = re.compile(
 )
 
 
-def lower_module(text: str, file: str, origins: Sequence[int] = ()) -> Module:
-    """Lower a file; `file` is what the IR calls it. `origins` are the lines of it that the lines of a text were made of."""
+def lower_module(text: str, file: str, origins: Sequence[int] = (), name: str = "") -> Module:
+    """Lower a file; see `front_end.Lower`."""
     text = text.removeprefix("\ufeff")
     tree = _parse(text)
     if origins:
         _move(tree, origins)
     lines = text.count("\n") + (not text.endswith("\n") and bool(text))
     try:
-        return _lower(tree, file, lines)
+        return _lower(tree, file, name or file, lines)
     except (RecursionError, MemoryError) as error:
         raise FrontendError("depth", "the code is nested too deep to be read", 1, 1) from error
 
@@ -90,13 +91,13 @@ def _move(tree: ast.Module, origins: Sequence[int]) -> None:
             node.lineno = node.end_lineno = line
 
 
-def _lower(tree: ast.Module, file: str, lines: int) -> Module:
+def _lower(tree: ast.Module, file: str, name: str, lines: int) -> Module:
     symbols = collect(tree)
     link(symbols.scopes)
     unresolved = unresolved_nonlocal(symbols.scopes)
     if unresolved is not None:
         raise misplaced(unresolved[1], f"no binding for nonlocal '{unresolved[0]}' found")
-    unit = Unit(file, symbols, EXPRESSIONS, STATEMENTS)
+    unit = Unit(file, name, symbols, EXPRESSIONS, STATEMENTS)
 
     def body(of: Body) -> None:
         documentation = ast.get_docstring(tree, clean=False)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The operations that hold blocks, or leave one: branches, loops, try, with, return, raise, break, continue."""
+"""The operations that hold blocks, or leave one: branches, loops, try, return, raise, break, continue."""
 
 from __future__ import annotations
 
 from typing import final
 
-from rosward.ir.simple import NO_REGISTER, Block, Op
+from rosward.ir.core import NO_REGISTER, Block, Op
 
 
 @final
@@ -107,25 +107,6 @@ class Try(Op):
     def blocks(self) -> tuple[Block, ...]:
         """The blocks that it holds, in the order in which they stand."""
         return (self.body, *(b for h in self.handlers for b in (h.match, h.body)), self.orelse, self.final)
-
-
-@final
-class With(Op):
-    """Enter the context manager in register context (result to register bind, or NO_REGISTER), run body, leave it."""
-
-    __slots__ = ("bind", "body", "context", "is_async")
-
-    def __init__(self, line: int, column: int, context: int, bind: int, body: Block, is_async: bool = False) -> None:
-        super().__init__(line, column)
-        self.context = context
-        self.bind = bind
-        self.body = body
-        self.is_async = is_async
-
-    @property
-    def blocks(self) -> tuple[Block, ...]:
-        """The blocks that it holds, in the order in which they stand."""
-        return (self.body,)
 
 
 @final

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import enum
-from typing import final
+from typing import Final, final
 
-from rosward.ir.simple import Block, Op
+from rosward.ir.core import Block, Op
 
 
 class CodeKind(enum.Enum):
@@ -47,6 +47,12 @@ class Parameters:
         return names
 
 
+PYTHON: Final = "python"
+
+OpKey = tuple[str, int]
+"""What names an operation for good: the key of its body, and its number in it."""
+
+
 @final
 class Code:
     """One body: of a module, a function (lambda, coroutine, generator) or a class.
@@ -56,7 +62,9 @@ class Code:
     `free` are the names captured from outside, in the order of `captures` of the operation that makes the function or class.
     Cell numbers count `cells` first, then `free`. `__class__` is a free cell of each method in which `super()` without
     arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.
-    `key` names the body for good: its file and which one of that file it is (`index`). `entry` is where it begins, before its first operation.
+    `key` names the body for good: its file (`unit` where it is of no whole file) and which one of that it is (`index`); with the number
+    of an operation it names that (`OpKey`). `entry` is where it begins, before its first operation.
+    `language` is the name of the language that it is written in, which says what its operations mean (`engine/language.py`).
     `annotations` and `returns` keep annotations as source text, `doc` the docstring. `is_stub`: the body is `...` alone.
     """
 
@@ -72,6 +80,7 @@ class Code:
         "is_stub",
         "key",
         "kind",
+        "language",
         "line",
         "name",
         "ops",
@@ -103,8 +112,11 @@ class Code:
         returns: str | None = None,
         doc: str | None = None,
         index: int = 0,
+        language: str = PYTHON,
+        unit: str = "",
     ) -> None:
-        self.key = f"{file}#{index}"
+        self.key = f"{unit or file}#{index}"
+        self.language = language
         self.entry = Op(line, 1)
         self.kind = kind
         self.name = name

@@ -19,8 +19,9 @@ from rosward.naming.final_name import command_lines, final_name, remapped_by, re
 from rosward.naming.implicit import Identity
 from rosward.naming.options import NameOption, interface_types, name_options, together
 from rosward.ros import names
-from rosward.ros.distro import Distro, service_event_topic
+from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution
+from rosward.ros.implicit import service_event_topic
 from rosward.source.location import Place
 
 KINDS: Final = {
@@ -246,7 +247,7 @@ def _resolved(
     """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
     remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
     rules = identity.rules
-    if kind in _ACTIONS and not names.action_names_are_remapped(distro):
+    if kind in _ACTIONS and not distro.facts.actions_are_remapped:
         rules = ()
     if option.resolution is Resolution.UNKNOWN:
         rules = ()  # any rule may be for it: that makes none of their targets its name

@@ -20,8 +20,9 @@ from rosward.naming.command_line import Rule
 from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
 from rosward.ros import names
-from rosward.ros.distro import ClientLibrary, Distro, implicit_entities
+from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Resolution
+from rosward.ros.implicit import ClientLibrary, implicit_entities
 
 _SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
 _OF_CONTAINERS: Final = {

@@ -1,35 +1,65 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What does a node have that nobody wrote, in which distribution of ROS 2?
+"""Which distributions of ROS 2 are there, and what is so in each?
 
-    implicit_entities(Distro.HUMBLE, node_fqn="/talker")  -> /rosout, /parameter_events and six parameter services
-    implicit_entities(Distro.JAZZY, node_fqn="/talker")   -> the same and /talker/get_type_description
+    Distro("jazzy").facts.actions_are_remapped          True
+    Distro.HUMBLE.facts.type_description                False: /talker/get_type_description came with iron
+    Distro.KILTED.has(Distro.IRON)                      True: it is a later one
 
-One table for each client library: a row is an endpoint, the switch of the node that makes it, and the distribution
-that brought it. The rows of rclpy are read from rclpy (node.py, parameter_service.py, logging_service.py,
-type_description_service.py, time_source.py, lifecycle/node.py) and rcl (logging_rosout.h, com_interface.c,
-service_event_publisher.c), branches humble to rolling, and compared with the real rclpy of kilted in tests/live.
-Those of rclcpp are read from rclcpp and rclcpp_lifecycle (node.cpp, lifecycle_node.cpp, time_source.cpp,
-node_logging.cpp, node_type_descriptions.cpp, parameter_service.cpp), branches humble, iron, jazzy and rolling
-(a0a2a06, December 2024). They differ in one thing: the time source of a C++ node subscribes to /parameter_events.
+The one place for it. A new distribution is a member of `Distro` and a row of `_FACTS`; what is new in it is a field of
+`Facts`. Read from rclpy, rcl, rclcpp, launch and launch_ros, branches humble, iron, jazzy and rolling (December 2024), from
+rclpy 9.1.2 and rcl 10.1.3 as released for kilted, and for lyrical from what was released by July 2026: rclpy 10.0.10, rcl,
+rcl_action and rcl_lifecycle 10.4.4, rclcpp and rclcpp_lifecycle 32.0.1. Between kilted and lyrical no endpoint came, went, or
+changed its name, type or QoS.
 """
 
 from __future__ import annotations
 
 import enum
+from collections.abc import Mapping
 from typing import Final, NamedTuple
 
-from rosward.ros.entities import Entity, EntityKind, Qos
+__all__ = ["DEFAULT_DISTRO", "DISTROS", "Distro", "Facts"]
 
-__all__ = ["ClientLibrary", "Distro", "implicit_entities", "parameter_client_services", "service_event_topic"]
+
+class Facts(NamedTuple):
+    """What is so in a distribution."""
+
+    environment: Mapping[str, str]
+    """The variables that its setup files set where nobody has set them before (ros_environment)."""
+
+    type_description: bool = False
+    """A node serves `~/get_type_description`."""
+
+    logger_services: bool = False
+    """A node serves `~/get_logger_levels` and `~/set_logger_levels` where it is asked to."""
+
+    service_events: bool = False
+    """`configure_introspection` of services and their clients publishes `…/_service_event`."""
+
+    action_service_events: bool = False
+    """Those of the services of actions, too."""
+
+    actions_are_remapped: bool = False
+    """A plain rule (`fibonacci:=sequence`) renames an action as if it were a topic; else only rules for its five hidden names do.
+
+    It came with rcl_action 9.2.8 of jazzy (October 2025, ros2/rcl#1170 and #1220).
+    """
+
+    components_have_conditions: bool = False
+    """A component of which `condition` is false is not loaded; humble loads each."""
+
+    logical_substitutions: bool = False
+    """launch has `any`, `all`, `equals`, `not-equals`, `if`, `file-content` and `launch-log-dir`."""
 
 
 class Distro(enum.Enum):
-    """A distribution of ROS 2 that is understood; `Distro("jazzy")` is the default everywhere."""
+    """A distribution of ROS 2 that is understood, oldest first."""
 
     HUMBLE = "humble"
     IRON = "iron"
     JAZZY = "jazzy"
     KILTED = "kilted"
+    LYRICAL = "lyrical"
     ROLLING = "rolling"
 
     def has(self, since: Distro) -> bool:
@@ -37,171 +67,32 @@ class Distro(enum.Enum):
         order = list(Distro)
         return order.index(self) >= order.index(since)
 
-
-class ClientLibrary(enum.Enum):
-    """The library that a node is written with."""
-
-    RCLPY = "rclpy"
-    RCLCPP = "rclcpp"
+    @property
+    def facts(self) -> Facts:
+        """What is so in it."""
+        return _FACTS[self]
 
 
-class _Switch(enum.Enum):
-    """What decides whether a node has an implicit endpoint."""
-
-    ALWAYS = enum.auto()
-    ROSOUT = enum.auto()
-    PARAMETER_EVENTS = enum.auto()
-    PARAMETER_SERVICES = enum.auto()
-    TYPE_DESCRIPTION = enum.auto()
-    LOGGER_SERVICE = enum.auto()
-    SIM_TIME = enum.auto()
-    LIFECYCLE = enum.auto()
-    LIFECYCLE_SERVICES = enum.auto()
-
-
-class _Row(NamedTuple):
-    """One implicit endpoint. A `name` that begins with `~` is private to the node."""
-
-    switch: _Switch
-    kind: EntityKind
-    name: str
-    type: str
-    qos: Qos
-    since: Distro = Distro.HUMBLE
-
-
-def _reliable(depth: int, durability: str = "volatile") -> Qos:
-    return Qos("reliable", durability, "keep_last", depth)
-
-
-_SERVICE: Final = _reliable(10)  # rmw_qos_profile_services_default
-_PARAMETERS: Final = _reliable(1000)  # rmw_qos_profile_parameters
-
-_PARAMETER_SERVICES: Final = (
-    ("describe_parameters", "rcl_interfaces/srv/DescribeParameters"),
-    ("get_parameter_types", "rcl_interfaces/srv/GetParameterTypes"),
-    ("get_parameters", "rcl_interfaces/srv/GetParameters"),
-    ("list_parameters", "rcl_interfaces/srv/ListParameters"),
-    ("set_parameters", "rcl_interfaces/srv/SetParameters"),
-    ("set_parameters_atomically", "rcl_interfaces/srv/SetParametersAtomically"),
+_HUMBLE: Final = Facts(environment={"ROS_LOCALHOST_ONLY": "0"})
+_IRON: Final = Facts(
+    environment={"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"},
+    type_description=True,
+    logger_services=True,
+    service_events=True,
+    components_have_conditions=True,
+    logical_substitutions=True,
 )
+_JAZZY: Final = _IRON._replace(actions_are_remapped=True)
+_KILTED: Final = _JAZZY._replace(action_service_events=True)
 
-_LIFECYCLE_SERVICES: Final = (
-    ("change_state", "lifecycle_msgs/srv/ChangeState"),
-    ("get_available_states", "lifecycle_msgs/srv/GetAvailableStates"),
-    ("get_available_transitions", "lifecycle_msgs/srv/GetAvailableTransitions"),
-    ("get_state", "lifecycle_msgs/srv/GetState"),
-    ("get_transition_graph", "lifecycle_msgs/srv/GetAvailableTransitions"),  # the same type, really
-)
+_FACTS: Final[Mapping[Distro, Facts]] = {
+    Distro.HUMBLE: _HUMBLE,
+    Distro.IRON: _IRON,
+    Distro.JAZZY: _JAZZY,
+    Distro.KILTED: _KILTED,
+    Distro.LYRICAL: _KILTED,
+    Distro.ROLLING: _KILTED,
+}
 
-_LOGGER_SERVICES: Final = (
-    ("get_logger_levels", "rcl_interfaces/srv/GetLoggerLevels"),
-    ("set_logger_levels", "rcl_interfaces/srv/SetLoggerLevels"),
-)
-
-_PUBLISHER, _SUBSCRIPTION, _SERVER = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION, EntityKind.SERVICE_SERVER
-
-_EVENTS: Final = "rcl_interfaces/msg/ParameterEvent"
-
-_BOTH: Final = (
-    _Row(_Switch.ROSOUT, _PUBLISHER, "/rosout", "rcl_interfaces/msg/Log", _reliable(1000, "transient_local")),
-    _Row(
-        _Switch.SIM_TIME,
-        _SUBSCRIPTION,
-        "/clock",
-        "rosgraph_msgs/msg/Clock",
-        Qos("best_effort", "volatile", "keep_last", 1),
-    ),
-    *(_Row(_Switch.PARAMETER_SERVICES, _SERVER, f"~/{n}", t, _PARAMETERS) for n, t in _PARAMETER_SERVICES),
-    _Row(
-        _Switch.TYPE_DESCRIPTION,
-        _SERVER,
-        "~/get_type_description",
-        "type_description_interfaces/srv/GetTypeDescription",
-        _SERVICE,
-        Distro.IRON,
-    ),
-    *(_Row(_Switch.LOGGER_SERVICE, _SERVER, f"~/{n}", t, _SERVICE, Distro.IRON) for n, t in _LOGGER_SERVICES),
-    _Row(_Switch.LIFECYCLE, _PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", _reliable(10)),
-    *(_Row(_Switch.LIFECYCLE_SERVICES, _SERVER, f"~/{n}", t, _SERVICE) for n, t in _LIFECYCLE_SERVICES),
-)
-
-_ASKED: Final = frozenset({_Switch.ALWAYS, _Switch.SIM_TIME, _Switch.PARAMETER_SERVICES, _Switch.LOGGER_SERVICE})
-"""What rclpy makes by `create_publisher`, `create_subscription` and `create_service` of the node; the rest rcl makes itself."""
-
-_RCLPY: Final = (*_BOTH, _Row(_Switch.ALWAYS, _PUBLISHER, "/parameter_events", _EVENTS, _reliable(1000)))
-
-_RCLCPP: Final = (
-    *_BOTH,
-    _Row(_Switch.PARAMETER_EVENTS, _PUBLISHER, "/parameter_events", _EVENTS, _reliable(1000)),
-    _Row(_Switch.ALWAYS, _SUBSCRIPTION, "/parameter_events", _EVENTS, _reliable(1000)),
-)
-
-
-def _rows(client_library: ClientLibrary) -> tuple[_Row, ...]:
-    return _RCLPY if client_library is ClientLibrary.RCLPY else _RCLCPP
-
-
-def implicit_entities(
-    distro: Distro,
-    *,
-    node_fqn: str,
-    enable_rosout: bool = True,
-    start_parameter_services: bool = True,
-    start_parameter_event_publisher: bool = True,
-    type_description: bool = True,
-    logger_service: bool = False,
-    use_sim_time: bool = False,
-    lifecycle: bool = False,
-    lifecycle_services: bool = True,
-    asked: bool = False,
-    client_library: ClientLibrary = ClientLibrary.RCLPY,
-) -> tuple[Entity, ...]:
-    """The endpoints that the client library gives the node `node_fqn` by itself, sorted by kind and name.
-
-    `enable_rosout` is the option of the node and the absence of `--disable-rosout-logs`; `type_description` the
-    parameter `start_type_description_service`; `lifecycle_services` the option `enable_communication_interface` of a
-    lifecycle node, without which `~/transition_event` remains (rcl_lifecycle.c). With `asked`, only those that rclpy makes
-    through methods of the node, which a program may override; without, all of them. rclpy has no switch for the publisher
-    of parameter events. The names are those before remapping:
-    rcl remaps them like any other (`/rosout:=/log` works).
-    """
-    on = {_Switch.ALWAYS}
-    on |= {_Switch.ROSOUT} if enable_rosout else set()
-    on |= {_Switch.PARAMETER_EVENTS} if start_parameter_event_publisher else set()
-    on |= {_Switch.PARAMETER_SERVICES} if start_parameter_services else set()
-    on |= {_Switch.TYPE_DESCRIPTION} if type_description else set()
-    on |= {_Switch.LOGGER_SERVICE} if logger_service else set()
-    on |= {_Switch.SIM_TIME} if use_sim_time else set()
-    on |= {_Switch.LIFECYCLE} if lifecycle else set()
-    on |= {_Switch.LIFECYCLE_SERVICES} if lifecycle and lifecycle_services else set()
-    entities = [
-        Entity(row.kind, row.name.replace("~", node_fqn, 1), row.type, system=True, qos=row.qos)
-        for row in _rows(client_library)
-        if row.switch in on and distro.has(row.since) and (not asked or row.switch in _ASKED)
-    ]
-    return tuple(sorted(entities, key=lambda entity: (entity.kind.value, entity.name)))
-
-
-def service_event_topic(
-    distro: Distro, service: str, service_type: str | None, *, action: bool = False
-) -> Entity | None:
-    """The hidden publisher that `configure_introspection` gives a server or a client of the service `service`.
-
-    `service` is its full name after remapping; the topic may be remapped in turn. None where the distribution has
-    none: before iron, or for the services of an action (`action`) before kilted. The state OFF makes none, METADATA and
-    CONTENTS do. The QoS is an argument of `configure_introspection`.
-    """
-    if not distro.has(Distro.KILTED if action else Distro.IRON):
-        return None
-    event_type = None if service_type is None else f"{service_type}_Event"
-    return Entity(EntityKind.PUBLISHER, f"{service}/_service_event", event_type, system=True)
-
-
-def parameter_client_services(remote: str) -> tuple[tuple[str, str], ...]:
-    """Names, unexpanded, and types of the clients of `AsyncParameterClient(node, remote)` (rclpy parameter_client.py).
-
-    They are the same in each distribution that has the class (iron and later). A relative `remote` makes relative
-    names, which belong to the namespace of the node that has the clients, not of the remote one.
-    """
-    return tuple((f"{remote}/{name}", service_type) for name, service_type in _PARAMETER_SERVICES)
+DISTROS: Final[tuple[str, ...]] = tuple(distro.value for distro in Distro)
+DEFAULT_DISTRO: Final[str] = Distro.JAZZY.value

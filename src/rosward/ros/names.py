@@ -18,7 +18,6 @@ from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
 from rosward.holes import HOLE, Holed, shown
-from rosward.ros.distro import Distro
 from rosward.ros.validation import (
     collapse,
     validate_enclave,
@@ -33,7 +32,6 @@ __all__ = [
     "InvalidName",
     "RemapKind",
     "RemapRule",
-    "action_names_are_remapped",
     "expand",
     "full_namespace",
     "fully_qualified",
@@ -81,15 +79,6 @@ class RemapRule(NamedTuple):
     match: Holed
     replacement: Holed
     maybe: bool = False
-
-
-def action_names_are_remapped(distro: Distro) -> bool:
-    """Whether a plain rule (`fibonacci:=sequence`) renames an action, as if it were a topic.
-
-    Since rcl_action 9.2.8 of jazzy (October 2025, ros2/rcl#1170 and #1220) and in kilted. Before that, and in humble
-    and iron, only rules for the action's five hidden names do.
-    """
-    return distro in (Distro.JAZZY, Distro.KILTED, Distro.ROLLING)
 
 
 # Expansion

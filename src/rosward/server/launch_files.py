@@ -16,9 +16,11 @@ from typing import Final, NamedTuple
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment import tree
+from rosward.deployment.execution.findings import Findings
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
-from rosward.deployment.execution.scene import Findings, Scene
+from rosward.deployment.execution.scene import Scene
+from rosward.deployment.execution.substitutions import SUBSTITUTIONS
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.python.code import LaunchPython
 from rosward.domain.text import readable
@@ -72,7 +74,7 @@ def _launch_files(root: Path, distro: Distro, variables: Mapping[str, str]) -> t
 def _read(file: SourceFile, library: Library, files: WorkspaceFiles, distro: Distro) -> LaunchFile:
     findings = Findings()
     python = LaunchPython(library, _SMALL)
-    scene = Scene(files, python, findings, Generated(files, findings), distro, library.environment)
+    scene = Scene(files, python, findings, Generated(files, findings), distro, SUBSTITUTIONS, library.environment)
     description = Descriptions(files, python, findings).read(file.relative, "any", scene)
     arguments: dict[str, Argument] = {}
     for declared in _declared(description.actions if description is not None else ()):

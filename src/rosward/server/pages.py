@@ -17,12 +17,13 @@ from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup
 
 from rosward._version import __version__
+from rosward.ros.distro import DISTROS
 from rosward.safe import printable
 from rosward.server.examples import Example
 from rosward.server.limits import Limits
 from rosward.server.places import NOT_SOURCE, NOT_SOURCE_FOLDERS
 from rosward.server.results import Result
-from rosward.server.settings import DISTROS, ENCLAVES
+from rosward.server.settings import ENCLAVES, Settings
 from rosward.server.shown import in_short
 
 __all__ = ["ASSETS", "Pages", "asset"]
@@ -71,7 +72,7 @@ class Pages:
         )
         self._environment.filters["prose"] = _prose
         self._limits = limits
-        self._common = {"version": __version__, "distros": DISTROS, "enclaves": ENCLAVES}
+        self._common = {"version": __version__, "distros": DISTROS, "enclaves": ENCLAVES, "defaults": Settings()}
 
     def start(self, examples: tuple[Example, ...], *, names_paths: bool) -> str:
         """The page on which something is chosen. `names_paths`: workspaces of this machine may be named."""

@@ -13,12 +13,12 @@ import re
 from typing import Final, NamedTuple
 
 from rosward.network.checks import UnknownNames
+from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.server.places import RefusedError
 from rosward.source.surroundings import SurroundingsError, checked_variable, surroundings
 
-__all__ = ["DISTROS", "ENCLAVES", "Settings", "read_settings"]
+__all__ = ["ENCLAVES", "Settings", "read_settings"]
 
-DISTROS: Final = ("humble", "iron", "jazzy", "kilted", "rolling")
 ENCLAVES: Final = ("node", "process", "launch")
 _MOST_LAUNCHES: Final = 50
 _MOST_ARGUMENTS: Final = 200
@@ -29,7 +29,7 @@ _OUTSIDE: Final = re.compile(r"^/|\\|(^|/)\.\.(/|$)")
 class Settings(NamedTuple):
     """The options. `launch` are launch files as they are named in the sources; without one, every executable is started."""
 
-    distro: str = "jazzy"
+    distro: str = DEFAULT_DISTRO
     unknown: UnknownNames = "deny"
     enclaves: str | None = None
     tests: bool = False
@@ -65,7 +65,7 @@ def read_settings(document: object) -> Settings:
     if not isinstance(document, dict) or set(document) - set(Settings._fields):
         raise RefusedError("settings of another form")
     distro, unknown, enclaves = (
-        document.get("distro", "jazzy"),
+        document.get("distro", DEFAULT_DISTRO),
         document.get("unknown", "deny"),
         document.get("enclaves"),
     )

@@ -13,12 +13,12 @@ package is imported, then the other packages, the nearest first where two copies
 from __future__ import annotations
 
 import os
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.source.generated import GeneratedModules
 from rosward.source.layout import Layout
+from rosward.source.standard_library import BUILT_IN, STANDARD_LIBRARY
 from rosward.source.text import place_name
 from rosward.source.workspace import ExecutableKind, Package, SourceFile
 
@@ -27,8 +27,7 @@ if TYPE_CHECKING:
 
     from rosward.source.workspace import Workspace
 
-_BUILT_IN: Final = frozenset(sys.builtin_module_names)
-_NEVER_GUESSED: Final = frozenset(sys.stdlib_module_names) | {
+_NEVER_GUESSED: Final = STANDARD_LIBRARY | {
     "action_msgs", "ament_index_python", "builtin_interfaces", "cv2", "cv_bridge", "geometry_msgs", "launch",
     "launch_ros", "matplotlib", "message_filters", "nav_msgs", "numpy", "pandas", "pytest", "rcl_interfaces", "rclpy",
     "requests", "rospy", "scipy", "sensor_msgs", "serial", "setuptools", "std_msgs", "std_srvs", "tf2_ros",
@@ -180,7 +179,7 @@ class ImportResolver:
     def _absolute(self, name: str, importer: SourceFile) -> Resolution | None:
         parts = name.split(".")
         top = parts[0]
-        if top in _BUILT_IN or not all(parts):
+        if top in BUILT_IN or not all(parts):
             return None
         folder = os.fspath(importer.path.parent)
         inside = self._layout.python_root(folder, importer.package) != folder  # a module of a Python package

@@ -30,11 +30,6 @@ def surroundings(distro: str, given: Mapping[str, str] | None = None) -> Mapping
     return found
 
 
-def usual(distro: str) -> Mapping[str, str]:
-    """The variables that a distribution sets where nobody has set them before."""
-    return {"ROS_LOCALHOST_ONLY": "0"} if distro == "humble" else {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"}
-
-
 def parse_variable(text: str) -> tuple[str, str]:
     """`NAME=VALUE`. Raises SurroundingsError."""
     name, mark, value = text.partition("=")

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from rosward.ros.distro import ClientLibrary, Distro
+from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos
+from rosward.ros.implicit import ClientLibrary
 from rosward.source.location import Place
 
 Scalar = bool | int | float | str

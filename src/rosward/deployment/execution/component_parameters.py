@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.deployment.execution.generated import Content
+from rosward.deployment.execution.content import Content
 from rosward.deployment.execution.namespaces import full_name
 from rosward.deployment.execution.parameters import evaluate
 from rosward.deployment.execution.perform_paths import normal_path

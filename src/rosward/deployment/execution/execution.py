@@ -13,11 +13,14 @@ from collections.abc import Mapping
 from typing import Final, final
 
 from rosward.deployment.execution.context import ROS_NAMESPACE
+from rosward.deployment.execution.findings import Findings
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
+from rosward.deployment.execution.launch_files import LaunchFiles
 from rosward.deployment.execution.nodes import At
 from rosward.deployment.execution.perform_names import with_origin
-from rosward.deployment.execution.scene import Findings, LaunchFiles, Scene
+from rosward.deployment.execution.scene import Scene
+from rosward.deployment.execution.substitutions import SUBSTITUTIONS
 from rosward.deployment.execution.system import Budget, System
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.performer import PythonCode
@@ -70,7 +73,16 @@ class Execution:
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
         generated = Generated(self._files, self._findings)
-        scene = Scene(self._files, self._python, self._findings, generated, self._distro, self._shell, self._variables)
+        scene = Scene(
+            self._files,
+            self._python,
+            self._findings,
+            generated,
+            self._distro,
+            SUBSTITUTIONS,
+            self._shell,
+            self._variables,
+        )
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in self._arguments.items())
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))

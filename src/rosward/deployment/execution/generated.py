@@ -9,8 +9,9 @@ The path is passed on as text, through launch arguments and includes, until a no
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, Protocol, final
 
+from rosward.deployment.execution.content import Content
 from rosward.deployment.execution.rewrites import (
     Pairs,
     Rows,
@@ -33,21 +34,23 @@ from rosward.effects.configuration import Given
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.scene import Findings, LaunchFiles, Scene
+    from rosward.deployment.execution.findings import Findings
+    from rosward.deployment.execution.launch_files import LaunchFiles
+    from rosward.deployment.tree import Template
 
 MAX_WAYS: Final = 8
 MAX_FILES: Final = 2_000
 _TOKEN: Final = "rosward_hole_"
 
 
-class Content(NamedTuple):
-    """What is behind a path. `rows` None: not known, `reason` says why, and `absent` whether there surely is no such file."""
+class Performs(Protocol):
+    """Who performs the substitutions in a file that is written."""
 
-    rows: Rows | None
-    text: str | None = None
-    file: str = ""
-    reason: Reason | None = None
-    absent: bool = False
+    def text(self, template: Template) -> Value:
+        """The text of a template now."""
+
+    def fails(self, what: str, place: Place) -> None:
+        """Tell that the real launch raises an exception here."""
 
 
 @final
@@ -121,7 +124,7 @@ class Generated:
 
     # Files that are written from others
 
-    def performed(self, scene: Scene, path: Value, place: Place) -> Value:
+    def performed(self, scene: Performs, path: Value, place: Place) -> Value:
         """A parameter file whose text holds substitutions, performed now."""
 
         def one(option: Value) -> Value:
@@ -202,7 +205,7 @@ class Generated:
             self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, is not there.", place)
 
 
-def _performed(value: Value, scene: Scene) -> Value:
+def _performed(value: Value, scene: Performs) -> Value:
     """A value of a file that was rewritten, and so dumped: its substitutions are performed, and what they make is read as YAML."""
     if isinstance(value, Tuple):
         return Tuple(tuple(_performed(i, scene) for i in value.items))

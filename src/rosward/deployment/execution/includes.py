@@ -24,7 +24,9 @@ from rosward.guard import guarded
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.scene import Findings, LaunchFiles, Scene
+    from rosward.deployment.execution.findings import Findings
+    from rosward.deployment.execution.launch_files import LaunchFiles
+    from rosward.deployment.execution.scene import Scene
     from rosward.deployment.performer import PythonCode
 
 _SUFFIXES: Final = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.deployment.execution.generated import Content
+from rosward.deployment.execution.content import Content
 from rosward.deployment.execution.perform_paths import normal_path
 from rosward.deployment.execution.ros_state import GlobalFile, GlobalParameter
 from rosward.deployment.execution.yaml_values import (

@@ -10,7 +10,6 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from rosward.deployment.execution.perform_paths import Performing
 from rosward.deployment.execution.yaml_values import is_path, is_same_path, truth
 from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_of
 from rosward.domain.text import matches, origins_of
@@ -19,7 +18,7 @@ from rosward.domain.values import Const, Text, Unknown, Value
 from rosward.effects.variables import Variables
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.scene import Scene
+    from rosward.deployment.execution.scene import Performing, Scene
     from rosward.deployment.tree import Substitution, Template
     from rosward.source.location import Place
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.deployment.execution.perform_paths import Performing
 from rosward.deployment.execution.ros_state import GlobalParameter
 from rosward.deployment.execution.yaml_values import plain_text, printed
 from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_of
@@ -20,7 +19,7 @@ from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.scene import Scene
+    from rosward.deployment.execution.scene import Performing, Scene
     from rosward.deployment.tree import Substitution
     from rosward.source.location import Place
 

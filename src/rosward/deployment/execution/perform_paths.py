@@ -8,7 +8,6 @@ path-join('/opt', 'a')                  ->  Const('/opt/a')
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.yaml_values import is_path
@@ -19,11 +18,9 @@ from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.models.python.std.paths import dirname, join_two, normal
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.scene import Scene
+    from rosward.deployment.execution.scene import Performing, Scene
     from rosward.deployment.tree import Substitution
     from rosward.source.location import Place
-
-Performing = Callable[["Scene", "Substitution"], Value]
 
 
 def folder(cause: Cause, package: Value, place: Place) -> Value:

@@ -6,15 +6,13 @@ scene.text((Const('talker_'), Substitution('var', ((Const('id'),),))))   ->   Co
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from typing import Final, Protocol, final
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final, final
 
 from rosward.deployment.execution.context import Context
+from rosward.deployment.execution.findings import Findings
 from rosward.deployment.execution.generated import Generated
-from rosward.deployment.execution.perform_logic import LOGIC
-from rosward.deployment.execution.perform_names import NAMES
-from rosward.deployment.execution.perform_paths import PATHS, Performing
+from rosward.deployment.execution.launch_files import LaunchFiles
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.choice import lift, lift2, reasons_of
@@ -23,63 +21,40 @@ from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
-from rosward.findings import Finding
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
 _LONGEST: Final = 500_000
 
 MAX_DEPTH: Final = 60
-MAX_FINDINGS: Final = 5_000
+
+_LEAST: Final[dict[str, int]] = {
+    **dict.fromkeys(
+        (
+            "holds",
+            "dirname",
+            "filename",
+            "launch-log-dir",
+            "any",
+            "all",
+            "and",
+            "or",
+            "path-join",
+            "python",
+            "command",
+            "local",
+        ),
+        0,
+    ),
+    **dict.fromkeys(("equals", "not-equals", "exec-in-pkg", "if", "has-node-params"), 2),
+}
+"""How many arguments a substitution needs, where it is not one."""
+
+_LOGICAL: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))
 
 
-class LaunchFiles(Protocol):
-    """The files that launch files name."""
-
-    def find(self, path: Value) -> str | None:
-        """The workspace-relative name of the file behind an abstract path, None where there is none."""
-
-    def text(self, file: str) -> str | None:
-        """The text of a file, named as in the workspace."""
-
-    def has_package(self, package: str) -> bool:
-        """Whether a package is among the sources."""
-
-    def show(self, path: Value) -> str:
-        """A path for people: '$(find-pkg-share p)/x.yaml'."""
-
-
-@final
-class Findings:
-    """Findings, each once, in the order in which they came up."""
-
-    def __init__(self) -> None:
-        self._found: dict[Finding, None] = {}
-        self._heard: list[dict[Finding, None]] = []
-
-    @contextmanager
-    def heard(self) -> Iterator[dict[Finding, None]]:
-        """What is told meanwhile, also where it was told before."""
-        told: dict[Finding, None] = {}
-        self._heard.append(told)
-        try:
-            yield told
-        finally:
-            self._heard.pop()
-
-    def tell(self, code: str, message: str, place: Place, causes: tuple[str, ...] = ()) -> None:
-        """Tell a doubt."""
-        self.add(Finding(code, message, place, causes))
-
-    def add(self, *findings: Finding) -> None:
-        """Tell doubts that somebody else has found."""
-        if len(self._found) < MAX_FINDINGS:
-            for found in (self._found, *self._heard):
-                found.update(dict.fromkeys(findings))
-
-    def all(self) -> tuple[Finding, ...]:
-        """All that were told."""
-        return tuple(self._found)
+Performing = Callable[["Scene", Substitution], Value]
+"""What a substitution gives at the point of execution."""
 
 
 @final
@@ -93,6 +68,7 @@ class Scene:
         findings: Findings,
         generated: Generated,
         distro: Distro,
+        substitutions: Mapping[str, Performing],
         shell: Shell | None = None,
         variables: Variables | None = None,
     ) -> None:
@@ -112,6 +88,7 @@ class Scene:
         """Whether Python code has read them all."""
         self.words: tuple[str, ...] = ()
         """The arguments of the command line."""
+        self._substitutions = substitutions
         self._depth = 0
 
     def fails(self, what: str, place: Place, reasons: tuple[Reason, ...] = ()) -> None:
@@ -162,13 +139,13 @@ class Scene:
         return self.words
 
     def _perform(self, substitution: Substitution) -> Value:
-        perform = _SUBSTITUTIONS.get(substitution.kind)
+        perform = self._substitutions.get(substitution.kind)
         if perform is None or self._depth >= MAX_DEPTH:
             return self._not_performed(substitution)
         if len(substitution.arguments) < _LEAST.get(substitution.kind, 1):
             self.fails(f"the substitution '{substitution.kind}' lacks an argument", substitution.place)
             return Unknown((Reason(Cause.ERROR, substitution.kind, substitution.place),), "str")
-        if substitution.kind in _SINCE_IRON and not self.distro.has(Distro.IRON):
+        if substitution.kind in _LOGICAL and not self.distro.facts.logical_substitutions:
             self.fails(f"{self.distro.value} has no substitution '{substitution.kind}'", substitution.place)
         self._depth += 1
         try:
@@ -196,64 +173,6 @@ def _as_text(value: Value) -> Value:
         return Unknown(reasons_of(option) or (Reason(Cause.OPERATION, "", Place("", 0)),), "str")
 
     return lift(one, value)
-
-
-def _rewritten(scene: Scene, substitution: Substitution) -> Value:
-    """RewrittenYaml of nav2_common: the path of a new file."""
-    source, *rest = [scene.text(t) for t in substitution.arguments]
-    root, convert = (*rest, EMPTY, EMPTY)[:2]
-    tables = [
-        tuple((scene.text(k), scene.text(v)) for k, v in table) for table in (*substitution.tables, (), (), ())[:3]
-    ]
-    return scene.generated.rewritten(source, tables, root, convert, substitution.place)
-
-
-def _has_node_params(scene: Scene, substitution: Substitution) -> Value:
-    """HasNodeParams of nav2_common: whether a parameter file has a key at its top."""
-    source, key = (scene.text(t) for t in substitution.arguments[:2])
-    return scene.generated.has_key(source, key, substitution.place)
-
-
-def _replaced(scene: Scene, substitution: Substitution) -> Value:
-    """ReplaceString of nav2_common: the path of a new file."""
-    source = scene.text(substitution.arguments[0])
-    table = substitution.tables[0] if substitution.tables else ()
-    pairs = tuple((scene.text(k), scene.text(v)) for k, v in table)
-    return scene.generated.replaced(source, pairs, substitution.place)
-
-
-_SUBSTITUTIONS: Final[dict[str, Performing]] = {
-    **PATHS,
-    **LOGIC,
-    **NAMES,
-    "rewritten-yaml": _rewritten,
-    "replace-string": _replaced,
-    "has-node-params": _has_node_params,
-}
-
-_LEAST: Final[dict[str, int]] = {
-    **dict.fromkeys(
-        (
-            "holds",
-            "dirname",
-            "filename",
-            "launch-log-dir",
-            "any",
-            "all",
-            "and",
-            "or",
-            "path-join",
-            "python",
-            "command",
-            "local",
-        ),
-        0,
-    ),
-    **dict.fromkeys(("equals", "not-equals", "exec-in-pkg", "if", "has-node-params"), 2),
-}
-"""How many arguments a substitution needs, where it is not one."""
-
-_SINCE_IRON: Final = frozenset(("any", "all", "equals", "not-equals", "if", "file-content", "launch-log-dir"))
 
 
 def _joined(left: Value, right: Value) -> Value:

@@ -22,6 +22,7 @@ from rosward.deployment.execution.perform_paths import folder, joined, normal_pa
 from rosward.deployment.execution.processes import Launch, start_process
 from rosward.deployment.execution.scene import Scene
 from rosward.deployment.execution.settings import SETTINGS, change, performed
+from rosward.deployment.execution.substitutions import SUBSTITUTIONS
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started
 from rosward.domain.choice import options
@@ -30,7 +31,6 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Partial, Unknown, Value
 from rosward.guard import guarded
 from rosward.network.launch_tree import Inclusion
-from rosward.ros.distro import Distro
 from rosward.source.location import Place
 
 MAX_INCLUDES: Final = 40
@@ -134,6 +134,8 @@ class System:
             self._loop(action, inner)
         elif isinstance(action, tree.Unread):
             self.scene.findings.tell("RW321", f"Not understood: {action.why.rstrip('.')}.", action.place)
+        elif not isinstance(action, tree.Inert):
+            raise TypeError(f"a {type(action).__name__} has no execution")
 
     def _called(
         self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], *, context: bool
@@ -158,7 +160,7 @@ class System:
             self.scene.fails("the container is not started before", action.place)
             container = container_name(action.target, self.scene)
         components = action.components
-        if not self.scene.distro.has(Distro.IRON):  # humble loads them whatever their conditions say
+        if not self.scene.distro.facts.components_have_conditions:
             components = tuple(replace(component, condition=None) for component in components)
         self._load_into(container, components, at)
 
@@ -192,7 +194,14 @@ class System:
             return
         outer = self.scene
         scene = Scene(
-            outer.files, outer.python, outer.findings, outer.generated, outer.distro, outer.shell, outer.variables
+            outer.files,
+            outer.python,
+            outer.findings,
+            outer.generated,
+            outer.distro,
+            SUBSTITUTIONS,
+            outer.shell,
+            outer.variables,
         )
         scene.words = tuple(f"{name}:={readable(value)}" for name, value in launch.arguments.items())
         for name, value in self.scene.context.environment(place).items():

@@ -17,7 +17,7 @@ from rosward.deployment.execution.rewrites import key_path
 from rosward.holes import HOLE
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.generated import Content
+    from rosward.deployment.execution.content import Content
 
 _MOST: Final = 200_000
 

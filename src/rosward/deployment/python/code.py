@@ -46,7 +46,7 @@ from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.python import modules
 from rosward.findings import Finding
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.registry import PYTHON
 from rosward.ir.ops import Op
 from rosward.source.location import Place
 
@@ -223,7 +223,7 @@ class LaunchPython:
         machine = self._machine
         self._turns += 1
         if place.file not in self._roots:
-            self._roots[place.file] = lower_module("", place.file).code
+            self._roots[place.file] = PYTHON.lower("", place.file, name=f"what starts in {place.file}").code
         context = machine.context("launch", self._turns)
         root = Frame(self._roots[place.file], [], (), machine.library.nowhere, context, stub=False)
         root.op = Op(place.line, place.column)

@@ -18,7 +18,8 @@ from rosward.domain.text import make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import UNBOUND, Const, ModuleValue, Native, Text, Unknown, Value
 from rosward.engine.frame import Frame
-from rosward.frontends.python_module import FrontendError, lower_module
+from rosward.frontends.front_end import FrontendError
+from rosward.frontends.registry import PYTHON
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -53,7 +54,8 @@ class Expressions:
         if "math" in modules:  # what is in math can be named as it is
             program += [f"from math import {n}" for n in sorted(names & vars(math).keys())]
         try:
-            lowered = lower_module("\n".join([*program, f"{_RESULT} = (\n{source}\n)"]), "")
+            lines = "\n".join([*program, f"{_RESULT} = (\n{source}\n)"])
+            lowered = PYTHON.lower(lines, "", name=f"expression {lines}")
         except FrontendError as error:
             return machine.unknown(Cause.ERROR, f"{text.value[:80]!r}: {error.message}", "str")
         address = machine.place_key(("expression", turn, text.value))

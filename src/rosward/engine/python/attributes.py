@@ -48,14 +48,6 @@ from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-NODE_CLASS: Final = "rclpy.node.Node"
-NODE_METHODS: Final = frozenset(
-    ("create_publisher", "create_subscription", "create_service", "create_client", "create_timer")
-)
-"""Methods by which a node is known where its class is not."""
-CREATING: Final = (NODE_METHODS - {"create_timer"}) | {"create_lifecycle_publisher"}
-"""Methods that create entities."""
-
 
 def load(machine: Engine, value: Value, name: str) -> Value:
     """value.name; UNBOUND where the path ends here."""
@@ -99,7 +91,7 @@ def load(machine: Engine, value: Value, name: str) -> Value:
 def _of_external(machine: Engine, value: External, name: str) -> Value:
     if name in INTERFACE_NAMES and is_interface(value):
         return Const(interface_name(value.name, name))
-    if name in NODE_METHODS and "." in value.name and not is_interface(value):
+    if name in machine.library.facts.node_methods and "." in value.name and not is_interface(value):
         return _of_unknown(machine, machine.unknown(Cause.MODULE, value.name), name)
     return External(f"{value.name}.{name}")
 
@@ -133,11 +125,9 @@ def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
 
 
 def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
-    if name in NODE_METHODS:
-        node = machine.library.node_class(machine)
-        found = lookup(machine, node, name) if node is not None else None
-        if found is not None:
-            return BoundMethod(value, found)
+    of_nodes = _of_nodes(machine, value, name)
+    if of_nodes is not None:
+        return of_nodes
     if value.hint in ("str", "list", "dict", "set", "int", "float", "bytes", "tuple") and machine.library.native(
         f"{value.hint}.{name}"
     ):
@@ -149,6 +139,15 @@ def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
         for r in value.reasons
     )
     return Unknown(reasons)
+
+
+def _of_nodes(machine: Engine, receiver: Value, name: str) -> Value | None:
+    """The method of a node, of something of which nothing else is known; None where not only nodes have one of that name."""
+    if name not in machine.library.facts.node_methods:
+        return None
+    found = [lookup(machine, cls, name) for cls in machine.library.node_classes]
+    bound = [BoundMethod(receiver, method) for method in found if method is not None]
+    return join_all(bound) if bound else None
 
 
 def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
@@ -291,12 +290,10 @@ def _missing(machine: Engine, ref: Ref, cls: Value, name: str) -> Value:
     if cls.__class__ is not Class:
         return machine.unknown(Cause.ERROR, f"no attribute {name}")
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
-    if outside and name in NODE_METHODS:
-        node = machine.library.node_class(machine)
-        found = lookup(machine, node, name) if node is not None else None
-        if found is not None:
-            machine.log.assumed_node(machine, ref, outside[0])
-            return BoundMethod(ref, found)
+    of_nodes = _of_nodes(machine, ref, name) if outside else None
+    if of_nodes is not None:
+        machine.log.assumed_node(machine, ref, outside[0])
+        return of_nodes
     if outside:
         base = outside[0]
         subject = f"{base.name}.{name}" if base.__class__ is External else name

@@ -298,7 +298,7 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
         note(machine)
         keywords = {k: v for k, v in keywords.items() if k in code.parameters.names}
         registers = bind_arguments(machine, function, args, {**keywords, ANY: machine.unknown(Cause.ERROR, str(error))})
-    if machine.catchers and declared.may_raise(function, registers):
+    if machine.catchers and declared.may_raise(machine, function, registers):
         note(machine, LIBRARY)
     if function.effects:
         answer = declared.apply(machine, function, registers)

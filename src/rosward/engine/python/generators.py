@@ -41,11 +41,11 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
-    shared = lineage.count(id(code)) >= (1 if machine.coarse else machine.budget.recursion)
+    shared = lineage.count(code.key) >= (1 if machine.coarse else machine.budget.recursion)
     if shared:  # made inside one another without end: all of them are one
         context = machine.context("summary", code.key)
     else:
-        lineage = (*lineage, id(code))
+        lineage = (*lineage, code.key)
         context = activation.context_of(machine, code, caller)
     points = {Point(function, context, (), ()): tuple(registers)}
     record = Obj("generator", NONE, payload=Suspension(points, lineage=lineage, shared=shared))
@@ -211,7 +211,7 @@ def _run_from(
             thrown_in(machine, action.value)
             return None
         return NONE, machine.state
-    machine.entered.add(id(code))
+    machine.entered.add(code.key)
     machine.choosing = False
     registers = list(values[: code.registers])
     registers += [UNBOUND] * (code.registers - len(registers))

@@ -79,7 +79,7 @@ def _uncalled(machine: Engine, cls: Class) -> Iterator[Function]:
             function = value.getter if isinstance(value, Descriptor) and value.kind == "property" else value
             if not isinstance(function, Function) or is_model(function):
                 continue
-            run = id(function.code) in machine.entered
+            run = function.code.key in machine.entered
             special = name.startswith("__") and name.endswith("__") and name not in AT_MAKING
             if (special and not (run and name in FOLLOWED)) or (
                 not special and not run and _is_declared(machine, cls.mro[number + 1 :], name)
@@ -92,5 +92,10 @@ def _is_declared(machine: Engine, bases: tuple[Value, ...], name: str) -> bool:
     for base in bases:
         found = machine.at(base.address).attrs.get(name) if isinstance(base, Class) else None
         if isinstance(found, Function):
-            return is_model(found) and found.code.is_stub and not found.module.name.startswith("rclpy")
+            return is_model(found) and found.code.is_stub and not _asks(machine, found.module.name)
     return False
+
+
+def _asks(machine: Engine, module: str) -> bool:
+    """Whether the model of a library says itself what it calls."""
+    return module.partition(".")[0] in machine.library.facts.asking

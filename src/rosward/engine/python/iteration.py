@@ -61,7 +61,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
         source = stepping.made(machine, frame.registers[op.iterable], asynchronous=op.is_async)
     else:
         source = begun.source
-    machine.begin_loop(op)
+    machine.begin_loop(op, frame)
     if source is UNBOUND:
         alive = False
     elif stepping.steps(machine, source, asynchronous=op.is_async):
@@ -70,7 +70,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
     else:
         found = iterate(machine, source) if begun is None else begun.ahead
         alive = _over_items(machine, op, frame, context, source, found, begun)
-    machine.end_loop(op)
+    machine.end_loop(op, frame)
     frame.context = context
     for left in (frame.exits.broken, frame.exits.returned):
         if left is not None and left is not returned:
@@ -88,7 +88,7 @@ def _enter_turn(
     frame.context = machine.context(context, frame.code.key, op.number, "*" if number == ANY_TURN else number)
     if frame.yielded is not None:
         rest = UNBOUND if ahead.rest is None else ahead.rest
-        frame.turns[id(op)] = (number, source, Tuple(ahead.known), rest)
+        frame.turns[op.number] = (number, source, Tuple(ahead.known), rest)
 
 
 def _over_items(

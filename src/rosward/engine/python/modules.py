@@ -221,7 +221,7 @@ def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -
     frame = Frame(code, [UNBOUND] * code.registers, (), module, context, not ours)
     frame.cells = tuple(machine.new_cells(code, context))
     frames, machine.frames = machine.frames, [frame]
-    machine.entered.add(id(code))
+    machine.entered.add(code.key)
     try:
         return machine.run(code.ops, frame)
     finally:

@@ -45,10 +45,10 @@ def parts(op: ops.Op) -> list[tuple[str, ops.Block]]:
 
 
 def ways(machine: Engine, code: Code) -> dict[int, Way]:
-    """The way to each yield of a body, by id() of the operation."""
-    found = machine.ways.get(id(code))
+    """The way to each yield of a body, by the number of its operation."""
+    found = machine.ways.get(code.key)
     if found is None:
-        found = machine.ways[id(code)] = {}
+        found = machine.ways[code.key] = {}
         _find(code.ops, (), found)
     return found
 
@@ -56,7 +56,7 @@ def ways(machine: Engine, code: Code) -> dict[int, Way]:
 def _find(block: ops.Block, before: Way, found: dict[int, Way]) -> None:
     for index, op in enumerate(block):
         if isinstance(op, ops.Yield):
-            found[id(op)] = (*before, (index, YIELD if op.many else "", op))
+            found[op.number] = (*before, (index, YIELD if op.many else "", op))
         for part, inner in parts(op):
             _find(inner, (*before, (index, part, op)), found)
 
@@ -132,7 +132,7 @@ def _suspend(
     yielded = frame.yielded
     if yielded is None:  # no call of a generator: the text of such a program would not compile
         return
-    path, own = _here(ways(machine, frame.code)[id(op)], frame, turn)
+    path, own = _here(ways(machine, frame.code)[op.number], frame, turn)
     function = yielded.function
     point = Point(function, yielded.context, frame.cells, path)
     values = (*frame.registers, *own, *kept)
@@ -151,7 +151,7 @@ def _here(way: Way, frame: Frame, turn: int) -> tuple[Path, list[Any]]:
     kept: list[Value] = []
     for index, part, op in way:
         if part in _TURNING:
-            number, *values = frame.turns[id(op)]
+            number, *values = frame.turns[op.number]
             path.append(Step(index, part, number))
             kept.extend(values)
         else:

@@ -71,9 +71,14 @@ def _changes(call: NativeCall) -> Value:
     return Partial(Native("_rosward.mark"), (Tuple((Const("changes"), Tuple(call.args))),), ())
 
 
-def _reads_only(call: NativeCall) -> Value:
-    """A mark for the reader: a declared function changes nothing in any case, unless a decorator says so."""
-    return call.args[0]
+def _for_the_reader(call: NativeCall) -> Value:
+    """A mark that changes nothing of what it stands on: `reads_only` (so does a declared function in any case), or what `models.facts` reads."""
+    return call.args[0] if call.args else NONE
+
+
+def _raises_nothing(call: NativeCall) -> Value:
+    """A mark of a function; of a module `models.facts` reads it."""
+    return _marker("raises_nothing")(call) if isinstance(call.args[0], Function) else NONE
 
 
 def perform(machine: Machine, spec: Tuple, named: dict[str, Value]) -> None:
@@ -421,7 +426,19 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.native": _marker("native"),
     "_rosward.pure": _marker("pure"),
     "_rosward.changes": _changes,
-    "_rosward.reads_only": _reads_only,
+    "_rosward.raises_nothing": _raises_nothing,
+    **dict.fromkeys(
+        (
+            "_rosward.reads_only",
+            "_rosward.node_class",
+            "_rosward.node_method",
+            "_rosward.creator",
+            "_rosward.asks_all",
+            "_rosward.before_sources",
+            "_rosward.precise",
+        ),
+        _for_the_reader,
+    ),
     "_rosward.create": _create,
     "_rosward.create_node": _create_node,
     "_rosward.init": _init,

@@ -3,7 +3,7 @@
 
 A future that is awaited gives its `result()`.
 """
-from _rosward import native, reads_only, schedule, spin, unknown
+from _rosward import native, raises_nothing, reads_only, schedule, spin, unknown
 from threading import Condition as Condition
 from threading import Lock as Lock
 from threading import Semaphore as Semaphore
@@ -63,6 +63,7 @@ class Task(Future):
         schedule(self._run, event='task')
     def _run(self):
         self._result = _wait(self._coro)
+    @raises_nothing
     @reads_only
     def get_name(self) -> str: ...
     @reads_only
@@ -218,6 +219,7 @@ class TaskGroup:
 
 @reads_only
 class Event:
+    @raises_nothing
     def is_set(self) -> bool: ...
     def set(self) -> None: ...
     def clear(self) -> None: ...

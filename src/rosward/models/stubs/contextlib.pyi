@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contextlib`: what is entered, what leaves, and what is swallowed on the way."""
-from _rosward import ask, native, reads_only, schedule, unknown
+from _rosward import ask, native, raises_nothing, reads_only, schedule, unknown
 import sys
+
+raises_nothing(__name__)
 
 @native
 def _begin(generator): ...

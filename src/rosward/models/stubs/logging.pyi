@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`logging`: harmless, but for handlers that the program writes."""
-from _rosward import ask, escape, reads_only, schedule, unknown
+from _rosward import ask, escape, raises_nothing, reads_only, schedule, unknown
 
 reads_only(__name__)
+raises_nothing(__name__)
 
 NOTSET = 0
 DEBUG = 10

@@ -4,7 +4,7 @@
 Read from ros/diagnostics, branches ros2 and ros2-jazzy (2024-03).
 """
 
-from _rosward import opaque, reads_only, schedule
+from _rosward import creator, opaque, reads_only, schedule
 from diagnostic_msgs.msg import DiagnosticArray
 
 from diagnostic_updater._diagnostic_status_wrapper import DiagnosticStatusWrapper
@@ -60,6 +60,7 @@ class DiagnosticTaskVector:
 
 
 @reads_only
+@creator
 class Updater(DiagnosticTaskVector):
     def __init__(self, node, period=1.0):
         DiagnosticTaskVector.__init__(self)

@@ -4,6 +4,8 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
+from _rosward import before_sources
+
 from launch import actions as actions
 from launch import conditions as conditions
 from launch import descriptions as descriptions
@@ -27,6 +29,8 @@ from launch.some_actions_type import SomeActionsType as SomeActionsType
 from launch.some_entities_type import SomeEntitiesType as SomeEntitiesType
 from launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
 from launch.substitution import Substitution as Substitution
+
+before_sources(__name__)
 
 
 class InvalidLaunchFileError(Exception): ...

@@ -4,7 +4,7 @@
 Read from ros2/message_filters, branches humble to rolling (2024-10); src/message_filters/__init__.py differs only in comments.
 """
 
-from _rosward import message, reads_only, schedule, unknown
+from _rosward import creator, message, reads_only, schedule, unknown
 
 
 @reads_only
@@ -22,6 +22,7 @@ class SimpleFilter:
     def signalMessage(self, *msg) -> None: ...
 
 
+@creator
 class Subscriber(SimpleFilter):
     def __init__(self, node, msg_type, topic, *args, **kwargs):
         self.node = node

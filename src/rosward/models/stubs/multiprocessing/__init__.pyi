@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`multiprocessing`: a process is a thread that shares nothing."""
-from _rosward import reads_only, schedule, spin, unknown
+from _rosward import raises_nothing, reads_only, schedule, spin, unknown
 from queue import Queue as _Queue
 from threading import Thread, Timer, Condition, Event, Semaphore, BoundedSemaphore, Barrier, Lock, RLock
 
@@ -122,6 +122,7 @@ class _Manager:
         return _Shared(value)
     @reads_only
     def Namespace(self): ...
+    @raises_nothing
     @reads_only
     def start(self) -> None: ...
     @reads_only

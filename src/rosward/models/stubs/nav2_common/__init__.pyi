@@ -3,3 +3,7 @@
 
 Read from nav2_common 1.3.
 """
+
+from _rosward import before_sources
+
+before_sources(__name__)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """nav2_simple_commander.robot_navigator: a node with the clients of Nav2, more of them in each distribution.
 
-Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10), jazzy (2026-08), kilted (2026-01) and main (2026-08).
+Read from ros-navigation/navigation2, branches humble (2026-06), iron (2024-10), jazzy (2026-08), kilted (2026-01), lyrical and main (2026-08).
 """
 
 from enum import Enum
 
 import rclpy
-from _rosward import either, native, reads_only, unknown
+from _rosward import creator, either, native, reads_only, unknown
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from lifecycle_msgs.srv import GetState
 from nav2_msgs.action import (
@@ -73,6 +73,7 @@ class RunningTask(Enum):
     FOLLOW_OBJECT = 13
 
 
+@creator
 class BasicNavigator(Node):
     def __init__(self, node_name="basic_navigator", namespace=""):
         super().__init__(node_name=node_name, namespace=namespace)
@@ -125,14 +126,14 @@ class BasicNavigator(Node):
             self.clear_costmap_around_robot_srv = self.create_client(
                 ClearCostmapAroundRobot, "local_costmap/clear_costmap_around_robot"
             )
-        if _since("rolling") or not _since("kilted") and _since("jazzy"):  # jazzy got it late, kilted never
+        if _since("lyrical") or not _since("kilted") and _since("jazzy"):  # jazzy got it late, kilted never
             self.clear_local_costmap_around_pose_srv = self.create_client(
                 ClearCostmapAroundPose, "local_costmap/clear_costmap_around_pose"
             )
         if _since("kilted"):
             self.compute_route_client = ActionClient(self, ComputeRoute, "compute_route")
             self.compute_and_track_route_client = ActionClient(self, ComputeAndTrackRoute, "compute_and_track_route")
-        if _since("rolling"):
+        if _since("lyrical"):
             self.following_client = ActionClient(self, FollowObject, "follow_object")
             self.clear_global_costmap_around_pose_srv = self.create_client(
                 ClearCostmapAroundPose, "global_costmap/clear_costmap_around_pose"

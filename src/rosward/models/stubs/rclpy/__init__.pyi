@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import overridden, spins, spun
+from _rosward import asks_all, before_sources, overridden, spins, spun
 
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
@@ -16,6 +16,9 @@ from rclpy.task import Future as Future
 from rclpy.utilities import get_default_context as get_default_context
 from rclpy.utilities import get_rmw_implementation_identifier as get_rmw_implementation_identifier
 from rclpy.utilities import ok as ok
+
+asks_all(__name__)
+before_sources(__name__)
 
 
 class InitContextManager:

@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import IntEnum
 
-from _rosward import calls, reads_only
+from _rosward import calls, raises_nothing, reads_only
 
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.context import Context
@@ -14,6 +14,7 @@ from rclpy.duration import Duration as Duration
 from rclpy.time import Time as Time
 
 reads_only(__name__)
+raises_nothing(__name__)
 
 
 class ClockChange(IntEnum):

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only
+from _rosward import raises_nothing, reads_only
 
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 from rclpy.impl.rcutils_logger import RcutilsLogger as RcutilsLogger
 
 reads_only(__name__)
+raises_nothing(__name__)
 
 
 def get_logger(name) -> RcutilsLogger: ...

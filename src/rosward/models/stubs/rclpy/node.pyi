@@ -22,12 +22,16 @@ from _rosward import (
     message,
     native,
     needs_parameter,
+    node_class,
     node_fqn,
+    node_method,
     node_name,
     node_namespace,
     opaque,
     overridden,
     parameter,
+    precise,
+    raises_nothing,
     reads_only,
     resolve_name,
     schedule,
@@ -71,6 +75,8 @@ from rclpy.timer import Rate as Rate, Timer as Timer
 from rclpy.type_description_service import TypeDescriptionService as TypeDescriptionService
 from rclpy.utilities import get_default_context as get_default_context
 
+precise("create_", "declare_parameter")
+
 HIDDEN_NODE_PREFIX = "_"
 
 
@@ -92,6 +98,7 @@ class _Handle:
 class NodeNameNonExistentError(Exception): ...
 
 
+@node_class
 class Node:
     PARAM_REL_TOL = 1e-6
     # What a node has beyond what is declared here; it has nothing else.
@@ -241,8 +248,10 @@ class Node:
             return expand_topic_name(service, node_name(self), node_namespace(self))
         return resolve_name(self, service, "service")
 
+    @raises_nothing
     @reads_only
     def get_clock(self) -> Clock: ...
+    @raises_nothing
     @reads_only
     def get_logger(self) -> RcutilsLogger: ...
 
@@ -445,6 +454,7 @@ class Node:
     ):
         return Service(self, srv_type, srv_name, callback, callback_group, qos_profile)
 
+    @node_method
     def create_timer(self, timer_period_sec, callback, callback_group=None, clock=None, autostart=True):
         return Timer(callback, callback_group, timer_period_sec, clock, autostart=autostart)
 

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only
+from _rosward import raises_nothing, reads_only
 
 from builtin_interfaces.msg import Time as TimeMsg
 
@@ -12,6 +12,7 @@ from rclpy.clock_type import ClockType as ClockType
 from rclpy.duration import Duration as Duration
 
 reads_only(__name__)
+raises_nothing(__name__)
 
 CONVERSION_CONSTANT = 10**9
 

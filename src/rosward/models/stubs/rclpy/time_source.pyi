@@ -4,11 +4,13 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, message, reads_only, taken
+from _rosward import ask, message, raises_nothing, reads_only, taken
 from rcl_interfaces.msg import SetParametersResult
 from rosgraph_msgs.msg import Clock
 
 from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+raises_nothing(__name__)
 
 CLOCK_TOPIC = "/clock"
 USE_SIM_TIME_NAME = "use_sim_time"

@@ -4,12 +4,13 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, reads_only
+from _rosward import calls, raises_nothing, reads_only
 
 from rclpy.clock_type import ClockType
 from rclpy.time import Time
 
 reads_only(__name__)
+raises_nothing(__name__)
 
 
 class TimerInfo:

@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import reads_only
+from _rosward import creator, reads_only
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.action.client import ActionClient
@@ -16,6 +16,7 @@ from tf2_ros.buffer_interface import BufferInterface
 reads_only(__name__)
 
 
+@creator
 class BufferClient(BufferInterface):
     def __init__(self, node, ns, check_frequency=10.0, timeout_padding=Duration(seconds=2.0)):
         BufferInterface.__init__(self)

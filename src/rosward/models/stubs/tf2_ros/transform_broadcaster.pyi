@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import reads_only
+from _rosward import creator, reads_only
 
 from rclpy.qos import QoSProfile as QoSProfile
 from tf2_msgs.msg import TFMessage
@@ -12,6 +12,7 @@ from tf2_msgs.msg import TFMessage
 reads_only(__name__)
 
 
+@creator
 class TransformBroadcaster:
     def __init__(self, node, qos=None):
         if qos is None:

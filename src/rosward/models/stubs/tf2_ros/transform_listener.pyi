@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import reads_only
+from _rosward import creator, reads_only
 
 from threading import Thread
 
@@ -18,6 +18,7 @@ DEFAULT_TF_TOPIC = "/tf"
 DEFAULT_STATIC_TF_TOPIC = "/tf_static"
 
 
+@creator
 class TransformListener:
     def __init__(
         self,

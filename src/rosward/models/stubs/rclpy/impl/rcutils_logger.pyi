@@ -4,11 +4,12 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only
+from _rosward import raises_nothing, reads_only
 
 from rclpy.impl.logging_severity import LoggingSeverity as LoggingSeverity
 
 reads_only(__name__)
+raises_nothing(__name__)
 
 
 class RcutilsLogger:

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, schedule, unknown
+from _rosward import ask, creator, schedule, unknown
 
 from rclpy.lifecycle.managed_entity import ManagedEntity as ManagedEntity
 from rclpy.lifecycle.managed_entity import TransitionCallbackReturn as TransitionCallbackReturn
@@ -81,6 +81,7 @@ class LifecycleNodeMixin(ManagedEntity):
             entity.on_error(state)
         return TransitionCallbackReturn.SUCCESS
 
+    @creator
     def create_lifecycle_publisher(self, msg_type, topic, qos_profile, *, publisher_class=None, **kwargs):
         publisher = Node.create_publisher(
             self, msg_type, topic, qos_profile, publisher_class=LifecyclePublisher, **kwargs

@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The operations that run straight on: they read registers and write at most one.
+"""The operations that any imperative language needs and that run straight on: values, locals, cells, fields, elements, operators, calls.
 
 Law: every concrete class is final and pure data; a variant is a field; so `type(op)` decides everything.
 An operation reads registers (small integers, local to one `Code`) and writes at most one, `dst`. Control flow is structured:
-the control operations hold blocks, and a block is a list of operations that run in order.
+the control operations (`control.py`) hold blocks, and a block is a list of operations that run in order.
 
-    x = a.b + 1          LoadGlobal r1 'a'; LoadAttr r2 r1 'b'; Const r3 1; Binary r0 + r2 r3
+    x = y.b + 1          LoadAttr r2 r1 'b'; Const r3 1; Binary r0 + r2 r3      (x is register 0, y register 1)
 
-Names are resolved when lowering: a local variable is a register, a variable shared with an inner function is a cell (numbered per
-`Code`), everything else is looked up by name (`LoadGlobal`; in a class body `LoadName`).
+Names are resolved when lowering: a local variable is a register, a variable shared with an inner function is a cell (numbered per `Code`).
+What an operation means is up to the language of the code (`Code.language`, `engine/language.py`). What only one language has stands in a
+module of its own (`python.py`).
+
+The door for C++: references to places (a local, a field, an element) are values that an operation of its own makes, reads and writes; copies by
+value, conversions to the type of a variable and the end of a scope (destructors) are operations of its own, and template arguments are
+arguments of a call of a kind of their own (`Argument.kind`). Each is a class beside those of `python.py`, with its handler
+in the table of the language.
 """
 
 from __future__ import annotations
@@ -71,56 +77,6 @@ class Move(Op):
 
 
 @final
-class LoadGlobal(Op):
-    """dst = the module's variable `name`, else the builtin of that name."""
-
-    __slots__ = ("dst", "name")
-
-    def __init__(self, line: int, column: int, dst: int, name: str) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.name = name
-
-
-@final
-class StoreGlobal(Op):
-    """The module's variable `name` = src. `narrowing`: what it holds already, narrowed by an `Assume`; no assignment of the program."""
-
-    __slots__ = ("name", "narrowing", "src")
-
-    def __init__(self, line: int, column: int, name: str, src: int, narrowing: bool = False) -> None:
-        super().__init__(line, column)
-        self.name = name
-        self.src = src
-        self.narrowing = narrowing
-
-
-@final
-class LoadName(Op):
-    """dst = `name` of the class body being run, else (cell `cell` where not NO_REGISTER, else) the global of that name."""
-
-    __slots__ = ("cell", "dst", "name")
-
-    def __init__(self, line: int, column: int, dst: int, name: str, cell: int = NO_REGISTER) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.name = name
-        self.cell = cell
-
-
-@final
-class StoreName(Op):
-    """`name` of the class body being run = src."""
-
-    __slots__ = ("name", "src")
-
-    def __init__(self, line: int, column: int, name: str, src: int) -> None:
-        super().__init__(line, column)
-        self.name = name
-        self.src = src
-
-
-@final
 class LoadCell(Op):
     """dst = cell number `cell` of this `Code` (own cells first, then free ones)."""
 
@@ -143,17 +99,6 @@ class StoreCell(Op):
         self.cell = cell
         self.src = src
         self.narrowing = narrowing
-
-
-@final
-class NewCell(Op):
-    """Cell number `cell` becomes a fresh, unbound cell (a comprehension variable that an inner lambda captures)."""
-
-    __slots__ = ("cell",)
-
-    def __init__(self, line: int, column: int, cell: int) -> None:
-        super().__init__(line, column)
-        self.cell = cell
 
 
 @final
@@ -213,22 +158,6 @@ class StoreItem(Op):
         self.index = index
         self.src = src
         self.narrowing = narrowing
-
-
-@final
-class Delete(Op):
-    """`del`: kind is 'local' (register obj), 'cell' (cell obj), 'global' / 'name' (name), 'attr' (obj.name) or 'item' (obj[index])."""
-
-    __slots__ = ("index", "kind", "name", "obj")
-
-    def __init__(
-        self, line: int, column: int, kind: str, obj: int = NO_REGISTER, name: str = "", index: int = NO_REGISTER
-    ) -> None:
-        super().__init__(line, column)
-        self.kind = kind
-        self.obj = obj
-        self.name = name
-        self.index = index
 
 
 @final
@@ -303,35 +232,6 @@ class Call(Op):
 
 
 @final
-class Build(Op):
-    """dst = a new list, tuple, set or dict.
-
-    items are pairs (starred, register); for a dict they are key and value in turn, and a starred item is a mapping to merge
-    (one register, no key).
-    """
-
-    __slots__ = ("dst", "items", "kind")
-
-    def __init__(self, line: int, column: int, dst: int, kind: str, items: tuple[tuple[bool, int], ...]) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.kind = kind
-        self.items = items
-
-
-@final
-class Format(Op):
-    """dst = an f-string: parts are text, or (register, conversion '' | 's' | 'r' | 'a', register of the format spec or NO_REGISTER)."""
-
-    __slots__ = ("dst", "parts")
-
-    def __init__(self, line: int, column: int, dst: int, parts: tuple[str | tuple[int, str, int], ...]) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.parts = parts
-
-
-@final
 class MakeFunction(Op):
     """dst = a function object; defaults are registers for the last positional parameters, kwdefaults pairs (name, register).
 
@@ -359,94 +259,6 @@ class MakeFunction(Op):
 
 
 @final
-class MakeClass(Op):
-    """dst = a class; `arguments` are the bases and class keywords, `code` the body (kind 'class'). Decorators are Calls that follow."""
-
-    __slots__ = ("arguments", "captures", "code", "dst")
-
-    def __init__(
-        self, line: int, column: int, dst: int, code: Code, arguments: tuple[Argument, ...], captures: tuple[int, ...]
-    ) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.code = code
-        self.arguments = arguments
-        self.captures = captures
-
-
-@final
-class Import(Op):
-    """dst = `import module` (the top package, or the module itself where `leaf`, i.e. `import a.b as c`)."""
-
-    __slots__ = ("dst", "leaf", "module")
-
-    def __init__(self, line: int, column: int, dst: int, module: str, leaf: bool) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.module = module
-        self.leaf = leaf
-
-
-@final
-class ImportFrom(Op):
-    """dst = `from module import name`, `level` leading dots."""
-
-    __slots__ = ("dst", "level", "module", "name")
-
-    def __init__(self, line: int, column: int, dst: int, module: str, level: int, name: str) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.module = module
-        self.level = level
-        self.name = name
-
-
-@final
-class ImportStar(Op):
-    """`from module import *` into the module's variables."""
-
-    __slots__ = ("level", "module")
-
-    def __init__(self, line: int, column: int, module: str, level: int) -> None:
-        super().__init__(line, column)
-        self.module = module
-        self.level = level
-
-
-@final
-class Unpack(Op):
-    """dsts = the items of src in order; `star` is the index of the starred target, or NO_REGISTER."""
-
-    __slots__ = ("dsts", "src", "star")
-
-    def __init__(self, line: int, column: int, dsts: tuple[int, ...], star: int, src: int) -> None:
-        super().__init__(line, column)
-        self.dsts = dsts
-        self.star = star
-        self.src = src
-
-
-@final
-class Intrinsic(Op):
-    """dst = a small primitive of the language, by name, that no other operation says.
-
-    slice(lower, upper, step), append(list, value), set_add(set, value), dict_set(dict, key, value), annotate(class name text, type text),
-    is_sequence(v), is_mapping(v), length_is(v, n), length_at_least(v, n), mapping_rest(v, key…), match_args(cls, n) (the tuple of
-    attribute names that stand for positional sub-patterns), exception() (the one being handled), doc() (any other constant-like unknown),
-    isinstance(v, cls), hasattr(v, name), getattr(v, name) (these three as `match` uses them: the builtins, whatever a program calls so),
-    unsupported(…) (a construct that the frontend doesn't know; what of it could be lowered stands before).
-    """
-
-    __slots__ = ("arguments", "dst", "name")
-
-    def __init__(self, line: int, column: int, dst: int, name: str, arguments: tuple[int, ...]) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.name = name
-        self.arguments = arguments
-
-
-@final
 class Assume(Op):
     """Narrow register src to the values for which `test` holds (where `sense`) or does not; nothing left: the path is dead.
 
@@ -463,28 +275,3 @@ class Assume(Op):
         self.test = test
         self.other = other
         self.sense = sense
-
-
-@final
-class Yield(Op):
-    """dst = yield src; `many` for `yield from`."""
-
-    __slots__ = ("dst", "many", "src")
-
-    def __init__(self, line: int, column: int, dst: int, src: int, many: bool) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.src = src
-        self.many = many
-
-
-@final
-class Await(Op):
-    """dst = await src."""
-
-    __slots__ = ("dst", "src")
-
-    def __init__(self, line: int, column: int, dst: int, src: int) -> None:
-        super().__init__(line, column)
-        self.dst = dst
-        self.src = src
