@@ -243,3 +243,35 @@ def test_stubs_open_like_modules() -> None:
         if not text.startswith("# SPDX-License-Identifier: Apache-2.0\n") or not ast.get_docstring(ast.parse(text)):
             wrong.append(path.relative_to(ROOT).as_posix())
     assert not wrong, _told(wrong)
+
+
+_WORDS_OF_ROS: Final = re.compile(
+    r"rclpy|rclcpp|tf2|ament|\bros\b|ROS|\blaunch|create_|declare_parameter|\bNode\b|[Tt]opic|std_msgs"
+)
+"""Words by which ROS would be known in the engine. A node, as a thing that effects speak of, is none of them."""
+
+
+def _code_without_docs(path: Path) -> str:
+    """A module without comments, docstrings and imports."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    for node in ast.walk(tree):
+        body = getattr(node, "body", None)
+        if isinstance(body, list):
+            kept = [s for s in body if not isinstance(s, (ast.Import, ast.ImportFrom)) and not _is_text(s)]
+            node.body = kept or [ast.Pass()]  # type: ignore[attr-defined]
+    return ast.unparse(tree)
+
+
+def _is_text(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+
+
+def test_the_engine_has_no_word_of_ros() -> None:
+    """What it must know of client libraries, the marks of their stubs say (`models/facts.py`)."""
+    found = [
+        f"{name_of(path)}: {line.strip()}"
+        for path in sorted((ROOT / "engine").rglob("*.py"))
+        for line in _code_without_docs(path).splitlines()
+        if _WORDS_OF_ROS.search(line)
+    ]
+    assert not found, _told(found)

@@ -34,7 +34,7 @@ from rosward.domain.text import concat, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Choice, Const, Partial, Tuple, Unknown, Value
 from rosward.engine.library import Library
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.source.discover import discover
 from rosward.source.location import Place
 
@@ -120,7 +120,7 @@ class Files:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(dedent(content), encoding="utf-8")
         self.tree = SourceTree(discover([folder]))
-        self.python = LaunchPython(Library(self.tree, natives()))
+        self.python = LaunchPython(Library(self.tree, own_models()))
 
     def read(self, launch: Launch, file: str = "main.launch.py") -> Description:
         """One file."""

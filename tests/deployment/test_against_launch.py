@@ -19,7 +19,7 @@ from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.python.code import LaunchPython
 from rosward.engine.library import Library
 from rosward.findings import Finding
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 
@@ -104,7 +104,7 @@ def run(folder: Path, name: str, text: str) -> tuple[str, set[str]]:
     (folder / "demo/package.xml").write_text('<package format="3"><name>demo</name></package>', encoding="utf-8")
     (launch / name).write_text(text, encoding="utf-8")
     tree = SourceTree(discover([folder]))
-    files, python = WorkspaceFiles(tree.files), LaunchPython(Library(tree, natives()))
+    files, python = WorkspaceFiles(tree.files), LaunchPython(Library(tree, own_models()))
     execution = Execution(files, python, Distro.KILTED, {})
     file = f"demo/launch/{name}"
     started = execution.run(file, files.place_value(file))

@@ -16,7 +16,7 @@ from deployment.python_tree import Files, Launch
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.python.code import LaunchPython
 from rosward.engine.library import Library
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.source.discover import discover
 
 IMPORTS = (
@@ -71,7 +71,7 @@ def test_launch_files_of_real_repositories(checkout: Path) -> None:
     for order in (names, names[::-1]):
         files = Files.__new__(Files)
         files.tree = SourceTree(discover([checkout]))
-        files.python = LaunchPython(Library(files.tree, natives()))
+        files.python = LaunchPython(Library(files.tree, own_models()))
         found = {}
         for name in order:
             launch = Launch()

@@ -31,7 +31,7 @@ from rosward.domain.text import readable
 from rosward.domain.values import Const
 from rosward.effects.configuration import Given
 from rosward.engine.library import Library
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 
@@ -172,7 +172,7 @@ def test_gives(name: str, tmp_path: Path) -> None:
         encoding="utf-8",
     )
     tree = SourceTree(discover([tmp_path]))
-    files, python = WorkspaceFiles(tree.files), LaunchPython(Library(tree, natives()))
+    files, python = WorkspaceFiles(tree.files), LaunchPython(Library(tree, own_models()))
     execution = Execution(files, python, Distro.JAZZY, {n: Const(v) for n, v in case.arguments.items()})
     (started,) = execution.run("demo/main.launch.py", files.place_value("demo/main.launch.py"))
     assert [f.code for f in execution.findings] == []

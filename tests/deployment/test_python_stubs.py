@@ -19,7 +19,7 @@ from rosward.engine.budget import Budget
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.stub_files import STUBS
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 
 ACTION = "launch.action.Action"
 
@@ -45,7 +45,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Files:
 @pytest.mark.parametrize("name", [*MODULES, "xacro"])
 def test_a_model_can_be_loaded(name: str, files: Files) -> None:
     """No name in it leads nowhere."""
-    library = Library(files.tree, natives())
+    library = Library(files.tree, own_models())
     found = library.find(name, 0, None)
     assert found is not None
     assert found.model
@@ -67,7 +67,7 @@ def _from_models(value: object) -> bool:
 
 def test_each_action_of_a_model_is_read_or_known_to_start_nothing(files: Files) -> None:
     """None is skipped in silence: its own class, or the nearest that it derives from, stands in exactly one table."""
-    library = Library(files.tree, natives())
+    library = Library(files.tree, own_models())
     machine = Interpreter(library, Budget(), EffectLog())
     tables = (set(Actions(Objects(machine)).readers), set(INERT), set(NOT_READ))
     classes = _derived_from(ACTION, library)

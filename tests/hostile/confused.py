@@ -30,7 +30,7 @@ from hostile.fuzz import Broken, write_good
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.engine.stub_files import STUBS
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.pipeline import Result
 
 CALLS: Final = 8
@@ -127,7 +127,7 @@ class Callee(NamedTuple):
 def callees() -> tuple[Callee, ...]:
     """All natives that a program can name, and all functions, classes and methods of the stubs."""
     found: list[Callee] = []
-    for name in sorted(natives()):
+    for name in sorted(own_models().natives):
         head, _, last = name.rpartition(".")
         if head == "builtins":
             found.append(Callee("", last))

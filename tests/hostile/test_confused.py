@@ -10,7 +10,7 @@ import pytest
 
 import rosward
 from hostile import confused
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 
 
 def test_confused_programs_hurt_nobody() -> None:
@@ -22,7 +22,7 @@ def test_confused_programs_hurt_nobody() -> None:
 
 def test_all_that_is_modelled_is_called() -> None:
     called = {c.expression for c in confused.callees()}
-    missing = {n for n in natives() if n not in called and n.removeprefix("builtins.") not in called}
+    missing = {n for n in own_models().natives if n not in called and n.removeprefix("builtins.") not in called}
     assert missing == set()
 
 

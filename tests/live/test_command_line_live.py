@@ -26,7 +26,7 @@ from rosward.domain.values import Const  # noqa: E402
 from rosward.effects.configuration import Configuration  # noqa: E402
 from rosward.engine.budget import Budget  # noqa: E402
 from rosward.engine.library import Library  # noqa: E402
-from rosward.models.tables import natives  # noqa: E402
+from rosward.models.tables import own_models  # noqa: E402
 from rosward.naming.collect import Process, collect  # noqa: E402
 from rosward.naming.command_line import read_words  # noqa: E402
 from rosward.ros.distro import Distro  # noqa: E402
@@ -185,7 +185,7 @@ def test_every_command_line_gives_the_real_graph(tmp_path: Path) -> None:
     def analyse() -> list[tuple[Graph, list[str]]]:
         workspace = discover([file])
         sources = SourceTree(workspace)
-        library = Library(sources, natives())
+        library = Library(sources, own_models())
         (entry,) = make_plan(workspace, sources, library).entries
         return [static(words, library, entry) for words in LINES]
 

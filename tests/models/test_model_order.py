@@ -23,7 +23,7 @@ from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, R
 from rosward.engine.library import Library
 from rosward.engine.model_units import units
 from rosward.engine.stub_files import STUBS, StubFiles
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.source.discover import discover
 
 MODELS = sorted(
@@ -35,7 +35,7 @@ _READ = StubFiles(())  # every stub is read once: what is tried is in which orde
 
 def _library(folder: Path, names: Iterable[str]) -> Library:
     """A library that was asked for models in this order."""
-    library = Library(SourceTree(discover([folder])), natives())
+    library = Library(SourceTree(discover([folder])), own_models())
     library._stubs = _READ
     for name in names:
         _module(library, name)
@@ -150,7 +150,7 @@ def test_names_of_a_cycle_come_later(tmp_path: Path) -> None:
     (tmp_path / "ring/two.pyi").write_text("from ring.one import One\nclass Two: ...\ndef other() -> One: ...\n")
     shapes = []
     for first in ("ring", "ring.one", "ring.two"):
-        library = Library(SourceTree(discover([tmp_path])), natives(), (tmp_path,))
+        library = Library(SourceTree(discover([tmp_path])), own_models(), (tmp_path,))
         _module(library, first)
         shapes.append([_shape(library, name) for name in ("ring", "ring.one", "ring.two")])
         for name, imported in (("ring.one", "Two"), ("ring.two", "One")):
@@ -164,7 +164,7 @@ def test_a_model_changes_no_other(tmp_path: Path) -> None:
     (tmp_path / "more.pyi").write_text("import base\nbase.names.append('b')\nbase.Base.extra = 1\n")
     shapes = []
     for order in (("base", "more"), ("more", "base"), ("base",)):
-        library = Library(SourceTree(discover([tmp_path])), natives(), (tmp_path,))
+        library = Library(SourceTree(discover([tmp_path])), own_models(), (tmp_path,))
         for name in order:
             _module(library, name)
         shapes.append(_shape(library, "base"))
@@ -181,7 +181,7 @@ def test_what_a_function_imports_comes_when_it_is_called(tmp_path: Path) -> None
     (tmp_path / "more.pyi").write_text("MORE = 1\n")
     shapes = []
     for order in itertools.permutations(("late", "given", "called")):
-        library = Library(SourceTree(discover([tmp_path])), natives(), (tmp_path,))
+        library = Library(SourceTree(discover([tmp_path])), own_models(), (tmp_path,))
         for name in order:
             _module(library, name)
         assert "more" not in library._models

@@ -19,7 +19,7 @@ from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.guard import Steps
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.exclude import Exclusion, exclusions_of
@@ -91,7 +91,7 @@ def read_sources(
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
     folders = tuple(Path(m) for m in models)
-    library = Library(sources, natives(), folders, shell(variables), net=bounds.net)
+    library = Library(sources, own_models(), folders, shell(variables), net=bounds.net)
     steps = Steps(net=bounds.net)
     missing = "each file is run by itself, under its own name, and not as an executable"
     made = steps(lambda: make_plan(workspace, sources, library), None, missing)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from rosward.domain.unknown import Origin
 from rosward.domain.values import Const
 from rosward.ros.distro import Distro
-from rosward.source.surroundings import OF_DISTRO
+from rosward.source.surroundings import OF_DISTRO, ROS_2
 
 ORIGIN = "environment variable"
 """The kind of the origins of values that come from the environment."""
@@ -26,6 +26,11 @@ def shell(variables: Mapping[str, str]) -> Shell:
         for name, text in Distro(variables["ROS_DISTRO"]).facts.environment.items():
             found.setdefault(name, Const(text, frozenset({Origin(ORIGIN, name)})))
     return found
+
+
+def usual_shell() -> Shell:
+    """That of which nothing else is known: some ROS 2 is set up."""
+    return shell(ROS_2)
 
 
 def _value(name: str, text: str) -> Const:

@@ -6,7 +6,7 @@ Models are run once, in an interpreter of their own; its heap is the ground on w
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Final, final
 
@@ -15,7 +15,7 @@ from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Class, Const, External, Function, Hole, ModuleValue, Value
 from rosward.effects.log import EffectLog
-from rosward.effects.shell import Shell, shell
+from rosward.effects.shell import Shell, usual_shell
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import Found, Sources
@@ -27,12 +27,11 @@ from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
-from rosward.models.facts import Facts, marked
+from rosward.models.facts import marked
 from rosward.models.native import NativeFunction
-from rosward.models.ros.facts import OWN
+from rosward.models.tables import Models
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
-from rosward.source.surroundings import ROS_2
 
 _NUMBERS: Final = (int, float)
 _SMALL: Final = 1 << 60
@@ -46,25 +45,24 @@ class Library:
     def __init__(
         self,
         sources: Sources,
-        natives: Mapping[str, NativeFunction],
-        models: tuple[Path, ...] = (),
+        models: Models,
+        folders: tuple[Path, ...] = (),
         environment: Shell | None = None,
-        facts: Facts = OWN,
         *,
         net: bool = True,
     ) -> None:
         self.sources = sources
         self.environment = (
-            shell(ROS_2) if environment is None else environment
+            usual_shell() if environment is None else environment
         )  # of every process, unless it is given another
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
-        self.facts = facts
-        for folder in models:
+        self.facts = models.facts
+        for folder in folders:
             self.facts = self.facts.joined(marked(folder))
         self.creating = self.facts.creating
-        self._natives = natives
-        self._stubs = StubFiles(models, net=net)
+        self._natives = models.natives
+        self._stubs = StubFiles(folders, net=net)
         self._net = net
         self._constants: dict[tuple[type, object], Const] = {}
         self._found: dict[tuple[str, int, str], Found | None] = {}

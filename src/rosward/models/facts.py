@@ -9,6 +9,7 @@ raises_nothing(__name__)                                                  functi
 asks_all(__name__)                                                        of this package: what it calls of a program, stubs `ask` for
 before_sources(__name__)                                                  of this package: its model goes before its own sources
 precise("create_", …)                                                     methods of such names are never summarised
+exact_calls("rclpy.", …)                                                  in modules of such names, a call that a signature refuses fails
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from rosward.source.text import read_bytes
 _LARGEST: Final = 1_000_000
 _MOST_FILES: Final = 10_000
 _DECORATORS: Final = ("node_class", "node_method", "creates", "creator")
-_STATEMENTS: Final = ("raises_nothing", "asks_all", "before_sources", "precise")
+_STATEMENTS: Final = ("raises_nothing", "asks_all", "before_sources", "precise", "exact_calls")
 _WORDS: Final = tuple(word.encode() for word in (*_DECORATORS, *_STATEMENTS))
 
 
@@ -42,6 +43,8 @@ class Facts(NamedTuple):
     """Classes and functions that create entities when they are called, each with the top-level package that it is known by."""
     precise: tuple[str, ...] = ()
     """How the names of methods begin that are never summarised: what they are given decides what there is."""
+    exact: tuple[str, ...] = ()
+    """How the names of modules begin whose signatures are exact: what they do not take is an error of the program."""
     raising_nothing: frozenset[str] = frozenset()
     """Modules whose functions raise nothing, for what programs give them."""
     asking: frozenset[str] = frozenset()
@@ -62,6 +65,7 @@ class Facts(NamedTuple):
             self.creating | other.creating,
             self.creators | other.creators,
             tuple(dict.fromkeys((*self.precise, *other.precise))),
+            tuple(dict.fromkeys((*self.exact, *other.exact))),
             self.raising_nothing | other.raising_nothing,
             self.asking | other.asking,
             self.before_sources | other.before_sources,
@@ -109,9 +113,11 @@ def _of_module(tree: ast.Module, name: str) -> Facts:
 
 def _of_statement(call: ast.Call, name: str, top: frozenset[str]) -> Facts:
     mark = ast.unparse(call.func)
+    words = tuple(a.value for a in call.args if isinstance(a, ast.Constant) and isinstance(a.value, str))
     if mark == "precise":
-        words = tuple(a.value for a in call.args if isinstance(a, ast.Constant) and isinstance(a.value, str))
         return Facts(precise=words)
+    if mark == "exact_calls":
+        return Facts(exact=words)
     if mark == "raises_nothing":
         return Facts(raising_nothing=frozenset({name}))
     if mark == "asks_all":

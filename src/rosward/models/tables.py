@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All models in code, by dotted name."""
+"""All that rosward itself knows of libraries beside its stubs: models in code, by dotted name, and what the marks of its stubs say."""
 
 from __future__ import annotations
 
@@ -7,20 +7,29 @@ import importlib
 import pkgutil
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Final
+from typing import Final, NamedTuple
 
 import rosward.models
+from rosward.models.facts import Facts
 from rosward.models.native import NativeFunction
+from rosward.models.ros.facts import OWN
 
 _TABLE: Final[dict[str, NativeFunction]] = {}
-"""What `natives` has collected: the modules of the package never change."""
+"""What `own_models` has collected: the modules of the package never change."""
 
 
-def natives() -> Mapping[str, NativeFunction]:
-    """The union of the `NATIVES` tables of the modules of this package; a name in two of them is an error."""
+class Models(NamedTuple):
+    """The models in code, and the facts about client libraries."""
+
+    natives: Mapping[str, NativeFunction]
+    facts: Facts
+
+
+def own_models() -> Models:
+    """The union of the `NATIVES` tables of the modules of this package (a name in two of them is an error), and the facts of its stubs."""
     if not _TABLE:
         _TABLE.update(_collected())
-    return MappingProxyType(_TABLE)
+    return Models(MappingProxyType(_TABLE), OWN)
 
 
 def _collected() -> dict[str, NativeFunction]:

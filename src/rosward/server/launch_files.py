@@ -27,7 +27,7 @@ from rosward.domain.text import readable
 from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.models.tables import natives
+from rosward.models.tables import own_models
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.surroundings import surroundings
@@ -66,7 +66,7 @@ def launch_files(root: Path, distro: str, env: Mapping[str, str] | None = None) 
 def _launch_files(root: Path, distro: Distro, variables: Mapping[str, str]) -> tuple[LaunchFile, ...]:
     workspace = discover([root], environment=variables)
     sources = SourceTree(workspace)
-    library = Library(sources, natives(), environment=shell(variables))
+    library = Library(sources, own_models(), environment=shell(variables))
     known = sorted(workspace.launch_files, key=lambda f: f.relative)[:_MOST_FILES]
     return tuple(_read(file, library, WorkspaceFiles(sources.files), distro) for file in known)
 

@@ -292,7 +292,7 @@ def call_function(machine: Engine, function: Function, args: Arguments, keywords
         registers = bind_arguments(machine, function, args, keywords)
     except BadCallError as error:
         # The program fails here. What follows is followed all the same: when the call is mended it is what runs.
-        if not declared.is_model(function) or function.module.name.startswith(("rclpy.", "launch")):
+        if not declared.is_model(function) or function.module.name.startswith(machine.library.facts.exact):
             raises = "may raise" if machine.choosing else "raises"
             machine.report("RW209", f"this call of {code.qualname} {raises} TypeError: {error}")
         note(machine)

@@ -436,6 +436,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
             "_rosward.asks_all",
             "_rosward.before_sources",
             "_rosward.precise",
+            "_rosward.exact_calls",
         ),
         _for_the_reader,
     ),

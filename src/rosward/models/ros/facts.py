@@ -30,6 +30,7 @@ OWN: Final = Facts(
         }
     ),
     precise=("create_", "declare_parameter"),
+    exact=("launch", "rclpy."),
     raising_nothing=frozenset(
         {
             "contextlib",

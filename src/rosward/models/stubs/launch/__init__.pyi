@@ -4,7 +4,7 @@
 Read from launch 3.7.0, with what humble had before it.
 """
 
-from _rosward import before_sources
+from _rosward import before_sources, exact_calls
 
 from launch import actions as actions
 from launch import conditions as conditions
@@ -31,6 +31,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitu
 from launch.substitution import Substitution as Substitution
 
 before_sources(__name__)
+exact_calls("launch")
 
 
 class InvalidLaunchFileError(Exception): ...

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import asks_all, before_sources, overridden, spins, spun
+from _rosward import asks_all, before_sources, exact_calls, overridden, spins, spun
 
 from rclpy.context import Context as Context
 from rclpy.parameter import Parameter as Parameter
@@ -19,6 +19,7 @@ from rclpy.utilities import ok as ok
 
 asks_all(__name__)
 before_sources(__name__)
+exact_calls("rclpy.")
 
 
 class InitContextManager:
