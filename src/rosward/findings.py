@@ -9,8 +9,8 @@ RW4xx policies that are checked, RW5xx running systems.
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterable
-from typing import Final, NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import Final, NamedTuple, final
 
 from rosward.source.location import Place
 
@@ -388,6 +388,33 @@ class Finding(NamedTuple):
     def rule(self) -> Rule:
         """The rule that this finding is an instance of."""
         return RULES[self.code]
+
+
+@final
+class Findings:
+    """Findings, each once, in the order in which they were added."""
+
+    __slots__ = ("_kept",)
+
+    def __init__(self, findings: Iterable[Finding] = ()) -> None:
+        self._kept = dict.fromkeys(findings)
+
+    def add(self, finding: Finding) -> None:
+        """Add a finding, unless it is there."""
+        self._kept[finding] = None
+
+    def update(self, findings: Iterable[Finding]) -> None:
+        """Add each of several findings."""
+        self._kept.update(dict.fromkeys(findings))
+
+    def __iter__(self) -> Iterator[Finding]:
+        return iter(self._kept)
+
+    def __len__(self) -> int:
+        return len(self._kept)
+
+    def __contains__(self, finding: object) -> bool:
+        return finding in self._kept
 
 
 def each_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:

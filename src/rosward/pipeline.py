@@ -30,7 +30,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding, Findings, Severity
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
@@ -203,7 +203,7 @@ def _extract(
         gathered, systems = of_request(request, read, progress)
     else:
         gathered = of_sources(read, request.params, progress, assumed=assumed)
-    findings = dict.fromkeys((*read.workspace.findings, *gathered.findings, *read.library.findings))
+    findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
@@ -219,7 +219,7 @@ def _extract(
 
 
 def _network(
-    read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, wanted: _Enclaves
+    read: SourcesRead, gathered: Gathered, findings: Findings, unknown: UnknownNames, wanted: _Enclaves
 ) -> Network:
     steps = Steps(net=read.budget.net)
     named = labelled(gathered.nodes)
@@ -231,9 +231,9 @@ def _network(
     nodes, conflicts = placed or (each_its_own(named), [])
     nothing: list[Finding] = []
     too_large = steps(lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large is not told")
-    findings.update(dict.fromkeys((*conflicts, *too_large)))
+    findings.update((*conflicts, *too_large))
     if not nodes:
-        findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
+        findings.add(Finding("RW007", "No node was found in what was read.", Place("", 0)))
     counts = _Counts(read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed}))
     distro = read.distro.value
     network = steps(

@@ -175,7 +175,7 @@ def test_a_format_that_fails_is_told_in_what_the_page_shows(tmp_path: Path, monk
     tree.mkdir()
     output.mkdir()
     (tree / "talker.py").write_text("import rclpy\nrclpy.init()\nrclpy.create_node('talker')\n")
-    monkeypatch.setattr("rosward.outputs.files.graph_dot", failing)
+    monkeypatch.setattr("rosward.outputs.graphs.dot.graph_dot", failing)
     analyse(Job(str(tree), str(output)), lambda *_: None)  # type: ignore[arg-type]
     assert not (output / "graph.dot").exists()
     assert "RW299" in (output / "findings.txt").read_text()

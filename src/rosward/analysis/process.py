@@ -19,12 +19,11 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
 from rosward.engine import assumed, handed
+from rosward.engine.arguments import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
-from rosward.engine.python import modules
-from rosward.engine.python.binding import ANY
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
@@ -63,15 +62,15 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         _main(machine, entry, imported)
     except LimitReachedError as limit:
         place = limit.place
-        log.findings[
+        log.findings.add(
             Finding(
                 "RW201",
                 f"{limit.what}: what the program does after this is missing",
                 place if place.file else Place(entry.file),
             )
-        ] = None
+        )
     except Exception as error:
-        log.findings[_failed(entry, error, "what the program does after this is missing", net=budget.net)] = None
+        log.findings.add(_failed(entry, error, "what the program does after this is missing", net=budget.net))
     done = log.final(machine.state)
     if machine.ends is not None:
         machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
@@ -83,9 +82,9 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         handed.follow(machine)
         log.tell_spun()
     except LimitReachedError as limit:
-        log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
+        log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file)))
     except Exception as error:
-        log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
+        log.findings.add(_failed(entry, error, "some callbacks were not followed", net=budget.net))
     log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
@@ -146,13 +145,12 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
     name = "__main__" if plain else entry.module
     address = machine.place_key(("module", "__main__" if plain else entry.file))
     module = ModuleValue(address, name, entry.file)
-    alive = (plain or modules.run_packages(machine, module)) and modules.run_module(machine, module, name)
+    language = machine.library.language_of(module)
+    alive = (plain or language.run_packages(machine, module)) and machine.run_module(module, name)
     if entry.function and alive:
         function: Value = module
         for part in entry.function.split("."):
-            function = (
-                modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
-            )
+            function = language.load_attr(machine, function, part)
         machine.call(function, (), {} if _needs_nothing(function) else {ANY: UNBOUND})
     if entry.classes:
         imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)

@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.engine.found import Found
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
+from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, Resolution
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
@@ -40,7 +41,7 @@ class SourceTree:
         self.workspace = workspace
         self._front_ends = front_ends
         self.files = Installed(workspace, underlays)
-        self.findings: dict[Finding, None] = {}
+        self.findings = Findings()
         self._net = net
         self.files_read = 0
         self.lines_read = 0
@@ -76,7 +77,7 @@ class SourceTree:
     def _read(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
         if isinstance(found, Finding):
-            self.findings[found] = None
+            self.findings.add(found)
             return None
         return found
 
@@ -85,36 +86,36 @@ class SourceTree:
             return self._generate(path, file)
         text = read_source(path, self.workspace.root)
         if isinstance(text, Finding):
-            self.findings[text] = None
+            self.findings.add(text)
             return None
         if text.finding is not None:
-            self.findings[text.finding] = None
+            self.findings.add(text.finding)
         self.files_read += 1
         self.lines_read += text.text.count("\n") + (not text.text.endswith("\n"))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
-            self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
+            self.findings.add(Finding(_CODES.get(error.kind, "RW001"), error.message, place))
             return None
 
     def _generate(self, path: Path, file: str) -> Module | None:
         """The module that the build makes of the description in a file."""
         data = read_bytes(path, file, LARGEST)
         if isinstance(data, Finding):
-            self.findings[data] = None
+            self.findings.add(data)
             return None
         try:
             made = parameter_module(data.decode("utf-8-sig", "replace"), file, self._generated[file])
         except Malformed as problem:
             message = f"The parameters of this module are not read: {problem.message}."
-            self.findings[Finding("RW008", message, problem.place)] = None
+            self.findings.add(Finding("RW008", message, problem.place))
             return None
         try:
             return PYTHON.lower(made.text, file, made.lines)
         except FrontendError:
             message = "The parameters of this module are not read: they are nested deeper than Python allows."
-            self.findings[Finding("RW008", message, Place(file, 1))] = None
+            self.findings.add(Finding("RW008", message, Place(file, 1)))
             return None
 
     def find(self, name: str, level: int, importer: str) -> Found | None:
@@ -165,6 +166,10 @@ class SourceTree:
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name."""
         return self._interfaces.has(module, name)
+
+    def interface_definition(self, package: str, kind: str, name: str, part: str) -> Definition | None:
+        """The fields of a message, or of a part of a service or action."""
+        return self._interfaces.definition(package, kind, name, part)
 
     def belongs(self, name: str) -> bool:
         """Whether the first part of a dotted name is a package of the workspace."""

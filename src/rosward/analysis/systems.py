@@ -36,7 +36,7 @@ from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.findings import UNREAD_ARGUMENT, Finding
+from rosward.findings import UNREAD_ARGUMENT, Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
@@ -100,7 +100,7 @@ class SystemsRead(NamedTuple):
 
 def systems_of(request: Request, outset: Outset) -> SystemsRead:
     """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
-    findings: dict[Finding, None] = {}
+    findings = Findings()
     net = outset.budget.net
     extra = parameter_files(request.params, outset.workspace.root, findings, net=net)
     found: list[System] = []
@@ -117,7 +117,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
             ran = Executed((), (ran,), ())
         asked.add(variables)
         known |= ran.known
-        findings.update(dict.fromkeys(ran.findings))
+        findings.update(ran.findings)
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
         started = [_with_files(s, extra) for s in ran.started]
@@ -125,7 +125,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
         make = partial(_system, str(launch), file, started, made[-1])
         system = guarded(make, Place(file), "the programs that it starts are not known", net=net)
         if isinstance(system, Finding):
-            findings[system] = None
+            findings.add(system)
             system = System(str(launch), file, tuple(started), ())
         found.append(system)
     own = {name for launch in request.launches for name, _ in launch.arguments}
@@ -134,7 +134,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
             near = get_close_matches(name, sorted(known), n=1)
             hint = f" Did you mean '{near[0]}'?" if near else ""
             message = f"No launch file declares or reads the launch argument '{name}'.{hint}"
-            findings.update((Finding(UNREAD_ARGUMENT, message, Place(file)), None) for file in files)
+            findings.update(Finding(UNREAD_ARGUMENT, message, Place(file)) for file in files)
     if request.nodes:
         named = [_with_files(_node(n), extra) for n in request.nodes]
         title = ", ".join(f"{n.package}/{n.executable}" for n in request.nodes)
@@ -142,7 +142,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
         found.append(_system(title, "", named, made[-1]))
         _check_nodes(found[-1])
     found = _with_components(found, made, together=not request.all_launch)
-    findings.update((f, None) for programs in made for f in programs.findings)
+    findings.update(f for programs in made for f in programs.findings)
     findings.update(outset.declarations.findings)
     findings.update(outset.library.findings)
     return SystemsRead(found, list(findings), asked)

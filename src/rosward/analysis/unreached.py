@@ -18,7 +18,7 @@ from typing import final
 from rosward.analysis.process import Run
 from rosward.domain.values import Class, External, Unknown, Value
 from rosward.engine.escape import name_of
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.ir import ops
 from rosward.ir.program import Code, Module, OpKey
 from rosward.models.facts import Facts
@@ -34,7 +34,7 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> l
         reached |= run.reached
     bases = _unknown_bases(runs)
     unseen = _Unseen(runs)
-    found: dict[Finding, None] = {}
+    found = Findings()
     for module in modules:
         names = facts.creators_of(name.partition(".")[0] for name in module.imports)
         for code in _functions(module.code):
@@ -43,11 +43,11 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> l
                 base = bases.get((code.file, code.qualname.rpartition(".")[0]))
                 if dead and base is not None:
                     what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
-                    found[Finding("RW204", what, Place(code.file, op.line, op.column))] = None
+                    found.add(Finding("RW204", what, Place(code.file, op.line, op.column)))
                     continue
                 if dead and unseen.may_call(code):
                     what = f"nothing that is known calls {code.qualname}, but something unknown may: its {name} is left out"
-                    found[Finding("RW212", what, Place(code.file, op.line, op.column))] = None
+                    found.add(Finding("RW212", what, Place(code.file, op.line, op.column)))
                     continue
                 if dead:
                     what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
@@ -55,7 +55,7 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> l
                     what = f"no execution comes to this {name}, as far as the values are known: it is left out"
                 else:
                     continue
-                found[Finding("RW205", what, Place(code.file, op.line, op.column))] = None
+                found.add(Finding("RW205", what, Place(code.file, op.line, op.column)))
     return list(found)
 
 

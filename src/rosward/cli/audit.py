@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
+from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -22,6 +22,7 @@ from rosward.cli.shared import (
     request_of,
 )
 from rosward.cli.snapshot import add_looks
+from rosward.outputs.formats import OF_FINDINGS
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.set_defaults(distro=None)
     parser.add_argument("--network", metavar="FILE", help="a network.json of an earlier `extract`, instead of sources")
     add_deployment(parser)
-    add_format(parser, "text", "json", "sarif", "junit", "github")
+    add_format(parser, "text", "json", *OF_FINDINGS)
     add_output_file(parser)
     add_review(parser)
 
@@ -177,19 +178,10 @@ def _output(
     found: Audit, known: set[Finding], shown: tuple[Judged, ...], said: _Said, options: argparse.Namespace
 ) -> str:
     from rosward.outputs.documents.audit_json import audit_json
-    from rosward.outputs.documents.github import github_commands
-    from rosward.outputs.documents.junit import junit_xml
-    from rosward.outputs.documents.sarif import sarif_json
     from rosward.outputs.terminal.audit_text import audit_text
 
-    match options.format:
-        case "json":
-            return audit_json(found, known, said.findings)
-        case "sarif":
-            return sarif_json(shown, baseline=options.baseline is not None, documentation=documentation())
-        case "junit":
-            return junit_xml(shown)
-        case "github":
-            return github_commands(shown)
-        case _:
-            return audit_text(found, known, said.findings)
+    if options.format in OF_FINDINGS:
+        return findings_text(options.format, shown, options)
+    return (
+        audit_json(found, known, said.findings) if options.format == "json" else audit_text(found, known, said.findings)
+    )

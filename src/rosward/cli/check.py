@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
+from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -21,6 +21,7 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.outputs.formats import OF_FINDINGS
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -44,7 +45,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
-    add_format(parser, "text", "json", "sarif", "junit", "github")
+    add_format(parser, "text", "json", *OF_FINDINGS)
     add_output_file(parser)
     add_review(parser)
 
@@ -82,19 +83,8 @@ def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Che
 
 def _text(found: Checked, options: argparse.Namespace) -> str:
     from rosward.outputs.documents.check_json import check_json
-    from rosward.outputs.documents.github import github_commands
-    from rosward.outputs.documents.junit import junit_xml
-    from rosward.outputs.documents.sarif import sarif_json
     from rosward.outputs.terminal.check_text import check_text
 
-    match options.format:
-        case "json":
-            return check_json(found)
-        case "sarif":
-            return sarif_json(found.shown, baseline=options.baseline is not None, documentation=documentation())
-        case "junit":
-            return junit_xml(found.shown)
-        case "github":
-            return github_commands(found.shown)
-        case _:
-            return check_text(found)
+    if options.format in OF_FINDINGS:
+        return findings_text(options.format, found.shown, options)
+    return check_json(found) if options.format == "json" else check_text(found)

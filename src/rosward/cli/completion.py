@@ -128,8 +128,8 @@ def _names_of_the_last_result() -> Iterator[str]:
 
 def _formats(prefix: str, **_: object) -> list[str]:
     """The list so far with one more."""
-    from rosward.cli.extract import FORMATS
+    from rosward.cli.extract import FORMAT_NAMES
 
     before, comma, _last = prefix.rpartition(",")
     taken = before.split(",")
-    return [f"{before}{comma}{each}" for each in FORMATS if each not in taken]
+    return [f"{before}{comma}{each}" for each in FORMAT_NAMES if each not in taken]

@@ -6,9 +6,10 @@ from __future__ import annotations
 import argparse
 import sys
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.reviewing import add_review, documentation, reviewed_result, write_baseline
+from rosward.cli.reviewing import add_review, findings_text, reviewed_result, scan_of, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -23,6 +24,7 @@ from rosward.cli.shared import (
     request_of,
 )
 from rosward.guard import Steps
+from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -31,8 +33,8 @@ if TYPE_CHECKING:
     from rosward.pipeline import Result
     from rosward.suppression.judge import Reviewed
 
-FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions", "sarif", "junit", "github", "none")
-DEFAULT_FORMATS: Final = ("json", "policy", "svg", "dot", "html")
+FORMAT_NAMES: Final = (*BY_NAME, "none")
+_WORDS: Final = "; ".join((*(f"{each.name}: {each.what}" for each in FORMATS), "none: no file"))
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -56,7 +58,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         type=_formats,
         metavar="LIST",
         default=DEFAULT_FORMATS,
-        help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: {', '.join(DEFAULT_FORMATS)}); none writes no file",
+        help=f"comma-separated outputs (default: {', '.join(DEFAULT_FORMATS)}); {_WORDS}",
     )
     add_unknown(parser)
     add_compact(parser)
@@ -90,9 +92,11 @@ def add_compact(parser: argparse.ArgumentParser) -> None:
 
 def _formats(text: str) -> tuple[str, ...]:
     wanted = tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
-    wrong = [w for w in wanted if w not in FORMATS]
+    wrong = [w for w in wanted if w not in FORMAT_NAMES]
     if wrong or not wanted:
-        raise argparse.ArgumentTypeError(f"choose out of {', '.join(FORMATS)}: {', '.join(wrong) or 'nothing given'}")
+        raise argparse.ArgumentTypeError(
+            f"choose out of {', '.join(FORMAT_NAMES)}: {', '.join(wrong) or 'nothing given'}"
+        )
     return wanted
 
 
@@ -111,10 +115,10 @@ def _run(options: argparse.Namespace) -> int:
     steps = Steps()
     if not options.quiet:
         steps(lambda: summarise(result, found, written, options), None, "the summary ends here")
-    if "github" in options.format:
-        from rosward.outputs.documents.github import github_commands
-
-        sys.stdout.write(steps(lambda: github_commands(found.shown), "", "the format github was not written"))
+    for name in options.format:
+        if name in OF_FINDINGS and not BY_NAME[name].files:
+            printed = partial(findings_text, name, found.shown, options)
+            sys.stdout.write(steps(printed, "", f"the format {name} was not written"))
     note_failures(options, steps.findings)
     heaviest = [severity.value for severity in Severity]
     failing = heaviest[: heaviest.index(options.fail_on) + 1]
@@ -145,21 +149,24 @@ def _write(
     widened: Widenings,
 ) -> tuple[list[str], Reviewed]:
     """What was written, and the findings with those of writing."""
-    from rosward.outputs.files import Scan, write_outputs
+    from rosward.outputs.files import write_outputs
     from rosward.outputs.report.document import Background
+    from rosward.outputs.writing import Material
     from rosward.suppression.judge import of_no_file
 
     try:
         written = write_outputs(
-            replace(result.network, findings=found.findings),
+            Material(
+                replace(result.network, findings=found.findings),
+                options.unknown,
+                options.system,
+                options.types,
+                widened,
+                Background(result.root, result.systems, loose),
+            ),
             options.output,
             options.format,
-            unknown=options.unknown,
-            system=options.system,
-            types=options.types,
-            scan=Scan(found.shown, options.baseline is not None, documentation()),
-            background=Background(result.root, result.systems, loose),
-            widened=widened,
+            scan_of(found.shown, options),
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error

@@ -4,6 +4,7 @@
 add_review(parser)                       --baseline, --write-baseline
 reviewed(findings, sources, options)     comments, `ignore`, `ignore-in` and the baseline, applied
 deliver(text, options.output)            to the terminal, or whole into a file
+findings_text("sarif", shown, options)   findings alone, in a format that each command has
 write_file(text, "policy.xml")           whole, or told why not
 """
 
@@ -20,6 +21,7 @@ from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.findings import Finding
+    from rosward.outputs.writing import Scan
     from rosward.pipeline import Result
     from rosward.suppression.judge import Judged, Reviewed, Sources
 
@@ -27,9 +29,10 @@ __all__ = [
     "add_output_file",
     "add_review",
     "deliver",
-    "documentation",
+    "findings_text",
     "reviewed",
     "reviewed_result",
+    "scan_of",
     "write_baseline",
     "write_file",
 ]
@@ -108,7 +111,22 @@ def write_file(text: str, file: str) -> str:
         raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
 
 
-def documentation() -> str | None:
+def scan_of(shown: Sequence[Judged], options: argparse.Namespace) -> Scan:
+    """The findings as the formats of findings take them."""
+    from rosward.outputs.writing import Scan
+
+    return Scan(shown, options.baseline is not None, _documentation())
+
+
+def findings_text(name: str, shown: Sequence[Judged], options: argparse.Namespace) -> str:
+    """The findings in one of the formats of `formats.OF_FINDINGS`."""
+    from rosward.outputs.formats import BY_NAME
+    from rosward.outputs.writing import text
+
+    return text(BY_NAME[name], scan_of(shown, options))
+
+
+def _documentation() -> str | None:
     """Where the installed package says that the explanation of findings is."""
     from importlib.metadata import PackageNotFoundError, metadata
 

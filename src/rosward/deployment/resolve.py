@@ -21,7 +21,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import readable
 from rosward.domain.values import Const, Value
 from rosward.effects.entry import Entry
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ class Programs:
         self._declared = declared
         self._related = related
         self._file_of = file_of
-        self.findings: dict[Finding, None] = {}
+        self.findings = Findings()
         self.orphans: tuple[Started, ...] = ()
         self._labels: dict[str, int] = {}
         self._containers = Containers(())
@@ -128,7 +128,7 @@ class Programs:
             first = f"component {_shown(members[0].plugin)}"
             several = f"{first} and {len(members) - 1} more are loaded" if len(members) > 1 else f"{first} is loaded"
             message = f"{several} into {target}, which nothing starts"
-            self.findings[Finding("RW318", message, members[0].place, (f"container {target}",))] = None
+            self.findings.add(Finding("RW318", message, members[0].place, (f"container {target}",)))
         return [p._replace(process=label_of(t)) for t, members in wanted.items() for c in members for p in self._of(c)]
 
     def _of(self, each: Started) -> Iterator[Launched]:
@@ -209,9 +209,9 @@ class Programs:
         shown = " ".join(readable(w) for w in words)
         program = shown.split()[0].rpartition("/")[2] if shown.split() else ""
         if program not in _INERT:
-            self.findings[
+            self.findings.add(
                 Finding("RW319", f"`{shown[:200]}` is started, whose interface is not known", made.started.place)
-            ] = None
+            )
         return None
 
 

@@ -44,7 +44,7 @@ def undeclared(launched: Launched) -> EffectLog:
     what = "component" if component else "node"
     remedy = _remedy(launched)
     message = f"the interface of the {what} {label} is not known: {launched.unknown}{remedy}"
-    log.findings[Finding("RW314", message, place, (launched.cause,) if launched.cause else (), remedy=remedy)] = None
+    log.findings.add(Finding("RW314", message, place, (launched.cause,) if launched.cause else (), remedy=remedy))
     return log
 
 

@@ -13,7 +13,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, External, Ref, Unknown, Value
 from rosward.effects.variables import Variables
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
 
@@ -113,10 +113,8 @@ class EffectLog:
         self.entities: dict[EntityEffect, None] = {}
         self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each
         self.parameters: dict[ParameterEffect, None] = {}
-        self.findings: dict[Finding, None] = {}
-        self.failures: dict[
-            int, dict[Finding, None]
-        ] = {}  # what to tell of an exception of a library that nothing catches
+        self.findings = Findings()
+        self.failures: dict[int, Findings] = {}  # what to tell of an exception of a library that nothing catches
         self.classes: dict[Class, None] = {}
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
@@ -152,11 +150,11 @@ class EffectLog:
         """The program spins a node that is not known, and makes none: whose node it is nobody can tell."""
         if not self.nodes:
             for place, why in self.spun.items():
-                self.findings[
+                self.findings.add(
                     Finding(
                         "RW208", f"the node that is spun here is not known, and this program makes none{why}", place
                     )
-                ] = None
+                )
 
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""

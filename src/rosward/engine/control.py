@@ -17,7 +17,6 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.catcher import note
 from rosward.engine.frame import Frame, Snapshot, join_into
-from rosward.engine.python.equality import truth
 from rosward.ir import ops
 from rosward.source.location import Place
 
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
 def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     """Follow the way that the test decides, or both."""
     frame.op, frame.sequence = op, 0
-    decided = truth(machine, frame.registers[op.test])
+    decided = machine.language.truth(machine, frame.registers[op.test])
     if decided is not None:
         return machine.run(op.then if decided else op.orelse, frame) or False
     before = machine.snapshot(frame)
@@ -128,7 +127,7 @@ def loop(
         alive = machine.run(op.condition, frame)
         if not alive:
             break
-        decided = truth(machine, frame.registers[op.test])
+        decided = machine.language.truth(machine, frame.registers[op.test])
         if decided is False:
             alive = machine.run(op.orelse, frame)
             break
@@ -207,7 +206,7 @@ def until_stable(
         alive = True
         if isinstance(op, ops.While):
             alive = machine.run(op.condition, frame)
-            decided = truth(machine, frame.registers[op.test]) if alive else False
+            decided = machine.language.truth(machine, frame.registers[op.test]) if alive else False
             if alive and decided is not True:
                 ended = machine.snapshot(frame)
             alive = alive and decided is not False

@@ -26,7 +26,6 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine.havoc import change
-from rosward.engine.python import modules
 from rosward.models.ros.effects import perform
 
 if TYPE_CHECKING:
@@ -124,7 +123,7 @@ def _evaluate(machine: Engine, function: Function, tree: ast.expr) -> Value:
         return (
             found
             if found is not None and found is not UNBOUND
-            else modules.load_global(machine, function.module, tree.id, quiet=True)
+            else machine.languages[function.code.language].load_global(machine, function.module, tree.id)
         )
     if isinstance(tree, ast.Attribute):
         return machine.load_attr(_evaluate(machine, function, tree.value), tree.attr)

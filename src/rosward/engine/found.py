@@ -7,6 +7,7 @@ from typing import NamedTuple, Protocol
 
 from rosward.ir.program import Module
 from rosward.models.file_paths import Files
+from rosward.source.definitions import Definition
 
 
 class Found(NamedTuple):
@@ -34,6 +35,9 @@ class Sources(Protocol):
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether `package.msg` (srv, action) has an interface of that name; None where the package is not known."""
+
+    def interface_definition(self, package: str, kind: str, name: str, part: str) -> Definition | None:
+        """The fields of a message, or of a `part` (`Request`, `Goal`) of a service or action; None where they are not known."""
 
     def in_folder(self, folder: str, name: str) -> Found | None:
         """The module of a name, imported from a folder below that of all sources."""

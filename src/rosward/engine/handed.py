@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
 from rosward.engine import named
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
-from rosward.engine.python import attributes, implicit
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -45,7 +44,7 @@ def follow(machine: Engine) -> None:
         for value, place in list(machine.handed.items()):
             for callback in _not_called(machine, value):
                 machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
-        for callback in implicit.callbacks(machine):
+        for callback in machine.language.implicit_calls(machine):
             machine.schedule_book.add(machine, callback, None, BY_PYTHON, _place(callback))
         if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
             return
@@ -63,7 +62,7 @@ def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Va
                 if value.__class__ is Function:
                     yield name, BoundMethod(ref, value)
                 elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
-                    yield name, attributes.bind(machine, value, ref, cls)
+                    yield name, machine.language.bind(machine, value, ref, cls)
 
 
 def _not_called(machine: Engine, value: Value) -> Iterator[Value]:

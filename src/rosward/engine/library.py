@@ -20,16 +20,19 @@ from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import Found, Sources
 from rosward.engine.interpreter import Interpreter
+from rosward.engine.languages import LANGUAGES
+from rosward.engine.machine import Language
 from rosward.engine.model_units import absolute, units
-from rosward.engine.python import modules
 from rosward.engine.stub_files import StubFiles
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
 from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.facts import marked
 from rosward.models.native import NativeFunction
+from rosward.models.ros.interfaces import message_name
 from rosward.models.tables import Models
+from rosward.source.definitions import Definition
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
 
@@ -50,8 +53,10 @@ class Library:
         environment: Shell | None = None,
         *,
         net: bool = True,
+        languages: Iterable[Language] = LANGUAGES,
     ) -> None:
         self.sources = sources
+        self.languages = {language.name: language for language in languages}
         self.environment = (
             usual_shell() if environment is None else environment
         )  # of every process, unless it is given another
@@ -66,6 +71,7 @@ class Library:
         self._net = net
         self._constants: dict[tuple[type, object], Const] = {}
         self._found: dict[tuple[str, int, str], Found | None] = {}
+        self._definitions: dict[str, Definition | None] = {}
         self._lowered: dict[str, Module | None] = {}
         self._models: dict[str, ModuleValue] = {}
         self._waiting: set[str] = set()  # models of the units that are being loaded, which have not begun to run
@@ -77,7 +83,7 @@ class Library:
         self.first_address = _PROCESS_ADDRESSES
 
     @property
-    def findings(self) -> dict[Finding, None]:
+    def findings(self) -> Findings:
         """What is wrong with the stub files that were asked for."""
         return self._stubs.findings
 
@@ -221,17 +227,17 @@ class Library:
         self._running.add(name)
         catchers = loader.catchers
         try:
-            modules.run_module(loader, module, name)
+            loader.run_module(module, name)
         except LimitReachedError as limit:
-            self._stubs.findings[
+            self._stubs.findings.add(
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
-            ] = None
+            )
             loader.catchers, loader.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
             place = Place(module.file)
-            self._stubs.findings[internal_error(error, place, "this stub was read to this point only")] = None
+            self._stubs.findings.add(internal_error(error, place, "this stub was read to this point only"))
             loader.catchers = catchers
         self._running.discard(name)
         if above is not None and leaf not in loader.at(above.address).attrs:
@@ -250,7 +256,7 @@ class Library:
             if importer.name not in unit:
                 self._awaited.append((importer, module, name, stand_in))
                 continue
-            value = modules.attribute(self._loader, module, name)
+            value = self._loader.language.load_attr(self._loader, module, name)
             record = self._loader.at(importer.address)
             attrs: dict[str, Value] = {n: value if v == stand_in else v for n, v in record.attrs.items()}
             self._loader.put(importer.address, record.replace(attrs=attrs))
@@ -264,9 +270,21 @@ class Library:
                 self._lowered[file] = self.sources.module(file) if file else None
         return self._lowered[file]
 
+    def language_of(self, module: ModuleValue) -> Language:
+        """That of the file of a module; of one without a file, that of the models."""
+        lowered = self.module(module.file)
+        return next(iter(self.languages.values())) if lowered is None else self.languages[lowered.code.language]
+
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name; None where the package is not known."""
         return self.sources.interface_has(module, name)
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class; None where they are not known."""
+        if dotted not in self._definitions:
+            named = message_name(dotted)
+            self._definitions[dotted] = None if named is None else self.sources.interface_definition(*named)
+        return self._definitions[dotted]
 
     def missing(self, dotted: str) -> Value:
         """Something of a package that is not there."""

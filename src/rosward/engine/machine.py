@@ -1,21 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the modules of the engine ask each other: the protocol that the interpreter implements.
+"""What the modules of the engine ask each other (`Engine`, which the interpreter implements), and what they ask a language (`Language`).
 
-A module that says how calls or attributes work takes an `Engine`, and names no module that implements it.
+A module that says how calls or attributes work takes an `Engine`, and names no module that implements it. What a language means by an
+attribute, a call or a truth stands in its record; `engine/languages.py` lists them. One engine, one heap, one schedule and one log serve all:
+
+    the code that runs asks its own language (`machine.language`): p->name, x == y, if (count)
+    who is called decides what a call does with its arguments (`machine.languages[function.code.language]`)
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from typing import TYPE_CHECKING, Any, Protocol
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol, final
 
 from rosward.models.native import Machine
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
+    from rosward.domain.series import Series
     from rosward.domain.state import State
-    from rosward.domain.values import Class, Function, Ref, Value
+    from rosward.domain.values import Class, Function, ModuleValue, Ref, Value
     from rosward.engine.activation import Summary
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
@@ -54,6 +60,7 @@ class Engine(Machine, Protocol):
     noted: int
     handling: list[tuple[Value, int]]
     provisional: int
+    unheld: set[int]
     fixpoints: int
     loops: int
     turns: int
@@ -80,8 +87,15 @@ class Engine(Machine, Protocol):
         """How much the process may take."""
 
     @property
-    def table(self) -> Mapping[type[ops.Op], Any]:
-        """What each operation does, by its class."""
+    def languages(self) -> Mapping[str, Language]:
+        """Every language that code may be written in, by its name."""
+
+    @property
+    def language(self) -> Language:
+        """That of the code that runs."""
+
+    def run_module(self, module: ModuleValue, name: str, turn: int = 0) -> bool:
+        """Run the top level of a module as its language does; False where it does not come to its end."""
 
     def run(self, block: ops.Block, frame: Frame) -> bool:
         """Interpret a block; False where control does not come out at its end."""
@@ -119,6 +133,9 @@ class Engine(Machine, Protocol):
     def place_at(self, key: object, obj: Obj) -> int:
         """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
 
+    def place_anew(self, address: int, obj: Obj) -> None:
+        """Put a new object at an address, beside those that stand there already."""
+
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
 
@@ -142,3 +159,90 @@ class Engine(Machine, Protocol):
 
     def may_call(self, values: Sequence[Value]) -> None:
         """A described library may call those that are functions."""
+
+
+Handler = Callable[[Any, Any, Any], "bool | None"]
+"""What an operation does: None where control goes on, False where it does not. Takes the machine, the operation and the frame."""
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Language:
+    """What a language means by the operations of the core, and by what natives ask. UNBOUND for a value: no execution goes on there.
+
+    `table` has the handler of each operation by its class: those of the core (`transfer.CORE`), and the language's own. Where a language means by
+    an operation of the core something that this record cannot say, its table has another handler for it.
+    C++ adds to its table what it alone has: references to places, copies by value, conversions to the type of a variable, the end of a scope.
+    Overloads and template arguments are a matter of `call_with`, which is given the arguments as they are written.
+    """
+
+    name: str
+    table: Mapping[type[ops.Op], Handler]
+    run_noting: Callable[[Engine, ops.Block, Frame], bool]
+    """Run a block inside of a `try`: what its operations may raise is noted."""
+
+    # Values
+    truth: Callable[[Engine, Value], bool | None]
+    unary: Callable[[Engine, str, Value], Value]
+    binary: Callable[..., Value]
+    """Of machine, operator, left, right; `inplace` for an augmented assignment."""
+    compare: Callable[[Engine, str, Value, Value], Value]
+    may: Callable[[Engine, Value, str, Value | None, bool], bool]
+    """Whether a test of a value (see `ops.Assume`) may come out so."""
+    is_instance: Callable[[Engine, Value, Value], bool | None]
+    is_subclass: Callable[[Engine, Value, Value], bool | None]
+
+    # Attributes and elements
+    load_attr: Callable[[Engine, Value, str], Value]
+    store_attr: Callable[[Engine, Value, str, Value], bool]
+    keep_attr: Callable[..., None]
+    """Of machine, object, name, value; past all that a program may have put between. `weak`: the old one stays possible."""
+    delete_attr: Callable[[Engine, Value, str], None]
+    lookup: Callable[[Engine, Value, str], Value | None]
+    """What a class and its bases have under a name, as it stands there."""
+    bind: Callable[[Engine, Value, Value, Value], Value]
+    """What an object of a class has of what was looked up there: a method with its receiver."""
+    load_item: Callable[[Engine, Value, Value], Value]
+    store_item: Callable[[Engine, Value, Value, Value], None]
+
+    # Calls
+    call: Callable[[Engine, Value, tuple[Value, ...], dict[str, Value]], Value]
+    call_with: Callable[[Engine, Value, tuple[ops.Argument, ...], list[Value]], Value]
+    """A call as it is written."""
+    call_function: Callable[[Engine, Function, tuple[Value, ...], dict[str, Value]], Value]
+    """What a function of this language does with arguments, whoever calls it."""
+    call_method: Callable[[Engine, Value, str, tuple[Value, ...]], Value]
+    implicit_calls: Callable[[Engine], Iterable[Value]]
+    """What the language itself calls, at times that nobody sees: conversions, hooks."""
+
+    # Iteration, and calls that are suspended
+    iterate: Callable[[Engine, Value], Items]
+    series: Callable[[Engine, Value], Series]
+    is_stepped: Callable[[Engine, Value], bool]
+    next_of: Callable[[Engine, Value, str, Value, Value | None], Value]
+    wait_for: Callable[[Engine, Value], Value]
+    make_generator: Callable[[Engine, Function, list[Value]], Ref]
+    advance: Callable[[Engine, Ref, Action], Stepped]
+    run_out: Callable[[Engine, Ref], tuple[Items, Value]]
+    close_generator: Callable[[Engine, Ref], None]
+
+    # Modules and their variables
+    run_module: Callable[[Engine, ModuleValue, str, int], bool]
+    run_packages: Callable[[Engine, ModuleValue], bool]
+    """Run what has to be run before a module that an entry point names."""
+    load_module: Callable[[Engine, str, Frame | None, int], Value]
+    load_asked: Callable[[Engine, str, Frame | None, int], Value]
+    """The same, where the program asks for it: it may fail."""
+    load_global: Callable[[Engine, ModuleValue, str], Value]
+    """A name that is no variable of a module."""
+    variables: Callable[..., Value | None]
+    """Of machine; `local`: of the call that runs, else of its module."""
+
+    # Exceptions
+    raised: Callable[[Engine, Value], Value]
+    """The exception that `raise value` raises, with what it follows from."""
+    class_of: Callable[[Engine, Value], Value]
+    fail: Callable[..., Value]
+    builtin_error: Callable[[Engine, str, Sequence[Value] | None], Value]
+    guarded: Callable[..., tuple[Value, bool]]
+    unwind: Callable[[Engine, Sequence[Value], Value], Value]

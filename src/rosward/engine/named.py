@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 from rosward.domain.choice import options
 from rosward.domain.values import UNBOUND, Class, Const, Function, ModuleValue, Value
 from rosward.engine.frame import Frame
-from rosward.engine.python import modules
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -54,7 +53,7 @@ def note(machine: Engine, value: Const) -> None:
 
 def called(machine: Engine, naming: Naming) -> list[Value]:
     """What a library gets by a name: classes and functions."""
-    found = modules.load(machine, naming.module, naming.frame)
+    found = machine.language.load_module(machine, naming.module, naming.frame, 0)
     for part in naming.name.split("."):
         if isinstance(found, (ModuleValue, Class)):
             found = machine.at(found.address).attrs.get(part, UNBOUND)

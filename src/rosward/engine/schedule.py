@@ -6,7 +6,7 @@ self.create_timer(1.0, self.tick)     tick runs wherever the program spins, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
@@ -14,12 +14,13 @@ from rosward.domain.choice import join, join_all, options, reasons_of, widen
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
+from rosward.engine.arguments import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import throw
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
-from rosward.engine.python.binding import ANY
-from rosward.findings import Finding
+from rosward.engine.unheld import arrive, unheld_messages
+from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
@@ -121,7 +122,7 @@ class Schedule:
 
         Where it finds an attribute missing that is set below, the program would fail: of that nothing is told.
         """
-        before, findings, entities = machine.state, dict(machine.log.findings), frozenset(machine.log.entities)
+        before, findings, entities = machine.state, Findings(machine.log.findings), frozenset(machine.log.entities)
         machine.state = before.copy()
         with self._alone(machine):
             self._call(machine, entry)
@@ -172,8 +173,10 @@ class Schedule:
         if self.running:
             return
         if self._settled != (len(self.entries), machine.state.version):
+            frames = machine.frames
             with self._alone(machine):
-                self._run(machine)
+                self._run(machine, frames)
+            machine.unheld = set()
             self._settled = (len(self.entries), machine.state.version)
         self._throw(machine)
 
@@ -206,7 +209,7 @@ class Schedule:
             throw(machine, exception)
         machine.state = after
 
-    def _run(self, machine: Engine) -> None:
+    def _run(self, machine: Engine, frames: Sequence[Frame]) -> None:
         reason = Reason(Cause.LOOP, "a callback that runs again", Place("", 0))
 
         def widening(old: Value, new: Value) -> Value:
@@ -214,6 +217,7 @@ class Schedule:
 
         for round_ in range(machine.budget.rounds * 3):
             start = (len(self.entries), machine.state.version)
+            machine.unheld = unheld_messages(machine, self.entries.values(), frames)
             merge = join if round_ < machine.budget.widen_after else widening
             for entry in [e for e in self.entries.values() if not e.exhausted]:
                 base = machine.state
@@ -235,7 +239,7 @@ class Schedule:
         if spent > most:
             if not any(other.exhausted for other in self.entries.values()):
                 said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
-                machine.log.findings[Finding("RW201", said, entry.place)] = None
+                machine.log.findings.add(Finding("RW201", said, entry.place))
             entry.exhausted = True
             return False
         entry.coarse = entry.coarse or spent > most * budget.coarse
@@ -255,6 +259,7 @@ class Schedule:
         machine.coarse = machine.always_coarse = entry.coarse
         machine.coarse_limit = machine.loop_limit = machine.steps + machine.budget.entry_coarse
         try:
+            arrive(machine, entry)
             if entry.callback.__class__ is Ref and machine.obj(entry.callback).kind == "generator":
                 machine.iterate(entry.callback)
             else:

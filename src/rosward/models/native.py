@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rosward.domain.values import Function, Ref, Value
     from rosward.effects.log import EffectLog
     from rosward.models.file_paths import Files
+    from rosward.source.definitions import Definition
 
 
 class Items(NamedTuple):
@@ -174,6 +175,12 @@ class Machine(Execution, Protocol):
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         """A new dict; `rest` joins the values under unknown keys."""
+
+    def place_inner(self, owner: Ref, name: str, obj: Obj, *, again: bool) -> Ref:
+        """The object that belongs to an attribute of another one: made where there is none yet; `again`: it stands for this one too."""
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class; None where they are not known."""
 
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """The values reach code that is not known: callables may be called, contents change, nodes may get entities (a finding)."""

@@ -11,7 +11,7 @@ from rosward.domain.text import pattern
 from rosward.domain.unknown import causes_of
 from rosward.domain.values import Const, Tuple, Value
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.holes import HOLE, Holed
 from rosward.naming import implicit
 from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unknown_type
@@ -66,13 +66,13 @@ _MAY_HAVE_MORE: Final = frozenset(
 
 def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
     """The nodes of a process and the findings about their names."""
-    findings: dict[Finding, None] = {}
+    findings = Findings()
     nodes: list[Node] = []
     for effect in log.nodes:
         for identity in _identities(log, effect, findings):
-            own: dict[Finding, None] = {}
+            own = Findings()
             node = _node(log, effect, identity, process, distro, own)
-            findings.update(dict.fromkeys(f._replace(nodes=(node.fqn,)) for f in own))
+            findings.update(f._replace(nodes=(node.fqn,)) for f in own)
             nodes.append(node)
     lacks = tuple(f"{f.code}: {f.message}" for f in log.findings if f.code in _MAY_HAVE_MORE)
     return [_with_interface(n, process, lacks) for n in _merged(nodes)], list(findings)
@@ -88,7 +88,7 @@ def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Nod
     return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
 
 
-def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[Identity]:
+def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[Identity]:
     if _refused(log, effect):
         return []
     name_value, space_value = final_name(log, effect)
@@ -100,22 +100,22 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
         for option in own:
             wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
             if wrong:
-                findings[
+                findings.add(
                     invalid_name(
                         "node",
                         option.text if names.validate_node_name(option.text) else space.text,
                         wrong,
                         effect.place,
                     )
-                ] = None
+                )
                 continue
             namespace = names.full_namespace(space.text)
             about = (names.fully_qualified(namespace, option.text),)
             resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
             if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
-                findings[unknown_node(option, effect.place)._replace(nodes=about)] = None
+                findings.add(unknown_node(option, effect.place)._replace(nodes=about))
             if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
-                findings[unknown_node(space, effect.place, "namespace")._replace(nodes=about)] = None
+                findings.add(unknown_node(space, effect.place, "namespace")._replace(nodes=about))
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
             causes = causes_of((*option.reasons, *space.reasons), effect.place)
@@ -135,7 +135,7 @@ def _node(
     identity: Identity,
     process: Process,
     distro: Distro,
-    findings: dict[Finding, None],
+    findings: Findings,
 ) -> Node:
     started = not process.conditional and not process.assumed
     certain = identity.sole and not effect.late and started and ("node", effect.address) in process.done
@@ -149,7 +149,7 @@ def _node(
     for each in made:
         if HOLE in each.name and HOLE not in identity.namespace + identity.name:
             option = NameOption(Holed(each.name), each.resolution, (), ())
-            findings[unknown_name(each.kind.value, each, option, effect.place)] = None
+            findings.add(unknown_name(each.kind.value, each, option, effect.place))
     entities = [replace(e, system=True) if (e.kind, e.name, e.type) in asked else e for e in entities]
     entities += [e if identity.sole else replace(e, conditional=True) for e in made]
     if not certain:
@@ -188,7 +188,7 @@ def _entities(
     effect: EntityEffect,
     identity: Identity,
     distro: Distro,
-    findings: dict[Finding, None],
+    findings: Findings,
     path: tuple[Place, ...],
     *,
     sure: bool,
@@ -205,9 +205,9 @@ def _entities(
             for type_ in types:
                 entity = _entity(effect, kind, text, type_, how, identity, path, sure=sure and alone)
                 if type_ is None:
-                    findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
+                    findings.add(unknown_type(kind.value, text, effect.type, effect.place))
                 if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(how):
-                    findings[unknown_name(kind.value, entity, how, effect.place)] = None
+                    findings.add(unknown_name(kind.value, entity, how, effect.place))
                 result.append(entity)
                 if effect.introspection and type_ is not None:
                     for event in _events(kind, distro, text, type_):
@@ -242,7 +242,7 @@ def _resolved(
     identity: Identity,
     distro: Distro,
     effect: EntityEffect,
-    findings: dict[Finding, None],
+    findings: Findings,
 ) -> list[tuple[Holed, NameOption]]:
     """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
     remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
@@ -255,7 +255,7 @@ def _resolved(
     try:
         found = names.resolve(option.text, remap, tuple(r.rule for r in rules), own, space)
     except names.InvalidName as error:
-        findings[invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on)] = None
+        findings.add(invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on))
         return []
     result: list[tuple[Holed, NameOption]] = []
     for text in found:

@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment import tree
-from rosward.deployment.execution.findings import Findings
+from rosward.deployment.execution.findings import FindingLog
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.scene import Scene
@@ -72,7 +72,7 @@ def _launch_files(root: Path, distro: Distro, variables: Mapping[str, str]) -> t
 
 
 def _read(file: SourceFile, library: Library, files: WorkspaceFiles, distro: Distro) -> LaunchFile:
-    findings = Findings()
+    findings = FindingLog()
     python = LaunchPython(library, _SMALL)
     scene = Scene(files, python, findings, Generated(files, findings), distro, SUBSTITUTIONS, library.environment)
     description = Descriptions(files, python, findings).read(file.relative, "any", scene)

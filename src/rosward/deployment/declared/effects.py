@@ -31,7 +31,7 @@ from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import guarded
 from rosward.holes import HOLE, Holed
 from rosward.naming.command_line import given_to, read_words
@@ -63,7 +63,7 @@ class Declarations:
         self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
         self._places.append(("models:nodes/", MODELS))
         self._packages: dict[str, tuple[Package, ...]] = {}
-        self.findings: dict[Finding, None] = {}
+        self.findings = Findings()
 
     def executable(self, package: str, name: str) -> Program | None:
         """The declared executable of a package."""
@@ -94,12 +94,12 @@ class Declarations:
             file = f"{label.rstrip('/')}/{package}.yaml"
             data = read_bytes(path, file, _LARGEST_FILE)
             if isinstance(data, Finding):
-                self.findings[Finding("RW324", data.message, data.place)] = None
+                self.findings.add(Finding("RW324", data.message, data.place))
                 continue
             text, missing = data.decode("utf-8", "replace"), "the declared interface was not read"
             read = guarded(partial(read_package, text, file, package), Place(file), missing, net=self._net)
             found, findings = (None, (read,)) if isinstance(read, Finding) else read
-            self.findings |= dict.fromkeys(findings)
+            self.findings.update(findings)
             if found is not None:
                 yield found
 
@@ -253,9 +253,9 @@ class _Execution:
             package, _, name = include.name.rpartition("/")
             found = self._declarations.interface(package or here, name)
             if found is None or len(way) > _DEEPEST_INCLUDE:
-                self._log.findings[
+                self._log.findings.add(
                     Finding("RW324", f"The interface {include.name} that is included is not declared.", include.place)
-                ] = None
+                )
                 continue
             bound = scope
             for variable, template in include.variables:
@@ -316,7 +316,7 @@ class _Execution:
         reader = READERS.get(self._program.reader)
         if reader is None:
             message = f"No reader is called {self._program.reader}; known are {', '.join(READERS)}."
-            self._log.findings[Finding("RW324", message, self._program.place)] = None
+            self._log.findings.add(Finding("RW324", message, self._program.place))
             return
         for found in reader(scope, self._read_file):
             if isinstance(found, Open):
@@ -338,11 +338,11 @@ class _Execution:
 
     def _limit(self, what: str) -> None:
         message = f"The declared interface of {self._program.package}/{self._program.name} {what} here."
-        self._log.findings[Finding("RW201", message, self._place)] = None
+        self._log.findings.add(Finding("RW201", message, self._place))
 
     def _open(self, reason: str) -> None:
         what = f"interface of {self._program.package}/{self._program.name}"
-        self._log.findings[Finding("RW314", f"The {what} is not wholly known: {reason}.", self._place, (what,))] = None
+        self._log.findings.add(Finding("RW314", f"The {what} is not wholly known: {reason}.", self._place, (what,)))
 
 
 def qualified(namespace: Value, name: Value) -> Value:

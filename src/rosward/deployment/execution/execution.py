@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from typing import Final, final
 
 from rosward.deployment.execution.context import ROS_NAMESPACE
-from rosward.deployment.execution.findings import Findings
+from rosward.deployment.execution.findings import FindingLog
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.launch_files import LaunchFiles
@@ -64,7 +64,7 @@ class Execution:
         self._files = files
         self._python = python
         self._arguments = arguments
-        self._findings = Findings()
+        self._findings = FindingLog()
         self.unread: tuple[str, ...] = ()
         """The arguments that no launch file declared or read."""
         self.known: frozenset[str] = frozenset()

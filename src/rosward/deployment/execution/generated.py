@@ -34,7 +34,7 @@ from rosward.effects.configuration import Given
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.findings import Findings
+    from rosward.deployment.execution.findings import FindingLog
     from rosward.deployment.execution.launch_files import LaunchFiles
     from rosward.deployment.tree import Template
 
@@ -57,7 +57,7 @@ class Performs(Protocol):
 class Generated:
     """Files that were written, by path, and files that were read, each once."""
 
-    def __init__(self, files: LaunchFiles, findings: Findings) -> None:
+    def __init__(self, files: LaunchFiles, findings: FindingLog) -> None:
         self._files = files
         self._findings = findings
         self._made: dict[str, Content] = {}

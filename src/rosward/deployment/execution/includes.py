@@ -24,7 +24,7 @@ from rosward.guard import guarded
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.deployment.execution.findings import Findings
+    from rosward.deployment.execution.findings import FindingLog
     from rosward.deployment.execution.launch_files import LaunchFiles
     from rosward.deployment.execution.scene import Scene
     from rosward.deployment.performer import PythonCode
@@ -36,7 +36,7 @@ _SUFFIXES: Final = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "ya
 class Descriptions:
     """The launch files that were read."""
 
-    def __init__(self, files: LaunchFiles, python: PythonCode, findings: Findings, *, net: bool = True) -> None:
+    def __init__(self, files: LaunchFiles, python: PythonCode, findings: FindingLog, *, net: bool = True) -> None:
         self._net = net
         self._files = files
         self._python = python

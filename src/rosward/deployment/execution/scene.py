@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Final, final
 
 from rosward.deployment.execution.context import Context
-from rosward.deployment.execution.findings import Findings
+from rosward.deployment.execution.findings import FindingLog
 from rosward.deployment.execution.generated import Generated
 from rosward.deployment.execution.launch_files import LaunchFiles
 from rosward.deployment.performer import PythonCode
@@ -65,7 +65,7 @@ class Scene:
         self,
         files: LaunchFiles,
         python: PythonCode,
-        findings: Findings,
+        findings: FindingLog,
         generated: Generated,
         distro: Distro,
         substitutions: Mapping[str, Performing],

@@ -109,7 +109,7 @@ class LaunchPython:
             return (Unread(place=place, why="the launch file cannot be read"),)
         name = file.rpartition("/")[2].removesuffix(".py")
         module = ModuleValue(machine.place_key(("launch", file, turn)), name, file)
-        if not modules.run_module(machine, module, name, turn):
+        if not machine.run_module(module, name, turn):
             self._tell("RW320", "this launch file raises an exception when it is loaded", place)
             return ()
         generate = modules.attribute(machine, module, _GENERATE)

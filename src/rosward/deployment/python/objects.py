@@ -144,7 +144,7 @@ class Objects:
 
     def tell(self, code: str, message: str, place: Place) -> None:
         """A finding."""
-        self.machine.log.findings[Finding(code, message, place)] = None
+        self.machine.log.findings.add(Finding(code, message, place))
 
     def unknown(self, why: str, place: Place, hint: str = "str") -> Unknown:
         """An unknown value that arises in the launch file."""

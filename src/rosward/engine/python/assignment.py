@@ -34,6 +34,7 @@ from rosward.engine.python.removal import remove
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.python.std.records import FROZEN
+from rosward.models.ros import message_fields
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -111,6 +112,8 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
     if name == TABLE and obj.kind == "instance":
         give_table(machine, ref, value if not weak else join(machine.load_attr(ref, name), value))
         return True
+    if obj.cls.__class__ is External:
+        value = message_fields.assigned(machine, obj.cls, name, value)
     keep(machine, ref, name, value, weak=weak)
     return True
 
@@ -130,7 +133,8 @@ def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> N
         one_of_several = weak or obj.many
         absent = marked(obj.partial, name) if old is None and one_of_several else obj.partial
         changed = obj.with_attr(name, value)
-        if name in absent and (weak or old is None):
+        # An object of the program without the attribute would fail. A message has its default there: the mark stays.
+        if name in absent and (weak or old is None or (obj.many and obj.cls.__class__ is External)):
             changed.partial = absent
         machine.put(ref.address, changed)
 

@@ -33,10 +33,11 @@ from rosward.domain.values import (
 )
 from rosward.engine import activation, declared
 from rosward.engine.alternatives import each_apart
+from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.catcher import LIBRARY, note, note_call
 from rosward.engine.escape import escape, name_of
 from rosward.engine.python import assignment, attributes, classes, native_calls, object_methods
-from rosward.engine.python.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
+from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.ir.ops import Argument
 from rosward.models.python.contents import bare
@@ -110,7 +111,8 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) 
     """function(*args, **keywords); UNBOUND where it never returns."""
     cls = function.__class__
     if cls is Function:
-        return call_function(machine, function, args, keywords)  # type: ignore[arg-type]
+        language = machine.languages[function.code.language]  # type: ignore[attr-defined]
+        return language.call_function(machine, function, args, keywords)  # type: ignore[arg-type]
     if cls is BoundMethod:
         return call(machine, function.function, (function.receiver, *args), keywords)  # type: ignore[attr-defined]
     if cls is Class:

@@ -159,13 +159,13 @@ def _load_found(
             return UNBOUND
         if parent.__class__ is External and not found.guess:  # a namespace package of folders alone
             parent = ModuleValue(machine.place_key(("module", above)), ".".join(parts[:-1]), "")
-            run_module(machine, parent, parent.name)
+            machine.run_module(parent, parent.name)
     address = machine.place_key(("module", found.key))
     if address in machine.state.heap:
         address = import_path.imported(machine, whole, found, address)
     module = ModuleValue(address, whole, found.file)
     if address not in machine.state.heap:
-        if not run_module(machine, module, whole):
+        if not machine.run_module(module, whole):
             return UNBOUND
         given = None if level else import_path.registered(machine, whole)
         if given is not None:
@@ -187,7 +187,7 @@ def run_packages(machine: Engine, module: ModuleValue) -> bool:
             continue
         address = machine.place_key(("module", found.key))
         package = ModuleValue(address, name, found.file)
-        if address not in machine.state.heap and not run_module(machine, package, name):
+        if address not in machine.state.heap and not machine.run_module(package, name):
             return False
     return True
 
@@ -267,7 +267,7 @@ def load_below(machine: Engine, module: ModuleValue, name: str) -> Value | None:
         return machine.library.load_model(found)
     address = machine.place_key(("module", found.key))
     value = ModuleValue(address, f"{module.name}.{name}", found.file)
-    if address not in machine.state.heap and not run_module(machine, value, value.name):
+    if address not in machine.state.heap and not machine.run_module(value, value.name):
         return UNBOUND
     return value
 
@@ -304,6 +304,11 @@ def load_global(machine: Engine, module: ModuleValue, name: str, *, quiet: bool 
     if quiet:
         return machine.unknown(Cause.ERROR, name)
     return machine.unknown(Cause.ERROR, f"name {name} is not defined")
+
+
+def load_quietly(machine: Engine, module: ModuleValue, name: str) -> Value:
+    """A name in an annotation of a model, which need not be defined."""
+    return load_global(machine, module, name, quiet=True)
 
 
 def store_global(machine: Engine, module: ModuleValue, name: str, value: Value) -> None:

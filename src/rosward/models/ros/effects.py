@@ -32,6 +32,7 @@ from rosward.models.failures import fail
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data
 from rosward.models.ros.given_words import context_lines, keep_line, lines_of, words_of_process
+from rosward.models.ros.message_fields import arrived
 from rosward.models.ros.parameter_table import new_table
 from rosward.models.ros.qos import qos_of
 from rosward.naming.options import callback_name, interface_type
@@ -105,7 +106,7 @@ def _argument(machine: Machine, wanted: str, named: dict[str, Value]) -> Value:
         return named.get(name, NONE)
     if kind == "self":
         return named.get("self", NONE)
-    if kind in ("message", "request", "response", "goal"):
+    if kind in ("message", "request", "response", "goal") and machine.truth(named.get("raw", NONE)) is False:
         return message_of(machine, named.get(name, NONE), kind)
     return machine.unknown(Cause.CALL, "argument of a callback")
 
@@ -117,7 +118,10 @@ def message_of(machine: Machine, type_: Value, kind: str = "message") -> Value:
     if kind == "response" and isinstance(type_, External):
         return machine.allocate(Obj("instance", External(f"{type_.name}.Response")), "response")
     part = {"request": "request", "goal": "goal"}.get(kind, "")
-    return machine.unknown(Cause.MESSAGE, f"{subject} {part}".strip())
+    unknown = machine.unknown(Cause.MESSAGE, f"{subject} {part}".strip())
+    if not isinstance(type_, External):
+        return unknown
+    return arrived(machine, External(f"{type_.name}.{part.capitalize()}") if part else type_, unknown, kind)
 
 
 # Entities

@@ -13,12 +13,18 @@ from typing import Final
 
 from rosward.findings import Severity
 from rosward.one_cause import OneCause, alike, more_of
+from rosward.outputs.writing import Scan
 from rosward.safe import printable
 from rosward.suppression.judge import Judged
 
-__all__ = ["github_commands"]
+__all__ = ["github_commands", "text"]
 
 _COMMANDS: Final = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
+
+
+def text(scan: Scan) -> str:
+    """The document of the format `github`."""
+    return github_commands(scan.findings)
 
 
 def github_commands(findings: Iterable[Judged]) -> str:

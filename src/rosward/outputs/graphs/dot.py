@@ -20,9 +20,10 @@ from typing import Final, NamedTuple
 from rosward.network.graph import Network
 from rosward.outputs.graphs.dot_language import HEADER, LOOKS, TOWARDS_NODE, UNKNOWN, Drawing, label_of, quoted
 from rosward.outputs.graphs.layers import steps_between_layers
+from rosward.outputs.writing import File, Material
 from rosward.ros.entities import Entity, Interface, Node, Resolution
 
-__all__ = ["drawing", "graph_dot"]
+__all__ = ["drawing", "files", "graph_dot"]
 
 
 _DOUBT: Final = "#c44200"
@@ -49,6 +50,11 @@ class _Vertex(NamedTuple):
     assumed: bool = False
     unknown: str = ""
     """What is said of a node of unknown interface."""
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `dot`."""
+    yield "graph.dot", graph_dot(material.network, system=material.system, types=material.types)
 
 
 def graph_dot(network: Network, system: bool = False, types: bool = False) -> str:

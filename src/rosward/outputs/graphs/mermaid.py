@@ -16,10 +16,11 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
+from rosward.outputs.writing import File, Material
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Resolution
 from rosward.safe import encodable, printable
 
-__all__ = ["fenced", "graph_mermaid"]
+__all__ = ["fenced", "files", "graph_mermaid"]
 
 _MOST_EDGES: Final = 400
 _MOST_NODES: Final = 150
@@ -53,6 +54,13 @@ class _Key(NamedTuple):
     look: str
     name: str
     of: str = ""
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `mermaid`."""
+    flowchart = graph_mermaid(material.network, system=material.system)
+    yield "graph.mmd", flowchart
+    yield "graph.md", fenced(flowchart)
 
 
 def graph_mermaid(network: Network, system: bool = False) -> str:

@@ -151,7 +151,7 @@ _SAFE_INTRINSICS: Final = frozenset(
 
 def run_noting(machine: Engine, block: ops.Block, frame: Frame) -> bool:
     """Interpret a block inside a try: from each operation that may fail the state may reach the handlers."""
-    table = machine.table
+    table = machine.language.table
     for op in block:
         cls = op.__class__
         if cls not in NEVER:
