@@ -45,7 +45,7 @@ from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
-__all__ = ["NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
+__all__ = ["Budget", "NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
 
 NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
 

@@ -24,6 +24,7 @@ from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
+from rosward.engine.reads import Reads
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
@@ -50,10 +51,19 @@ class Run(NamedTuple):
     instantiated: frozenset[Place]
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
+    reads: Reads | None = None
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
     """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
+    with library.reading() as reading:
+        found = _interpret(library, entry, budget, configuration)
+    variables = tuple(sorted(found.log.variables.read))
+    reads = Reads(tuple(sorted(reading.questions)), tuple(sorted(reading.models)), variables, budget, configuration)
+    return found._replace(reads=reads)
+
+
+def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     log = EffectLog(configuration)
     machine = Interpreter(library, budget, log)
     imported = _Imported()
@@ -90,10 +100,10 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         entry,
         log,
         done,
-        frozenset(machine.entered),
-        frozenset(machine.instantiated),
-        frozenset(machine.reached),
-        frozenset(machine.asked),
+        frozenset(machine.trace.entered),
+        frozenset(machine.trace.instantiated),
+        frozenset(machine.trace.reached),
+        frozenset(machine.trace.asked),
     )
 
 
@@ -159,7 +169,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         if isinstance(found, Class) and _is_node(found, machine.library.node_classes):
             assumed.make(machine, found)
         elif isinstance(found, Class):
-            machine.handed[found] = found.place  # whoever calls it from outside has it
+            machine.trace.handed[found] = found.place  # whoever calls it from outside has it
 
 
 def _needs_nothing(function: Value) -> bool:

@@ -18,10 +18,9 @@ from rosward.source.surroundings import SurroundingsError, parse_variable, surro
 
 if TYPE_CHECKING:
     from rosward.deployment.request import Request
-    from rosward.engine.budget import Budget
     from rosward.findings import Finding
     from rosward.network.assigned import Assignment
-    from rosward.pipeline import Progress, Result
+    from rosward.pipeline import Budget, Progress, Result
     from rosward.source.exclude import Exclusion
 
 MOST_BUDGET: Final = 1_000

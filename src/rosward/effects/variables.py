@@ -42,6 +42,8 @@ class Variables:
         """By variable: where it is read."""
         self.conditions: dict[str, None] = {}
         """The variables that are conditions themselves: true or false."""
+        self.read: dict[str, None] = {}
+        """The variables that were asked for, known or not."""
         self.required: dict[str, None] = {}
         """The variables that are read without a default."""
 

@@ -38,14 +38,14 @@ def follow(machine: Engine) -> None:
                 met.add(text)
                 for value in named.called(machine, naming):
                     if isinstance(value, Class):
-                        machine.handed.setdefault(value, naming.place)
+                        machine.trace.handed.setdefault(value, naming.place)
                     else:
-                        machine.schedule_book.add(machine, value, None, BY_LIBRARY, naming.place)
-        for value, place in list(machine.handed.items()):
+                        machine.schedule(value, None, BY_LIBRARY, naming.place)
+        for value, place in list(machine.trace.handed.items()):
             for callback in _not_called(machine, value):
-                machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
+                machine.schedule(callback, None, BY_LIBRARY, place)
         for callback in machine.language.implicit_calls(machine):
-            machine.schedule_book.add(machine, callback, None, BY_PYTHON, _place(callback))
+            machine.schedule(callback, None, BY_PYTHON, _place(callback))
         if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
             return
         machine.spin()
@@ -68,7 +68,7 @@ def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Va
 def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
     """Of a class, the class itself; of an object, its methods: where nothing else calls them."""
     if isinstance(value, Class):
-        if value.place not in machine.instantiated:
+        if value.place not in machine.trace.instantiated:
             yield value
     elif isinstance(value, Ref):
         cls = machine.obj(value).cls
@@ -81,7 +81,7 @@ def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
 def _called(machine: Engine, name: str, method: Value) -> bool:
     """Whether a method was run. One that a decorator replaced is another function, which may stand for many."""
     function = method.function if isinstance(method, BoundMethod) else method
-    return isinstance(function, Function) and function.code.name == name and function.code.key in machine.entered
+    return isinstance(function, Function) and function.code.name == name and function.code.key in machine.trace.entered
 
 
 def _place(callback: Value) -> Place:

@@ -6,7 +6,6 @@ A handler returns None where control goes on, and False where it does not (the p
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
@@ -30,10 +29,14 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine import activation, catcher, escape
-from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine import escape, schedule, throwing
+from rosward.engine.budget import Budget
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot
-from rosward.engine.schedule import Schedule
+from rosward.engine.precision import Precision
+from rosward.engine.scheduled import Schedule
+from rosward.engine.summaries import Summaries
+from rosward.engine.trace import Trace
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.models.python.containers.sets import each_once
@@ -42,12 +45,10 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
-    from rosward.engine.library import Library
-    from rosward.engine.machine import Language
-    from rosward.engine.python.generators import Running
-    from rosward.engine.python.stepping import Action, Stepped
-    from rosward.engine.python.suspending import Way
-    from rosward.ir.program import Code, OpKey
+    from rosward.engine.machine import Language, SharedLanguages
+    from rosward.engine.stepped import Action, Running, Stepped
+    from rosward.engine.ways import Way
+    from rosward.ir.program import Code
     from rosward.models.file_paths import Files
     from rosward.models.native import Items
     from rosward.source.definitions import Definition
@@ -60,23 +61,17 @@ _LONGEST_PATH: Final = 12
 class Interpreter:
     """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
-    def __init__(self, library: Library, budget: Budget, log: EffectLog) -> None:
+    def __init__(self, library: SharedLanguages, budget: Budget, log: EffectLog) -> None:
         self.library = library
         self.budget = budget
         self.log = log
         self.state = State(Heap(ground=library.ground), 0, NOTHING_DONE)
         self.frames: list[Frame] = []
-        self.catchers: list[catcher.Catcher] = []
+        self.catchers: list[Catcher] = []
         self.schedule_book = Schedule()
-        self.steps = 0
-        self.step_limit = budget.steps
-        self.coarse = False  # precision is given up: too many steps were spent
-        self.always_coarse = False  # the callback that is running took too many steps when it ran before
-        self.coarse_limit = int(budget.steps * budget.coarse)
-        self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
-        self.heavy: set[OpKey] = set()  # the outermost loops that took too many steps
-        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
-        self.deadline = time.thread_time() + budget.seconds
+        self.precision = Precision(budget)
+        self.trace = Trace()
+        self.summaries = Summaries()
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
@@ -84,24 +79,11 @@ class Interpreter:
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
-        self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.unheld: set[int] = set()  # messages of the last time that callbacks ran, which nothing holds (`unheld.py`)
-        self.fixpoints = 0  # how many loops are being followed to a fixpoint
-        self.loops = 0  # how many loops are running
-        self.turns = 0  # turns followed one by one since the outermost of them began
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, Running] = {}  # the generators that run now, by address
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
-        self.summaries: dict[object, activation.Summary] = {}
-        self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
-        self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
-        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
-        self.instantiated: set[Place] = set()
-        self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
-        self.entered: set[str] = set()  # the key of each code body that was run
-        self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
-        self.asked: set[tuple[str, str, str]] = set()  # what may be called without being seen: see `unreached.py`
         self._versions = 0
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
@@ -117,11 +99,12 @@ class Interpreter:
         """Interpret a block; False where control does not come out at its end."""
         if frame.code.language != self.language.name:
             return self._run_in(self.languages[frame.code.language], block, frame)
-        self.steps += len(block)
-        if self.steps > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
-        if self.steps > self.loop_limit:
-            self.coarse = True
+        precision = self.precision
+        precision.steps += len(block)
+        if precision.steps > precision.step_limit:
+            precision.spend(0, self)
+        if precision.steps > precision.loop_limit:
+            precision.coarse = True
         if self.catchers:
             return self.language.run_noting(self, block, frame)
         table = self.language.table
@@ -152,30 +135,7 @@ class Interpreter:
 
     def spend(self, steps: int) -> None:
         """Something that takes as long as this many steps: a native that computes, a join of much."""
-        self.steps += steps
-        if self.steps > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
-
-    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-        if not self.loops:
-            self.turns = 0
-            self.loop_limit = min(self.coarse_limit, self.steps + self.budget.loop_steps)
-            self.coarse = self.coarse or (frame.code.key, op.number) in self.heavy
-        self.loops += 1
-
-    def end_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop has ended."""
-        self.loops -= 1
-        if not self.loops:
-            if self.coarse and not self.always_coarse:
-                self.heavy.add((frame.code.key, op.number))
-                self.always_coarse = self.schedule_book.running  # in a callback, until it ends
-            if not self.schedule_book.running:  # what follows in the main body has its part of what is left
-                left = int((self.step_limit - self.steps) * self.budget.coarse)
-                self.coarse_limit = max(self.coarse_limit, self.steps + left)
-            self.loop_limit = self.coarse_limit
-            self.coarse = self.always_coarse or self.steps > self.coarse_limit
+        self.precision.spend(steps, self)
 
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
@@ -186,12 +146,11 @@ class Interpreter:
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
-        if time.thread_time() > self.deadline:
-            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", self.place)
+        self.precision.check_time(self)
 
     def fresh_version(self, compared: int = 0) -> int:
         """A version number never used before, for a state that took as many comparisons of objects to make."""
-        self.steps += compared // _OBJECTS_A_STEP
+        self.precision.steps += compared // _OBJECTS_A_STEP
         self._versions += 1
         return self._versions
 
@@ -348,7 +307,7 @@ class Interpreter:
 
     def throw(self, exception: Value) -> None:
         """An exception is raised here for sure."""
-        catcher.throw(self, self.language.raised(self, exception))
+        throwing.throw(self, self.language.raised(self, exception))
 
     @contextmanager
     def handles(self, exception: Value, level: int) -> Iterator[None]:
@@ -365,11 +324,11 @@ class Interpreter:
         if not self.handling:
             return NONE
         known, level = self.handling[-1]
-        return known if not level else join(known, catcher.unseen(self))
+        return known if not level else join(known, throwing.unseen(self))
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
-        self.schedule_book.uncaught(self, exception)
+        schedule.uncaught(self, exception)
         if not self.schedule_book.running:
             cls = self.language.class_of(self, exception)
             self.ended_at[self.place] = join(self.ended_at.get(self.place, UNBOUND), cls)
@@ -450,13 +409,13 @@ class Interpreter:
         """Values reach unknown code."""
         escape.escape(self, values, library, callee)
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
-        """A callback may run from now on."""
-        self.schedule_book.add(self, callback, tuple(args), event)
+    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
+        schedule.add(self, callback, None if args is None else tuple(args), event, place)
 
     def spin(self) -> None:
         """Everything scheduled may run here."""
-        self.schedule_book.spin(self)
+        schedule.spin(self)
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""
@@ -474,7 +433,7 @@ class Interpreter:
         is taken as a value that is not known: what fails for the values that we see (a default list too short) may go well for others."""
         if error not in ("SystemExit", "StopIteration"):
             return self.language.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
-        catcher.throw(self, self.language.builtin_error(self, error, args))
+        throwing.throw(self, self.language.builtin_error(self, error, args))
         return UNBOUND
 
     @property
@@ -518,6 +477,11 @@ class Interpreter:
     def interface_definition(self, dotted: str) -> Definition | None:
         """The fields of a message by the dotted name of its class."""
         return self.library.interface_definition(dotted)
+
+    @property
+    def asked(self) -> set[tuple[str, str, str]]:
+        """What may be called without being seen."""
+        return self.trace.asked
 
     @property
     def files(self) -> Files:

@@ -7,6 +7,7 @@ Models are run once, in an interpreter of their own; its heap is the ground on w
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Final, final
 
@@ -23,6 +24,7 @@ from rosward.engine.interpreter import Interpreter
 from rosward.engine.languages import LANGUAGES
 from rosward.engine.machine import Language
 from rosward.engine.model_units import absolute, units
+from rosward.engine.reads import Reading, RecordedSources
 from rosward.engine.stub_files import StubFiles
 from rosward.findings import Finding, Findings
 from rosward.guard import internal_error
@@ -55,7 +57,9 @@ class Library:
         net: bool = True,
         languages: Iterable[Language] = LANGUAGES,
     ) -> None:
-        self.sources = sources
+        self.sources: Sources = RecordedSources(sources, self._note)
+        self._sources = sources  # for what is asked once for all processes
+        self._reading: Reading | None = None
         self.languages = {language.name: language for language in languages}
         self.environment = (
             usual_shell() if environment is None else environment
@@ -86,6 +90,21 @@ class Library:
     def findings(self) -> Findings:
         """What is wrong with the stub files that were asked for."""
         return self._stubs.findings
+
+    # What a process reads
+
+    @contextmanager
+    def reading(self) -> Iterator[Reading]:
+        """Notes what is asked meanwhile."""
+        outer, self._reading = self._reading, Reading()
+        try:
+            yield self._reading
+        finally:
+            self._reading = outer
+
+    def _note(self, *question: str | int) -> None:
+        if self._reading is not None:
+            self._reading.questions.add(question)
 
     # Values
 
@@ -131,11 +150,11 @@ class Library:
         for name in names:
             package, _, leaf = name.rpartition(".")
             model = self._model(package)
-            found = None if model is None else self.at(self.load_model(model).address).attrs.get(leaf)
+            found = None if model is None else self.at(self._load(model).address).attrs.get(leaf)
             if isinstance(found, Class):
                 yield found
 
-    def file_value(self, _machine: object, module: ModuleValue) -> Value:
+    def file_value(self, module: ModuleValue) -> Value:
         """`__file__`: of a launch file in the share folder of its package; else where the module is installed, which is beside what it is beside
         in the sources."""
         shared = self.sources.shared(module.file)
@@ -150,6 +169,7 @@ class Library:
     def find(self, name: str, level: int, importer: ModuleValue | None) -> Found | None:
         """The module of a name as written in the module `importer`."""
         file = importer.file if importer is not None else ""
+        self._note("find", name, level, file)
         key = (name, level, file)
         if key not in self._found:
             self._found[key] = self._look_up(name, level, importer)
@@ -160,7 +180,7 @@ class Library:
         if importer is not None and self.is_model_file(file):
             return self._model(absolute(name, level, importer.name, importer.file))
         top = name.partition(".")[0]
-        found = self.sources.find(name, level, file)
+        found = self._sources.find(name, level, file)
         if level:
             return found
         # A library whose model says so is never read: what it does is more than its Python says, or is asked for by name. Any other
@@ -187,21 +207,30 @@ class Library:
 
     def load_model(self, found: Found) -> ModuleValue:
         """The module value of a model, run once: with all that it needs, in an order that does not depend on who asks."""
+        if self._reading is not None:
+            self._reading.models.add(found.name)
+        return self._load(found)
+
+    def _load(self, found: Found) -> ModuleValue:
         known = self._models.get(found.name)
         if known is not None:
             return known
         if found.name in self._waiting:  # it is imported by one that it needs itself
             return self._run_model(found.name)
-        for unit in units(self._stubs, found.name):
-            if unit[0] not in self._models:
-                self._load_unit(unit)
+        reading, self._reading = self._reading, None  # what models ask is not of the process that needs them first
+        try:
+            for unit in units(self._stubs, found.name):
+                if unit[0] not in self._models:
+                    self._load_unit(unit)
+        finally:
+            self._reading = reading
         return self._models[found.name]
 
     def _load_unit(self, unit: tuple[str, ...]) -> None:
         """Run models that need each other. They change nothing of those that were there before."""
         loader = self._loader
-        frames, catchers, steps = loader.frames, loader.catchers, loader.steps
-        loader.frames, loader.catchers, loader.steps = [], [], 0
+        frames, catchers, steps = loader.frames, loader.catchers, loader.precision.steps
+        loader.frames, loader.catchers, loader.precision.steps = [], [], 0
         before = loader.state.heap.copy()
         self._waiting.update(unit)
         for name in unit:
@@ -210,7 +239,7 @@ class Library:
         self._give_awaited(unit)
         loader.state.heap.restore(before)
         loader.state.version = loader.fresh_version()
-        loader.frames, loader.catchers, loader.steps = frames, catchers, steps
+        loader.frames, loader.catchers, loader.precision.steps = frames, catchers, steps
 
     def _run_model(self, name: str) -> ModuleValue:
         """Run one model of a unit; the package around it goes first."""
@@ -232,7 +261,7 @@ class Library:
             self._stubs.findings.add(
                 Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
             )
-            loader.catchers, loader.steps = catchers, 0
+            loader.catchers, loader.precision.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
@@ -263,11 +292,13 @@ class Library:
 
     def module(self, file: str) -> Module | None:
         """The lowered file of a module."""
+        if file:
+            self._note("module", file)
         if file not in self._lowered:
             if self.is_model_file(file):
                 self._lowered[file] = self._stubs.module(file)
             else:
-                self._lowered[file] = self.sources.module(file) if file else None
+                self._lowered[file] = self._sources.module(file) if file else None
         return self._lowered[file]
 
     def language_of(self, module: ModuleValue) -> Language:
@@ -281,9 +312,10 @@ class Library:
 
     def interface_definition(self, dotted: str) -> Definition | None:
         """The fields of a message by the dotted name of its class; None where they are not known."""
+        self._note("interface_definition", dotted)
         if dotted not in self._definitions:
             named = message_name(dotted)
-            self._definitions[dotted] = None if named is None else self.sources.interface_definition(*named)
+            self._definitions[dotted] = None if named is None else self._sources.interface_definition(*named)
         return self._definitions[dotted]
 
     def missing(self, dotted: str) -> Value:

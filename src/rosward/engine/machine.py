@@ -15,6 +15,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol, final
 
+from rosward.engine.shared import Shared
 from rosward.models.native import Machine
 
 if TYPE_CHECKING:
@@ -22,17 +23,17 @@ if TYPE_CHECKING:
     from rosward.domain.series import Series
     from rosward.domain.state import State
     from rosward.domain.values import Class, Function, ModuleValue, Ref, Value
-    from rosward.engine.activation import Summary
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
     from rosward.engine.frame import Frame, Snapshot
-    from rosward.engine.library import Library
-    from rosward.engine.python.generators import Running
-    from rosward.engine.python.stepping import Action, Stepped
-    from rosward.engine.python.suspending import Way
-    from rosward.engine.schedule import Schedule
+    from rosward.engine.precision import Precision
+    from rosward.engine.scheduled import Schedule
+    from rosward.engine.stepped import Action, Running, Stepped
+    from rosward.engine.summaries import Summaries
+    from rosward.engine.trace import Trace
+    from rosward.engine.ways import Way
     from rosward.ir import ops
-    from rosward.ir.program import Code, OpKey
+    from rosward.ir.program import Code
     from rosward.models.native import Items
     from rosward.source.location import Place
 
@@ -44,42 +45,23 @@ class Engine(Machine, Protocol):
     frames: list[Frame]
     catchers: list[Catcher]
     schedule_book: Schedule
-    steps: int
-    step_limit: int
-    coarse: bool
-    always_coarse: bool
-    coarse_limit: int
-    loop_limit: int
-    heavy: set[OpKey]
-    heads: dict[OpKey, Snapshot]
-    deadline: float
+    precision: Precision
+    trace: Trace
+    summaries: Summaries
     making: list[Class]
     unhooked: set[int] | None
     hooked: bool
     choosing: bool
     noted: int
     handling: list[tuple[Value, int]]
-    provisional: int
     unheld: set[int]
-    fixpoints: int
-    loops: int
-    turns: int
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]
     ends: State | None
-    summaries: dict[object, Summary]
-    finished: dict[object, Summary]
-    large: dict[str, bool]
-    memo: dict[object, tuple[Value, int]]
-    instantiated: set[Place]
-    handed: dict[Value, Place]
-    entered: set[str]
-    reached: set[OpKey]
-    asked: set[tuple[str, str, str]]
 
     @property
-    def library(self) -> Library:
+    def library(self) -> Shared:
         """What all processes share."""
 
     @property
@@ -102,12 +84,6 @@ class Engine(Machine, Protocol):
 
     def give_up_value(self, op: ops.Op, frame: Frame) -> None:
         """What an operation makes is too large to keep: its result is not known."""
-
-    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-
-    def end_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop has ended."""
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
@@ -156,6 +132,9 @@ class Engine(Machine, Protocol):
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
+
+    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
 
     def may_call(self, values: Sequence[Value]) -> None:
         """A described library may call those that are functions."""
@@ -246,3 +225,14 @@ class Language:
     builtin_error: Callable[[Engine, str, Sequence[Value] | None], Value]
     guarded: Callable[..., tuple[Value, bool]]
     unwind: Callable[[Engine, Sequence[Value], Value], Value]
+
+
+class SharedLanguages(Shared, Protocol):
+    """What all processes share, and which languages there are."""
+
+    @property
+    def languages(self) -> Mapping[str, Language]:
+        """What each language means by its operations, by its name."""
+
+    def language_of(self, module: ModuleValue) -> Language:
+        """That of the file of a module; of one without a file, that of the models."""

@@ -48,7 +48,7 @@ def _store_cell(machine: Engine, op: ops.StoreCell, frame: Frame) -> None:
 def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
     if op.name in machine.library.creating:
-        machine.reached.add((frame.code.key, op.number))
+        machine.trace.reached.add((frame.code.key, op.number))
     value = machine.language.load_attr(machine, frame.registers[op.obj], op.name)
     frame.registers[op.dst] = value
     return DEAD if value is UNBOUND else None

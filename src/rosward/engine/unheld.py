@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import SHIFT
@@ -35,25 +35,16 @@ from rosward.domain.values import (
 )
 
 if TYPE_CHECKING:
-    from rosward.domain.state import State
     from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.engine.scheduled import Entry
 
 ARRIVING: Final = ("message", "service")
 """Events with which new messages arrive as arguments."""
 _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
-class Callback(Protocol):
-    """What is registered to be called, as `schedule.Entry` keeps it."""
-
-    callback: Value
-    args: tuple[Value, ...] | None
-    event: str
-    state: State
-
-
-def unheld_messages(machine: Engine, entries: Iterable[Callback], frames: Iterable[Frame]) -> set[int]:
+def unheld_messages(machine: Engine, entries: Iterable[Entry], frames: Iterable[Frame]) -> set[int]:
     """The addresses of messages that nothing refers to: no other object, no frame of the main body, no callback but the one that gets them."""
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
@@ -76,7 +67,7 @@ def unheld_messages(machine: Engine, entries: Iterable[Callback], frames: Iterab
     for frame in frames:
         held.update(r.address for r in _refs(frame.registers))
         held.update(r.address for r in _refs((frame.exits.value,)))
-    held.update(r.address for r in _refs(machine.handed))
+    held.update(r.address for r in _refs(machine.trace.handed))
     work = [address for address in inside if address in held]
     while work:
         for ref in inside[work.pop()]:
@@ -86,7 +77,7 @@ def unheld_messages(machine: Engine, entries: Iterable[Callback], frames: Iterab
     return inside.keys() - held
 
 
-def _only_there(machine: Engine, entry: Callback) -> Iterator[Obj]:
+def _only_there(machine: Engine, entry: Entry) -> Iterator[Obj]:
     """The objects that a callback finds as they were when it was registered: those that are not here."""
     ours = machine.state.heap.pages
     for number, page in entry.state.heap.pages.items():
@@ -145,7 +136,7 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
             yield from _refs(v for v in (value.getter, value.setter, value.deleter) if v is not None)
 
 
-def arrive(machine: Engine, entry: Callback) -> None:
+def arrive(machine: Engine, entry: Entry) -> None:
     """Messages arrive with which a callback is called: new ones, or further ones beside those that are still held."""
     for argument in entry.args or ():
         if argument.__class__ is not Ref or entry.event not in ARRIVING:

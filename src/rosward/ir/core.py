@@ -21,33 +21,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
+from rosward.ir.op import Op
+
 if TYPE_CHECKING:
     from rosward.ir.program import Code
 
 Constant = None | bool | int | float | complex | str | bytes
 """What a `Const` can hold; `...` is the global name `Ellipsis`."""
 
-
-class Op:
-    """An operation; `line` and `column` (both from 1) say where in the source it stands, `number` (from 1) which one of its `Code` it is.
-
-    Several operations may stand at one place (`f(f(x))`, `a().b()`), so a place does not tell them apart; the number does.
-    """
-
-    __slots__ = ("column", "line", "number")
-
-    def __init__(self, line: int, column: int) -> None:
-        self.line = line
-        self.column = column
-        self.number = 0  # given when the code is complete
-
-    @property
-    def blocks(self) -> tuple[Block, ...]:
-        """The blocks that it holds, in the order in which they stand."""
-        return ()
-
-
-Block = list[Op]
 
 NO_REGISTER: Final = -1
 

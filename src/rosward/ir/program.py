@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 from typing import Final, final
 
-from rosward.ir.core import Block, Op
+from rosward.ir.op import Block, Op
 
 
 class CodeKind(enum.Enum):

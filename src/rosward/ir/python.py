@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, final
 
-from rosward.ir.core import NO_REGISTER, Argument, Block, Op
+from rosward.ir.core import NO_REGISTER, Argument
+from rosward.ir.op import Block, Op
 
 if TYPE_CHECKING:
     from rosward.ir.program import Code

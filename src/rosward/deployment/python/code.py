@@ -230,17 +230,17 @@ class LaunchPython:
         frames, catchers = machine.frames, machine.catchers
         machine.frames, machine.catchers = [*frames, root], []
         self._context.performers.append(performer)
-        limits = machine.step_limit, machine.deadline
+        limits = machine.precision.step_limit, machine.precision.deadline
         if not frames:
-            machine.step_limit = min(machine.steps + self._budget.steps, self._most)
-            machine.deadline = self._end
+            machine.precision.step_limit = min(machine.precision.steps + self._budget.steps, self._most)
+            machine.precision.deadline = self._end
         try:
             yield self._turns
         finally:
             self._context.performers.pop()
             machine.frames, machine.catchers = frames, catchers
             if frames:
-                machine.step_limit, machine.deadline = limits
+                machine.precision.step_limit, machine.precision.deadline = limits
 
     def _give_arguments(self, given: Sequence[str], file: str) -> None:
         """`sys.argv` is that of `ros2 launch PACKAGE FILE name:=value …` with the first file that an execution reads."""

@@ -145,7 +145,7 @@ def _change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
     if cls.__class__ is not Class or weak or obj.many:
         machine.report("RW203", "an object may be given another class")
         return
-    machine.instantiated.add(cls.place)
+    machine.trace.instantiated.add(cls.place)
     machine.put(ref.address, obj.replace(cls=cls))
 
 

@@ -137,7 +137,7 @@ def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
     ):
         return BoundMethod(value, Native(f"{value.hint}.{name}"))
     if any(r.cause is not Cause.MESSAGE for r in value.reasons):  # what a message holds is plain data
-        machine.asked.add(("", "", name))
+        machine.trace.asked.add(("", "", name))
     reasons = tuple(
         r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
         for r in value.reasons

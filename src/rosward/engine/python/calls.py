@@ -34,11 +34,12 @@ from rosward.domain.values import (
 from rosward.engine import activation, declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
-from rosward.engine.catcher import LIBRARY, note, note_call
+from rosward.engine.catcher import LIBRARY
 from rosward.engine.escape import escape, name_of
 from rosward.engine.python import assignment, attributes, classes, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
+from rosward.engine.throwing import note, note_call
 from rosward.ir.ops import Argument
 from rosward.models.python.contents import bare
 from rosward.models.python.exceptions import is_exception

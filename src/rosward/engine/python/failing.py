@@ -33,8 +33,8 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.engine.catcher import note
 from rosward.engine.python import attributes
+from rosward.engine.throwing import note
 from rosward.ir import ops
 from rosward.models.python.exceptions import member_of
 

@@ -9,7 +9,7 @@ Where it is not known at which of several points a generator stands (a timer adv
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, widen
 from rosward.domain.heap import Obj
@@ -19,12 +19,13 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
 from rosward.engine import activation, declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Yielded
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
-from rosward.engine.python.stepping import Action, Stepped
+from rosward.engine.stepped import NEXT, Action, Running, Stepped
+from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
-    shared = lineage.count(code.key) >= (1 if machine.coarse else machine.budget.recursion)
+    shared = lineage.count(code.key) >= (1 if machine.precision.coarse else machine.budget.recursion)
     if shared:  # made inside one another without end: all of them are one
         context = machine.context("summary", code.key)
     else:
@@ -52,26 +53,6 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     if shared:
         return Ref(machine.place_at(("generator", code.key, function.cells), record))
     return machine.allocate(record, (code.key, function.cells))
-
-
-@final
-class Running:
-    """A generator that is being advanced, and what this gave so far: for calls that are nested too deep, and ask for it again."""
-
-    __slots__ = ("asked", "before", "state", "stepped")
-
-    def __init__(self, before: State) -> None:
-        self.before = before
-        self.asked = False
-        self.stepped = Stepped(UNBOUND, None, UNBOUND)
-        self.state: State | None = None  # behind the item
-
-    @property
-    def seen(self) -> tuple[object, ...]:
-        """What must not change any more."""
-        item, ended, value = self.stepped
-        states = [s.version if s is not None else -1 for s in (self.before, self.state, ended)]
-        return (item, value, *states)
 
 
 def advance(machine: Engine, ref: Ref, action: Action) -> Stepped:
@@ -211,7 +192,7 @@ def _run_from(
             thrown_in(machine, action.value)
             return None
         return NONE, machine.state
-    machine.entered.add(code.key)
+    machine.trace.entered.add(code.key)
     machine.choosing = False
     registers = list(values[: code.registers])
     registers += [UNBOUND] * (code.registers - len(registers))
@@ -269,7 +250,7 @@ def _over(machine: Engine, ref: Ref) -> Suspension:
     return suspension.at({}, ended=True)
 
 
-def _run_coroutine(machine: Engine, suspension: Suspension, action: Action = stepping.NEXT) -> Stepped:
+def _run_coroutine(machine: Engine, suspension: Suspension, action: Action = NEXT) -> Stepped:
     """A coroutine runs to its end where it is awaited. It is not marked as done: a task that awaits it runs again, as callbacks do."""
     before = machine.state
     if action.kind == "close":

@@ -14,11 +14,11 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import note_import
 from rosward.engine.found import Found
 from rosward.engine.frame import Frame
 from rosward.engine.python import import_path
 from rosward.engine.python.relative_imports import Relative, main_package, relative
+from rosward.engine.throwing import note_import
 from rosward.ir import ops
 from rosward.models.failures import fail
 
@@ -203,7 +203,7 @@ def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -
     package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
     attrs: dict[str, Value] = {
         "__name__": Const(name),
-        "__file__": machine.library.file_value(machine, module),
+        "__file__": machine.library.file_value(module),
         "__package__": join_all(main_package(machine, module.file)) if name == "__main__" else Const(package),
         "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
     }
@@ -221,7 +221,7 @@ def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -
     frame = Frame(code, [UNBOUND] * code.registers, (), module, context, not ours)
     frame.cells = tuple(machine.new_cells(code, context))
     frames, machine.frames = machine.frames, [frame]
-    machine.entered.add(code.key)
+    machine.trace.entered.add(code.key)
     try:
         return machine.run(code.ops, frame)
     finally:

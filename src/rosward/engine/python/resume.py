@@ -20,7 +20,8 @@ from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
 from rosward.engine.python.equality import truth
 from rosward.engine.python.iteration import Begun
-from rosward.engine.python.stepping import Action
+from rosward.engine.stepped import Action
+from rosward.engine.ways import parts
 from rosward.ir import ops
 from rosward.models.native import Items
 
@@ -63,7 +64,7 @@ def _inside(
     machine: Engine, op: ops.Op, frame: Frame, path: Path, kept: list[Value], action: Action
 ) -> Callable[[], bool]:
     """Going on in the block of `op` that the path leads into, when the statement around it is ready."""
-    block = dict(suspending.parts(op))[path[0].part]
+    block = dict(parts(op))[path[0].part]
     return lambda: go_on(machine, block, frame, path[1:], kept, action)
 
 

@@ -7,15 +7,17 @@ list(words)       one after the other while it surely gives an item, then any nu
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, widen
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unknown, Value
-from rosward.engine.catcher import Catcher, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
+from rosward.engine.stepped import NEXT, Action, Stepped
+from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -26,24 +28,6 @@ STEP: Final = {
     True: ("__aiter__", "__anext__", "StopAsyncIteration"),
 }
 _ITERATOR: Final = "iterator"
-
-
-class Action(NamedTuple):
-    """How a suspended generator is resumed: `next`, `send` a value, `throw` an exception, or `close`."""
-
-    kind: str
-    value: Value
-
-
-NEXT: Final = Action("next", NONE)
-
-
-class Stepped(NamedTuple):
-    """One step: the item (UNBOUND: surely none), where it ends instead (None: surely not), and the value of StopIteration there."""
-
-    item: Value
-    ended: State | None = None
-    value: Value = NONE
 
 
 def made(machine: Engine, source: Value, *, asynchronous: bool = False) -> Value:
@@ -209,7 +193,7 @@ def drain(machine: Engine, iterator: Value, *, asynchronous: bool = False) -> tu
     known: list[Value] = []
     most = machine.budget.unroll_while if not is_generator(machine, iterator) else machine.budget.unroll
     try:
-        while len(known) < most and not machine.coarse:
+        while len(known) < most and not machine.precision.coarse:
             frame.context = machine.context(context, frame.code.key, frame.op.number, "next", len(known))
             before = machine.state.copy()
             item, ended, value = step(machine, iterator, asynchronous=asynchronous)

@@ -306,17 +306,20 @@ def _remove_ros_args(call: NativeCall) -> Value:
 def _environment(call: NativeCall) -> Value:
     """`_rosward.environment(name)`: a variable that the deployment sets, or that is known of the shell; None where nothing is known."""
     machine = call.machine
-    return _own_variables(machine).get(text_of(call.args[0])) or NONE
+    name = text_of(call.args[0])
+    return _own_variables(machine, name).get(name) or NONE
 
 
 def _is_unset(call: NativeCall) -> Value:
     """`_rosward.unset(name)`: whether the deployment has removed a variable."""
-    variables, name = _own_variables(call.machine), text_of(call.args[0])
+    name = text_of(call.args[0])
+    variables = _own_variables(call.machine, name)
     return Const(name in variables and variables[name] is None)
 
 
-def _own_variables(machine: Machine) -> Mapping[str, Value | None]:
-    """What is known of the environment of the process, before the program changes it."""
+def _own_variables(machine: Machine, name: str) -> Mapping[str, Value | None]:
+    """What is known of the environment of the process, before the program changes it; `name` is what is asked of it."""
+    machine.log.variables.read[name] = None
     configuration = machine.log.configuration
     shell: Mapping[str, Value | None] = machine.environment
     return shell if configuration is None else ChainMap(dict(configuration.environment), dict(shell))
