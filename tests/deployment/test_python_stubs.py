@@ -92,7 +92,7 @@ def test_each_action_of_a_model_is_read_or_known_to_start_nothing(files: Files) 
     ],
 )
 def test_each_substitution_and_condition_of_a_model_has_a_form(base: str, read: set[str], files: Files) -> None:
-    classes = _derived_from(base, Library(files.tree, natives()))
+    classes = _derived_from(base, Library(files.tree, own_models()))
     assert len(classes) > 3
     assert {c for c, cls in classes.items() if c != base and not cls.name.startswith("_")} <= read
 
