@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, join_all, options, reasons_of
-from rosward.domain.heap import Obj, fields_of
+from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series, joined
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
@@ -132,7 +132,7 @@ def _combined(function: Callable[..., _R], values: tuple[Value, ...]) -> list[_R
 class Fresh(NamedTuple):
     """A list or set that an operation would make; `cls` is the name of its builtin class."""
 
-    kind: str
+    kind: ObjKind
     cls: str
     items: Series
 
@@ -294,7 +294,7 @@ def listed(
     rest: Value | None = None,
     tail: tuple[Value, ...] = (),
     *,
-    kind: str = "list",
+    kind: ObjKind = "list",
     cls: str = "",
 ) -> Ref:
     """A new list or set: of `known`, then any number of `rest`, then `tail`.
