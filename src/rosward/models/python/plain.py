@@ -51,7 +51,7 @@ class Raised(Exception):  # noqa: N818 - an exception of the analysed program, n
 def native(function: Callable[[NativeCall], Value], least: int = 0, names: str = "") -> NativeFunction:
     """A native in which `Raised` ends the path, and which is never entered with fewer than `least` positional arguments.
 
-    `names` are those of the parameters that may be given by name too, by position: `native(_sum, 1, "_ start")`; `_` for one that may not.
+    `names` are those of the parameters that may be set by name too, by position: `native(_sum, 1, "_ start")`; `_` for one that may not.
     """
     parameters = tuple(names.split())
 
