@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj, fields_of
+from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from rosward.engine.ways import Way
     from rosward.ir.program import Code
     from rosward.models.file_paths import Files
-    from rosward.models.native import Items
+    from rosward.models.native import Items, ResumptionKind
     from rosward.source.definitions import Definition
 
 _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one step, about
@@ -260,7 +260,7 @@ class Interpreter:
             known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
         return self._collection("set", Series(known, rest))
 
-    def _collection(self, kind: str, series: Series) -> Ref:
+    def _collection(self, kind: ObjKind, series: Series) -> Ref:
         return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind, self.budget.items)))
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
@@ -297,7 +297,7 @@ class Interpreter:
         """`generator.close()`."""
         self.language.close_generator(self, ref)
 
-    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""
         return self.language.next_of(self, iterator, kind, value, default)
 

@@ -134,7 +134,7 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) 
     if cls is Unknown:
         note_call(machine)
         if lost_behaviour(function):
-            machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
+            machine.report("RW201", "too many alternatives for what is called here: none of them is analysed")
         escape(machine, (*args, *keywords.values()), name_of(function), function)
         return Unknown(function.reasons)  # type: ignore[attr-defined]
     escape(machine, (*args, *keywords.values()), name_of(function))
