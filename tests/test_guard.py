@@ -24,7 +24,7 @@ from rosward.engine.python import native_calls
 from rosward.findings import RULES, Severity
 from rosward.frontends.registry import PYTHON
 from rosward.models.native import perform as real_perform
-from rosward.outputs import files as output_files
+from rosward.outputs.formats import FORMATS
 from rosward.outputs.report.packed import document_in
 from rosward.pipeline import Result
 from rosward.source import discover as discovery
@@ -219,7 +219,7 @@ def test_a_step_on_the_way_of_everything_costs_what_it_gives(
     assert {"bad", "good"} == {n["name"] for n in document["nodes"]}
     assert all(f'"/{name}"' in text for name in ("before_bad", "after_bad", "before_good", "after_good"))
     assert text.count('"RW299"') == 1
-    assert "rosward itself failed here (RuntimeError in rosward/" in text
+    assert "rosward failed here (RuntimeError in rosward/" in text
     assert "RW299" in capsys.readouterr().err
     assert len(ET.parse(out / "policy.xml").getroot().findall(".//enclave")) == 2
     for file in ("graph.dot", "graph.mmd", "graph.svg", "report.html", "findings.sarif", "findings.junit.xml"):
@@ -233,20 +233,10 @@ def test_without_the_net_a_step_raises(workspace: Path, monkeypatch: pytest.Monk
         rosward.extract(workspace, budget=Budget(net=False))
 
 
-WRITERS = {
-    "json": "network_json",
-    "policy": "policy_xml",
-    "permissions": "permissions",
-    "dot": "graph_dot",
-    "mermaid": "graph_mermaid",
-    "svg": "graph_svg",
-    "html": "report_html",
-    "sarif": "sarif_json",
-    "junit": "junit_xml",
-}
+WRITTEN = {each.name: each for each in FORMATS if each.files}
 
 
-@pytest.mark.parametrize("broken_format", WRITERS)
+@pytest.mark.parametrize("broken_format", WRITTEN)
 def test_a_format_costs_no_other(
     broken_format: str,
     workspace: Path,
@@ -254,20 +244,11 @@ def test_a_format_costs_no_other(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr(output_files, WRITERS[broken_format], failing)
+    one = WRITTEN[broken_format]
+    monkeypatch.setattr(f"rosward.outputs.{one.writer}.{'text' if one.needs == 'findings' else 'files'}", failing)
     out = tmp_path / "out"
-    assert main(["extract", str(workspace), "-o", str(out), "--format", ",".join(WRITERS)]) == 3
-    files = {
-        "json": "network.json",
-        "policy": "policy.xml",
-        "permissions": "permissions",
-        "dot": "graph.dot",
-        "mermaid": "graph.mmd",
-        "svg": "graph.svg",
-        "html": "report.html",
-        "sarif": "findings.sarif",
-        "junit": "findings.junit.xml",
-    }
+    assert main(["extract", str(workspace), "-o", str(out), "--format", ",".join(WRITTEN)]) == 3
+    files = {name: each.files[0].partition("/")[0] for name, each in WRITTEN.items()}
     there = {p.name for p in out.iterdir()}
     assert files[broken_format] not in there
     assert there >= {file for one, file in files.items() if one != broken_format}
@@ -275,9 +256,11 @@ def test_a_format_costs_no_other(
     told = capsys.readouterr()
     assert message in told.err
     assert message in " ".join(told.out.split())
-    for one in {"json", "html", "sarif", "junit"} - {broken_format}:
-        text = (out / files[one]).read_text()
-        assert message in (document_in(text) if one == "html" else text), one
+    telling = {name for name, each in WRITTEN.items() if each.tells} - {broken_format}
+    assert len(telling) > 2
+    for name in telling:
+        text = (out / files[name]).read_text()
+        assert message in (document_in(text) if name == "html" else text), name
 
 
 @pytest.mark.parametrize(
@@ -317,8 +300,8 @@ def test_the_launch_tree_shows_the_rest(
     ("step", "kept"),
     [
         ("rosward.diff.compare._beyond", "nodes gained: 1"),
-        ("rosward.diff.compare._change", "rights gained: 11"),
-        ("rosward.diff.of_nodes.snapshot_of", "nothing is compared"),
+        ("rosward.diff.compare._change", "permissions gained: 11"),
+        ("rosward.diff.of_nodes.snapshot_of", "nothing was compared"),
         ("rosward.pipeline.connect", "nodes gained: 1"),
         ("rosward.outputs.terminal.diff_text._line", "the differences were not written"),
     ],

@@ -30,7 +30,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding, Findings, Severity
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
@@ -45,7 +45,7 @@ from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
-__all__ = ["NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
+__all__ = ["Budget", "NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
 
 NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
 
@@ -63,7 +63,7 @@ class Result:
     excluded: int = 0
     """How many files and folders were left unread because a pattern means them."""
     ignored: int = 0
-    """How many folders were left unread because they are marked to be ignored (COLCON_IGNORE and the like)."""
+    """How many folders were left unread because they are marked as ignored (COLCON_IGNORE or similar)."""
     launch_files: int = 0
     """How many launch files there are."""
 
@@ -135,7 +135,7 @@ def extract(
     chosen = Distro(distro)
     if launch or arguments:
         if request != EVERYTHING:
-            raise RequestError("what is started is said by the request, or by launch and arguments")
+            raise RequestError("pass either a request, or launch and arguments")
         request = launching(launch, arguments)
     mode = (
         EnclaveMode(enclaves) if enclaves is not None else EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
@@ -203,7 +203,7 @@ def _extract(
         gathered, systems = of_request(request, read, progress)
     else:
         gathered = of_sources(read, request.params, progress, assumed=assumed)
-    findings = dict.fromkeys((*read.workspace.findings, *gathered.findings, *read.library.findings))
+    findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     files = (*workspace.files, *workspace.launch_files)
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
@@ -219,34 +219,38 @@ def _extract(
 
 
 def _network(
-    read: SourcesRead, gathered: Gathered, findings: dict[Finding, None], unknown: UnknownNames, wanted: _Enclaves
+    read: SourcesRead, gathered: Gathered, findings: Findings, unknown: UnknownNames, wanted: _Enclaves
 ) -> Network:
     steps = Steps(net=read.budget.net)
     named = labelled(gathered.nodes)
     placed = steps(
         lambda: with_enclaves(named, wanted.mode, wanted.assigned),
         None,
-        "the enclaves are not those that were asked for: each node has one of its own",
+        "the enclaves are not the requested ones: each node has its own",
     )
     nodes, conflicts = placed or (each_its_own(named), [])
     nothing: list[Finding] = []
-    too_large = steps(lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large is not told")
-    findings.update(dict.fromkeys((*conflicts, *too_large)))
+    too_large = steps(
+        lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large was not checked"
+    )
+    findings.update((*conflicts, *too_large))
     if not nodes:
-        findings[Finding("RW007", "No node was found in what was read.", Place("", 0))] = None
-    counts = _Counts(read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed}))
+        findings.add(Finding("RW007", "No node was found.", Place("", 0)))
+    counts = _ReadCounts(
+        read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed})
+    )
     distro = read.distro.value
     network = steps(
         lambda: connect(distro, nodes, findings, **counts._asdict(), unknown=unknown, net=read.budget.net),
         None,
-        "what the nodes meet at is missing, and what is wrong in the whole is not told",
+        "connections between nodes are missing, and the whole system was not checked",
     )
     if network is None:
         network = with_findings(apart(distro, nodes, **counts._asdict()), findings)
     return with_findings(network, steps.findings)
 
 
-class _Counts(NamedTuple):
+class _ReadCounts(NamedTuple):
     """How much was read."""
 
     files: int

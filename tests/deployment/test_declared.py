@@ -8,7 +8,7 @@ import itertools
 import pytest
 
 from rosward.deployment.declared.effects import MODELS, Declarations, declared
-from rosward.deployment.declared.shapes import Package
+from rosward.deployment.declared.shapes import PackageDeclaration
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Configuration
@@ -188,7 +188,7 @@ def test_a_plugin_that_is_not_declared_is_told() -> None:
     file: Rows = {"planner_server": {"planner_plugins": ["mine"], "mine.plugin": "my_planner::Mine"}}
     log = start("nav2_planner", "planner_server", file=file)
     assert [f.message for f in log.findings] == [
-        "The interface of nav2_planner/planner_server is not wholly known: a planner is of a class that is not declared."
+        "The interface of nav2_planner/planner_server is not completely known: a planner is of a class that is not declared."
     ]
     assert codes(log) == ["RW314"]
     assert next(iter(log.findings)).place == HERE
@@ -339,7 +339,7 @@ def test_every_declaration_is_well_formed_and_can_be_started(package: str) -> No
     known = Declarations()
     assert known.knows(package), list(known.findings)
     (shape,) = known._of(package)
-    assert isinstance(shape, Package)
+    assert isinstance(shape, PackageDeclaration)
     for distro, configuration in itertools.product(Distro, _starts()):
         for program in (*shape.executables.values(), *shape.components.values()):
             log = declared(program, configuration, HERE, known, distro)

@@ -8,11 +8,11 @@ from typing import Final
 from hypothesis import strategies as st
 
 from rosward.domain.choice import join_all
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Alternatives, Obj, ObjKind
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State
-from rosward.domain.suspended import ANY_TURN, EACH, YIELD, Point, Step, Suspension, add_points
+from rosward.domain.suspended import ANY_TURN, EACH, YIELD, PathStep, Point, Suspension, add_points
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import (
@@ -70,7 +70,7 @@ CLASS: Final = Native("builtins.object")
 
 
 @st.composite
-def instances(draw: st.DrawFn, kind: str = "instance") -> Obj:
+def instances(draw: st.DrawFn, kind: ObjKind = "instance") -> Obj:
     attrs = draw(attributes)
     partial = frozenset(name for name in attrs if draw(st.booleans()))
     return Obj(kind, CLASS, attrs=attrs, many=draw(st.booleans()), partial=partial)
@@ -96,7 +96,7 @@ def cells(draw: st.DrawFn) -> Obj:
 
 
 @st.composite
-def lists(draw: st.DrawFn, kind: str = "list", payload: object = None) -> Obj:
+def lists(draw: st.DrawFn, kind: ObjKind = "list", payload: object = None) -> Obj:
     elements = draw(st.sampled_from((values, references)))
     record = Obj(kind, CLASS, many=draw(st.booleans()), payload=payload)
     several = st.lists(elements, max_size=3)
@@ -147,11 +147,11 @@ def _points(draw: st.DrawFn) -> tuple[Point, tuple[Value, ...]]:
     if where == "start":
         return Point(function, 0, (), ()), held
     if where == "plain":
-        return Point(function, 0, (), (Step(draw(st.integers(0, 2)), ""),)), held
+        return Point(function, 0, (), (PathStep(draw(st.integers(0, 2)), ""),)), held
     turn = draw(st.sampled_from((0, 1, ANY_TURN)))
     ahead = () if turn == ANY_TURN else tuple(draw(st.lists(values, max_size=2)))
     rest = draw(st.one_of(st.just(UNBOUND), values))
-    path = (Step(0, EACH, turn), Step(0, "")) if where == "loop" else (Step(1, YIELD, turn),)
+    path = (PathStep(0, EACH, turn), PathStep(0, "")) if where == "loop" else (PathStep(1, YIELD, turn),)
     return Point(function, 0, (), path), (*held, draw(references), Tuple(ahead), rest)
 
 

@@ -9,8 +9,8 @@ import sys
 import pytest
 
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_module import lower_module
-from rosward.frontends.python_newer import older
+from rosward.frontends.python.module import lower_module
+from rosward.frontends.python.newer import older
 
 NEWER = [
     ("type Pair = tuple[int, int]\nx = 1\n", "(    Pair)= tuple[int, int]"),
@@ -61,7 +61,7 @@ def test_what_is_old_stays(text: str) -> None:
 
 @pytest.mark.skipif(sys.version_info >= (3, 14), reason="this Python reads it")
 def test_what_cannot_be_read_says_what_it_needs() -> None:
-    with pytest.raises(FrontendError, match=r"template string needs Python 3\.14"):
+    with pytest.raises(FrontendError, match=r"template strings need Python 3\.14"):
         lower_module("x = 1\ny = t'{x}'\n", "f.py")
 
 

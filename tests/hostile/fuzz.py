@@ -29,6 +29,7 @@ from rosward.engine.budget import Budget
 from rosward.outputs.files import write_outputs
 from rosward.outputs.policies.nodl import nodl_document
 from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
+from rosward.outputs.writing import Material
 
 SMALL: Final = Budget(steps=20_000, entry_steps=4_000, net=False)
 FORMATS: Final = ("json", "policy", "dot", "html", "permissions")
@@ -136,7 +137,7 @@ def check_batch(folder: Path, batch: list[Changed]) -> None:
         if not any(e.name == "/chatter" and e.kind is rosward.EntityKind.PUBLISHER for n in good for e in n.entities):
             raise Broken(f"{name}: the sound node is lost")
         out = folder / "out" / name
-        write_outputs(result.network, str(out), FORMATS, unknown="wildcard", net=False)
+        write_outputs(Material(result.network, "wildcard"), str(out), FORMATS, net=False)
         _check_outputs(out)
         for node in result.network.nodes:
             nodl_document(node)

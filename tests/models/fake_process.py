@@ -8,9 +8,10 @@ from collections.abc import Mapping, Sequence
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
 from rosward.domain.state import NOTHING_DONE, State
-from rosward.domain.values import NONE, UNBOUND, Function, Native, Value
+from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
 from rosward.effects.log import EffectLog
 from rosward.models.file_paths import Files, NoFiles
+from rosward.source.definitions import Definition
 from rosward.source.location import Place
 
 
@@ -35,6 +36,7 @@ class FakeProcess:
         self.schedule_book = NoCallbacks()
         self.asked: set[tuple[str, str, str]] = set()
         self.raised = 0
+        self.choosing = False
         self.via: str | None = None
         self.handled: Value = NONE
         self.environment: Mapping[str, Value | None] = {}
@@ -66,4 +68,11 @@ class FakeProcess:
 
     def function_record(self, function: Function) -> Obj | None:
         del function
+        return None
+
+    def place_inner(self, owner: Ref, name: str, obj: Obj, *, again: bool) -> Ref:
+        raise NotImplementedError
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        del dotted
         return None

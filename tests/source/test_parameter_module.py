@@ -7,10 +7,11 @@ import ast
 
 import pytest
 
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
+from rosward.source import limits
 from rosward.source.parameter_module import parameter_module
-from rosward.source.parameter_yaml import Check, Described, read_parameters
-from rosward.source.yaml_nodes import LARGEST, Malformed
+from rosward.source.parameter_yaml import Check, DescribedParameter, read_parameters
+from rosward.source.yaml_nodes import Malformed
 
 ONE = "r:\n  a: {type: string, default_value: %s}\n"
 
@@ -26,9 +27,11 @@ def test_a_description_is_read_with_its_lines() -> None:
     assert library.name == "robot"
     assert library.groups == (("pid", 2),)
     assert library.parameters == (
-        Described("pid.rate", "double", 1.0, True, (Check("bounds", (0.0, 2.0)), Check("odd", (), own=True)), 3),
-        Described("id", "string", None, False, (Check("size_lt", (9,)),), 10),
-        Described("on", "bool_array", [True, False], False, (), 11),
+        DescribedParameter(
+            "pid.rate", "double", 1.0, True, (Check("bounds", (0.0, 2.0)), Check("odd", (), own=True)), 3
+        ),
+        DescribedParameter("id", "string", None, False, (Check("size_lt", (9,)),), 10),
+        DescribedParameter("on", "bool_array", [True, False], False, (), 11),
     )
 
 
@@ -36,40 +39,44 @@ def test_a_description_is_read_with_its_lines() -> None:
     ("text", "line", "why"),
     [
         ("", 0, "the file is empty"),
-        ("[]", 1, "a mapping is expected"),
-        ("a: {b: {type: int}}\nc: {d: {type: int}}", 1, "one name stands at the top"),
+        ("[]", 1, "expected a mapping"),
+        ("a: {b: {type: int}}\nc: {d: {type: int}}", 1, "exactly one name at the top"),
         ("r: {}", 1, "this is empty"),
-        ("r: {type: string}", 1, "a group of parameters is expected"),
+        ("r: {type: string}", 1, "expected a group of parameters"),
         ("r:\n  a: {}", 2, "this is empty"),
         ("r:\n  a: {default_value: 1}", 2, "parameter a has no type"),
-        ("r:\n  a: {type: text}", 2, "of no type that is known: text"),
-        ("r:\n  a: {type: bool_array_fixed_3}", 2, "of no type that is known"),
-        ("r:\n  a: {type: string_array_array}", 2, "of no type that is known"),
-        ("r:\n  a: {type: [int]}", 2, "a text is expected"),
+        ("r:\n  a: {type: text}", 2, "an unknown type: text"),
+        ("r:\n  a: {type: bool_array_fixed_3}", 2, "an unknown type"),
+        ("r:\n  a: {type: string_array_array}", 2, "an unknown type"),
+        ("r:\n  a: {type: [int]}", 2, "expected a string"),
         ("r:\n  a: {type: int, kind: x}", 2, "unknown key 'kind'"),
-        ("r:\n  a: {type: int, default_value: 1.5}", 2, "a value of type int is expected"),
-        ("r:\n  a: {type: int, default_value: true}", 2, "a value of type int is expected"),
-        ("r:\n  a: {type: double, default_value: 1e-5}", 2, "a value of type double is expected"),
-        ("r:\n  a: {type: int_array, default_value: 1}", 2, "a list is expected"),
-        ("r:\n  a: {type: string_array, default_value: [a, null]}", 2, "is expected here"),
-        (f"r:\n  a: {{type: int, default_value: 0x{'f' * 5000}}}", 2, "a number as large as this"),
-        ("r:\n  a b: {type: int}", 2, "'a b' is no name"),
-        ("r:\n  class: {type: int}", 2, "'class' is no name"),
-        ("r:\n  __a: {type: int}", 2, "'__a' is no name"),
-        ("r\n\n: {a: {type: int}}", 3, "no YAML"),
-        ("'r: pass #':\n  a: {type: int}", 1, "is no name"),
+        ("r:\n  a: {type: int, default_value: 1.5}", 2, "expected a value of type int"),
+        ("r:\n  a: {type: int, default_value: true}", 2, "expected a value of type int"),
+        ("r:\n  a: {type: double, default_value: 1e-5}", 2, "expected a value of type double"),
+        ("r:\n  a: {type: int_array, default_value: 1}", 2, "expected a list"),
+        ("r:\n  a: {type: string_array, default_value: [a, null]}", 2, "expected a"),
+        (f"r:\n  a: {{type: int, default_value: 0x{'f' * 5000}}}", 2, "too large for a parameter"),
+        ("r:\n  a b: {type: int}", 2, "'a b' is not a valid module name"),
+        ("r:\n  class: {type: int}", 2, "'class' is not a valid module name"),
+        ("r:\n  __a: {type: int}", 2, "'__a' is not a valid module name"),
+        ("r\n\n: {a: {type: int}}", 3, "not valid YAML"),
+        ("'r: pass #':\n  a: {type: int}", 1, "is not a valid module name"),
         ("r:\n  a:\n    type: int\n    validation: {odd<>: [1]}", 4, "no validation 'odd' with 1 arguments"),
         ("r:\n  a:\n    type: int\n    validation: {bounds<>: [1]}", 4, "no validation 'bounds' with 1 arguments"),
-        ("r:\n  a:\n    type: int\n    validation:\n", 4, "a mapping is expected"),
-        ("r:\n  a:\n    type: int\n    validation: {'custom_validators::f(': []}", 4, "'f(' is no name"),
-        ("r:\n  a:\n    type: int\n    validation: {'custom_validators::f': []}", 2, "needs a module"),
+        ("r:\n  a:\n    type: int\n    validation:\n", 4, "expected a mapping"),
+        (
+            "r:\n  a:\n    type: int\n    validation: {'custom_validators::f(': []}",
+            4,
+            "'f(' is not a valid module name",
+        ),
+        ("r:\n  a:\n    type: int\n    validation: {'custom_validators::f': []}", 2, "needs the module"),
         ("r:\n  __map_a: {type: int}", 2, "named like a group of entries"),
         ("r:\n  __map_keys:\n    a: {type: int}", 3, "no list of texts keys"),
         ("r:\n  keys: {type: int}\n  __map_keys:\n    a: {type: int}", 4, "no list of texts keys"),
         (
             "r:\n  k: {type: string_array}\n  __map_k:\n    g:\n      __map_k:\n        a: {type: int}",
             6,
-            "in an order that no module can be made of",
+            "in an order from which no module can be generated",
         ),
         (ONE % "'a\"b'", 2, "line ends or quotation marks"),
         (ONE % '"a\\nb"', 2, "line ends or quotation marks"),
@@ -79,7 +86,7 @@ def test_a_description_is_read_with_its_lines() -> None:
         ("a: &a [x]\nb: &b [*a, *a]\nc: [*b, *b]", 2, "aliases are not read"),
         ("r: " + "{a: " * 200 + "1" + "}" * 200, 1, "nested too deep"),
         ("r:\n" + "".join(f"  p{n}: {{type: int}}\n" for n in range(2_000)), 1_503, "more than is read"),
-        ("r: " + "x" * LARGEST, 0, "too large"),
+        ("r: " + "x" * limits.PARAMETERS_FILE, 0, "too large"),
         ("r:\n  a: {type: int}\n  a: {type: int}", 3, "stands here twice"),
     ],
     ids=lambda value: value[:40] if isinstance(value, str) else None,

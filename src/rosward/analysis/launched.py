@@ -32,7 +32,7 @@ from rosward.effects.entry import Entry
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables, not_given
 from rosward.engine.budget import Budget
-from rosward.findings import INTERNAL_ERROR, Finding
+from rosward.findings import INTERNAL_ERROR, Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.naming.collect import Process, collect
 from rosward.naming.command_line import read_words
@@ -121,7 +121,7 @@ def _of_systems(
 ) -> Gathered:
     """The nodes of launched systems, `asked` what their programs ask for. What several systems start in the same way is in the result once."""
     runs = _Runs(outset)
-    findings: dict[Finding, None] = {}
+    findings = Findings()
     known: dict[str, list[tuple[Node, ...]]] = {}
     nodes: list[Node] = []
     programs = [p for s in systems for p in s.programs]
@@ -132,24 +132,24 @@ def _of_systems(
         for program in system.programs:
             progress("analysing", number, len(programs))
             number += 1
-            missing = "what this program makes is missing"
+            missing = "what this program creates is missing"
             found = guarded(partial(runs.of, program), program.started.place, missing, net=outset.budget.net)
             made = _Made((), (found,)) if isinstance(found, Finding) else found
-            findings.update(dict.fromkeys(made.findings))
+            findings.update(made.findings)
             processes.setdefault(program.process, []).extend(made.nodes)
             packages.add(program.package or "")
         for label, members in processes.items():
             nodes += _distinct(label, members, known)
-    findings.update(dict.fromkeys(_of_packages(sources, outset.workspace, packages)))
+    findings.update(_of_packages(sources, outset.workspace, packages))
     for each in runs.all():
         asked.add_required(each.log.variables)
     entered = {code for run in runs.all() for code in run.entered}
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
-    missing = "code that never runs is not told"
+    missing = "unreachable code is not reported"
     told = guarded(
         lambda: list(unreached(runs.all(), read, outset.library.facts)), Place("", 0), missing, net=outset.budget.net
     )
-    findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
+    findings.update((told,) if isinstance(told, Finding) else told)
     return Gathered(nodes, list(findings))
 
 
@@ -192,7 +192,7 @@ class _Runs:
         nodes, doubts = collect(log, process, self._outset.distro)
         line = read_words(Series(program.configuration.own), program.configuration)
         told = [
-            Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
+            Finding("RW320", f"rcl rejects the command line of {program.process}: {error}", started.place)
             for error in line.errors
         ]
         doubtful = tuple(dict.fromkeys((*line.open, *line.holes)))

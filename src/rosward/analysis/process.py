@@ -19,12 +19,12 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
 from rosward.engine import assumed, handed
+from rosward.engine.arguments import ANY
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
-from rosward.engine.python import modules
-from rosward.engine.python.binding import ANY
+from rosward.engine.reads import Reads
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
@@ -51,10 +51,19 @@ class Run(NamedTuple):
     instantiated: frozenset[Place]
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
+    reads: Reads | None = None
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
     """Interpret one process to its end, and everything that it schedules, as the configuration starts it."""
+    with library.reading() as reading:
+        found = _interpret(library, entry, budget, configuration)
+    variables = tuple(sorted(found.log.variables.read))
+    reads = Reads(tuple(sorted(reading.questions)), tuple(sorted(reading.models)), variables, budget, configuration)
+    return found._replace(reads=reads)
+
+
+def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     log = EffectLog(configuration)
     machine = Interpreter(library, budget, log)
     imported = _Imported()
@@ -63,15 +72,15 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         _main(machine, entry, imported)
     except LimitReachedError as limit:
         place = limit.place
-        log.findings[
+        log.findings.add(
             Finding(
                 "RW201",
                 f"{limit.what}: what the program does after this is missing",
                 place if place.file else Place(entry.file),
             )
-        ] = None
+        )
     except Exception as error:
-        log.findings[_failed(entry, error, "what the program does after this is missing", net=budget.net)] = None
+        log.findings.add(_failed(entry, error, "what the program does after this is missing", net=budget.net))
     done = log.final(machine.state)
     if machine.ends is not None:
         machine.state = join_states(machine.state, machine.ends, machine.fresh_version)
@@ -83,18 +92,18 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
         handed.follow(machine)
         log.tell_spun()
     except LimitReachedError as limit:
-        log.findings[Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file))] = None
+        log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
     except Exception as error:
-        log.findings[_failed(entry, error, "some callbacks were not followed", net=budget.net)] = None
+        log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
     log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
         log,
         done,
-        frozenset(machine.entered),
-        frozenset(machine.instantiated),
-        frozenset(machine.reached),
-        frozenset(machine.asked),
+        frozenset(machine.trace.entered),
+        frozenset(machine.trace.instantiated),
+        frozenset(machine.trace.reached),
+        frozenset(machine.trace.asked),
     )
 
 
@@ -146,13 +155,12 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
     name = "__main__" if plain else entry.module
     address = machine.place_key(("module", "__main__" if plain else entry.file))
     module = ModuleValue(address, name, entry.file)
-    alive = (plain or modules.run_packages(machine, module)) and modules.run_module(machine, module, name)
+    language = machine.library.language_of(module)
+    alive = (plain or language.run_packages(machine, module)) and machine.run_module(module, name)
     if entry.function and alive:
         function: Value = module
         for part in entry.function.split("."):
-            function = (
-                modules.attribute(machine, module, part) if function is module else machine.load_attr(function, part)
-            )
+            function = language.load_attr(machine, function, part)
         machine.call(function, (), {} if _needs_nothing(function) else {ANY: UNBOUND})
     if entry.classes:
         imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)
@@ -161,7 +169,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         if isinstance(found, Class) and _is_node(found, machine.library.node_classes):
             assumed.make(machine, found)
         elif isinstance(found, Class):
-            machine.handed[found] = found.place  # whoever calls it from outside has it
+            machine.trace.handed[found] = found.place  # whoever calls it from outside has it
 
 
 def _needs_nothing(function: Value) -> bool:

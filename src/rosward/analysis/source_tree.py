@@ -7,20 +7,22 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final, final
 
-from rosward.engine.found import Found
-from rosward.findings import Finding
+from rosward.engine.found import FoundModule
+from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
-from rosward.source.imports import ImportResolver, Resolution
+from rosward.source import limits
+from rosward.source.definitions import Definition
+from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
 from rosward.source.parameter_module import parameter_module
 from rosward.source.text import place_name, read_bytes, read_source
 from rosward.source.workspace import SourceFile, Workspace
-from rosward.source.yaml_nodes import LARGEST, Malformed
+from rosward.source.yaml_nodes import Malformed
 
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
 
@@ -40,7 +42,7 @@ class SourceTree:
         self.workspace = workspace
         self._front_ends = front_ends
         self.files = Installed(workspace, underlays)
-        self.findings: dict[Finding, None] = {}
+        self.findings = Findings()
         self._net = net
         self.files_read = 0
         self.lines_read = 0
@@ -76,7 +78,7 @@ class SourceTree:
     def _read(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
         if isinstance(found, Finding):
-            self.findings[found] = None
+            self.findings.add(found)
             return None
         return found
 
@@ -85,39 +87,39 @@ class SourceTree:
             return self._generate(path, file)
         text = read_source(path, self.workspace.root)
         if isinstance(text, Finding):
-            self.findings[text] = None
+            self.findings.add(text)
             return None
         if text.finding is not None:
-            self.findings[text.finding] = None
+            self.findings.add(text.finding)
         self.files_read += 1
         self.lines_read += text.text.count("\n") + (not text.text.endswith("\n"))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
-            self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
+            self.findings.add(Finding(_CODES.get(error.kind, "RW001"), error.message, place))
             return None
 
     def _generate(self, path: Path, file: str) -> Module | None:
         """The module that the build makes of the description in a file."""
-        data = read_bytes(path, file, LARGEST)
+        data = read_bytes(path, file, limits.PARAMETERS_FILE)
         if isinstance(data, Finding):
-            self.findings[data] = None
+            self.findings.add(data)
             return None
         try:
             made = parameter_module(data.decode("utf-8-sig", "replace"), file, self._generated[file])
         except Malformed as problem:
-            message = f"The parameters of this module are not read: {problem.message}."
-            self.findings[Finding("RW008", message, problem.place)] = None
+            message = f"The parameters of this module were not read: {problem.message}."
+            self.findings.add(Finding("RW008", message, problem.place))
             return None
         try:
             return PYTHON.lower(made.text, file, made.lines)
         except FrontendError:
-            message = "The parameters of this module are not read: they are nested deeper than Python allows."
-            self.findings[Finding("RW008", message, Place(file, 1))] = None
+            message = "The parameters of this module were not read: they are nested deeper than Python allows."
+            self.findings.add(Finding("RW008", message, Place(file, 1)))
             return None
 
-    def find(self, name: str, level: int, importer: str) -> Found | None:
+    def find(self, name: str, level: int, importer: str) -> FoundModule | None:
         """The module of a name as written in the file `importer`."""
         source = self._files.get(importer)
         if source is None:
@@ -127,26 +129,26 @@ class SourceTree:
             return self._launch_file(name, source) if importer in self._launch and level == 0 else None
         return self._found(found)
 
-    def _found(self, found: Resolution) -> Found | None:
+    def _found(self, found: ImportTarget) -> FoundModule | None:
         """A file that is imported under another name than its own is a module apart from that of its own name.
 
         A module that the build makes is there only if what it is made of is understood.
         """
         if found.file is None:
-            return Found(found.name, found.name, "", guess=found.guess)
+            return FoundModule(found.name, found.name, "", guess=found.guess)
         file = found.file.relative
         self._files.setdefault(file, found.file)
         if file in self._generated and self.module(file) is None:
             return None
         key = file if found.name == found.file.module else f"{found.name} in {file}"
-        return Found(found.name, key, file, guess=found.guess)
+        return FoundModule(found.name, key, file, guess=found.guess)
 
-    def in_folder(self, folder: str, name: str) -> Found | None:
+    def in_folder(self, folder: str, name: str) -> FoundModule | None:
         """The module of a name, imported from a folder below that of all sources."""
         found = self._resolver.in_folder(folder, name)
         return None if found is None else self._found(found)
 
-    def named(self, name: str) -> tuple[tuple[str, Found], ...]:
+    def named(self, name: str) -> tuple[tuple[str, FoundModule], ...]:
         """All files that a name may mean, each with the folder from which it would be imported."""
         named = [(folder, self._found(found)) for folder, found in self._resolver.named(name)]
         return tuple((folder, found) for folder, found in named if found is not None)
@@ -156,15 +158,19 @@ class SourceTree:
         source = self._files.get(file)
         return source is not None and source.package is not None and source.package.name == package
 
-    def _launch_file(self, name: str, importer: SourceFile) -> Found | None:
+    def _launch_file(self, name: str, importer: SourceFile) -> FoundModule | None:
         """A launch file that another one imports: `sys.path.append(…)` and `import rs_launch`; the only one of that name, nearest first."""
         named = [f for f in self.workspace.launch_files if f.relative.rpartition("/")[2] == f"{name}.py"]
         near = [f for f in named if f.package == importer.package] or named
-        return Found(name, near[0].relative, near[0].relative, guess=True) if len(near) == 1 else None
+        return FoundModule(name, near[0].relative, near[0].relative, guess=True) if len(near) == 1 else None
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name."""
         return self._interfaces.has(module, name)
+
+    def interface_definition(self, package: str, kind: str, name: str, part: str) -> Definition | None:
+        """The fields of a message, or of a part of a service or action."""
+        return self._interfaces.definition(package, kind, name, part)
 
     def belongs(self, name: str) -> bool:
         """Whether the first part of a dotted name is a package of the workspace."""

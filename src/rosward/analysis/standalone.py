@@ -18,7 +18,7 @@ from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
 from rosward.effects.configuration import Configuration
 from rosward.effects.variables import Variables, not_given
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding, Findings, Severity
 from rosward.guard import guarded
 from rosward.naming.collect import Process, collect
 from rosward.ros.entities import Node
@@ -39,12 +39,12 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
 
     `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out.
     """
-    findings: dict[Finding, None] = {}
+    findings = Findings()
     net = read.budget.net
     given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
     everything = _run_all(read, configuration, progress, assumed=assumed)
-    findings.update(dict.fromkeys((*read.sources.findings, *read.plan.findings)))
+    findings.update((*read.sources.findings, *read.plan.findings))
     nodes: list[Node] = []
     for each in everything:
         if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
@@ -57,22 +57,22 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
                 assumed=entry.assumed,
                 shell=read.library.environment,
             )
-            findings.update(dict.fromkeys(each.log.findings))
+            findings.update(each.log.findings)
             missing = "the nodes of this program are missing"
             made = guarded(partial(collect, each.log, process, read.distro), Place(entry.file), missing, net=net)
             if isinstance(made, Finding):
-                findings[made] = None
+                findings.add(made)
                 continue
             nodes += made[0]
-            findings.update(dict.fromkeys(made[1]))
+            findings.update(made[1])
     modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
-    missing = "code that never runs is not told"
+    missing = "unreachable code is not reported"
     told = guarded(lambda: list(unreached(everything, modules, read.library.facts)), Place("", 0), missing, net=net)
-    findings.update(dict.fromkeys((told,) if isinstance(told, Finding) else told))
+    findings.update((told,) if isinstance(told, Finding) else told)
     asked = Variables()
     for each in everything:
         asked.add_required(each.log.variables)
-    findings.update(dict.fromkeys(not_given(asked)))
+    findings.update(not_given(asked))
     return Gathered(nodes, list(findings))
 
 

@@ -36,7 +36,7 @@ from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.findings import UNREAD_ARGUMENT, Finding
+from rosward.findings import UNREAD_ARGUMENT, Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
@@ -61,7 +61,7 @@ class System(NamedTuple):
         """In plain words."""
         behind = {id(p.started): p for p in (*self.programs, *self.elsewhere)}
         entries: list[LaunchEntry | None] = [
-            steps(partial(entry, s, behind.get(id(s))), None, "the launch tree does not show this", s.place)
+            steps(partial(entry, s, behind.get(id(s))), None, "the launch tree omits this", s.place)
             for s in self.started
         ]
         return LaunchSystem(self.name, self.file, tuple(e for e in entries if e is not None))
@@ -100,7 +100,7 @@ class SystemsRead(NamedTuple):
 
 def systems_of(request: Request, outset: Outset) -> SystemsRead:
     """The systems of a request. Raises UnknownRequestError where a launch file or executable is not there."""
-    findings: dict[Finding, None] = {}
+    findings = Findings()
     net = outset.budget.net
     extra = parameter_files(request.params, outset.workspace.root, findings, net=net)
     found: list[System] = []
@@ -117,15 +117,15 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
             ran = Executed((), (ran,), ())
         asked.add(variables)
         known |= ran.known
-        findings.update(dict.fromkeys(ran.findings))
+        findings.update(ran.findings)
         for name in ran.unread:
             unread.setdefault(name, []).append(file)
         started = [_with_files(s, extra) for s in ran.started]
         made.append(_programs(outset))
         make = partial(_system, str(launch), file, started, made[-1])
-        system = guarded(make, Place(file), "the programs that it starts are not known", net=net)
+        system = guarded(make, Place(file), "the programs that it starts are unknown", net=net)
         if isinstance(system, Finding):
-            findings[system] = None
+            findings.add(system)
             system = System(str(launch), file, tuple(started), ())
         found.append(system)
     own = {name for launch in request.launches for name, _ in launch.arguments}
@@ -134,7 +134,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
             near = get_close_matches(name, sorted(known), n=1)
             hint = f" Did you mean '{near[0]}'?" if near else ""
             message = f"No launch file declares or reads the launch argument '{name}'.{hint}"
-            findings.update((Finding(UNREAD_ARGUMENT, message, Place(file)), None) for file in files)
+            findings.update(Finding(UNREAD_ARGUMENT, message, Place(file)) for file in files)
     if request.nodes:
         named = [_with_files(_node(n), extra) for n in request.nodes]
         title = ", ".join(f"{n.package}/{n.executable}" for n in request.nodes)
@@ -142,7 +142,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
         found.append(_system(title, "", named, made[-1]))
         _check_nodes(found[-1])
     found = _with_components(found, made, together=not request.all_launch)
-    findings.update((f, None) for programs in made for f in programs.findings)
+    findings.update(f for programs in made for f in programs.findings)
     findings.update(outset.declarations.findings)
     findings.update(outset.library.findings)
     return SystemsRead(found, list(findings), asked)
@@ -192,9 +192,7 @@ def _find_in_package(package: str, name: str, files: Iterable[SourceFile], outse
     if not named:
         known = any(each.name == package for each in outset.workspace.packages)
         if not known and outset.files.find(path_of(Location(package, "package.xml"))) is None:
-            raise UnknownRequestError(
-                f"there is no package {package} among the sources and underlays; {_there_is(outset)}"
-            )
+            raise UnknownRequestError(f"no package {package} in the sources or underlays; {_there_is(outset)}")
         raise UnknownRequestError(f"the package {package} has no launch file {name}; {_there_is(outset)}")
     return _only(named, f"{name} in the package {package}")
 
@@ -203,14 +201,14 @@ def _there_is(outset: Outset) -> str:
     """The launch files that could be meant, so that a refusal shows what to write instead."""
     known = sorted(each.relative for each in outset.workspace.launch_files)
     if not known:
-        return "the sources have no launch file"
+        return "the sources contain no launch file"
     more = f" and {len(known) - _SHOWN} more (`rosward launch-tree` lists them)" if len(known) > _SHOWN else ""
-    return f"the sources have {', '.join(known[:_SHOWN])}{more}"
+    return f"the sources contain {', '.join(known[:_SHOWN])}{more}"
 
 
 def _only(named: Sequence[str], what: str) -> str:
     if len(named) > 1:
-        raise UnknownRequestError(f"several launch files are called {what}: {', '.join(named)}")
+        raise UnknownRequestError(f"several launch files are named {what}: {', '.join(named)}")
     return named[0]
 
 

@@ -18,14 +18,15 @@ from typing import final
 from rosward.analysis.process import Run
 from rosward.domain.values import Class, External, Unknown, Value
 from rosward.engine.escape import name_of
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.ir import ops
+from rosward.ir.op import walk
 from rosward.ir.program import Code, Module, OpKey
-from rosward.models.facts import Facts
+from rosward.models.facts import LibraryFacts
 from rosward.source.location import Place
 
 
-def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> list[Finding]:
+def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFacts) -> list[Finding]:
     """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
     entered: set[str] = set()
     reached: set[OpKey] = set()
@@ -34,7 +35,7 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> l
         reached |= run.reached
     bases = _unknown_bases(runs)
     unseen = _Unseen(runs)
-    found: dict[Finding, None] = {}
+    found = Findings()
     for module in modules:
         names = facts.creators_of(name.partition(".")[0] for name in module.imports)
         for code in _functions(module.code):
@@ -42,20 +43,20 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> l
             for name, op, key in _creations(code, facts.creating, names):
                 base = bases.get((code.file, code.qualname.rpartition(".")[0]))
                 if dead and base is not None:
-                    what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
-                    found[Finding("RW204", what, Place(code.file, op.line, op.column))] = None
+                    what = f"nothing here calls {code.qualname}, but its base class {base} may: its {name} is not in the result"
+                    found.add(Finding("RW204", what, Place(code.file, op.line, op.column)))
                     continue
                 if dead and unseen.may_call(code):
-                    what = f"nothing that is known calls {code.qualname}, but something unknown may: its {name} is left out"
-                    found[Finding("RW212", what, Place(code.file, op.line, op.column))] = None
+                    what = f"no known code calls {code.qualname}, but unknown code may: its {name} is not in the result"
+                    found.add(Finding("RW212", what, Place(code.file, op.line, op.column)))
                     continue
                 if dead:
-                    what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
+                    what = f"{code.qualname or 'this file'} is never called: its {name} is not in the result"
                 elif name in facts.creating and key not in reached:
-                    what = f"no execution comes to this {name}, as far as the values are known: it is left out"
+                    what = f"no execution reaches this {name}, as far as the values are known: it is not in the result"
                 else:
                     continue
-                found[Finding("RW205", what, Place(code.file, op.line, op.column))] = None
+                found.add(Finding("RW205", what, Place(code.file, op.line, op.column)))
     return list(found)
 
 
@@ -122,13 +123,7 @@ def _creations(code: Code, methods: Container[str], names: Container[str]) -> It
 
 def _all_ops(code: Code) -> Iterator[tuple[Code, ops.Op]]:
     """Every operation of a body and of the bodies of its classes, each with the body that it belongs to."""
-    yield from _ops_of(code, code.ops)
-
-
-def _ops_of(code: Code, block: ops.Block) -> Iterator[tuple[Code, ops.Op]]:
-    for op in block:
+    for op in walk(code.ops):
         yield code, op
         if isinstance(op, ops.MakeClass):
             yield from _all_ops(op.code)
-        for inner in op.blocks:
-            yield from _ops_of(code, inner)

@@ -20,12 +20,12 @@ from typing import Final, final
 from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode, is_hidden, with_actions
 from rosward.findings import Finding
 from rosward.ros.entities import EntityKind
+from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 
-__all__ = ["LONGEST_TEXT", "read_node_info"]
+__all__ = ["read_node_info"]
 
-LONGEST_TEXT: Final = 16_000_000
 _MOST_ENTITIES: Final = 200_000
 _MOST_TOLD: Final = 20
 
@@ -49,11 +49,11 @@ def read_node_info(texts: Mapping[str, str]) -> LiveGraph:
     """What texts say, each by the name of its file. Raises UnreadableError where none of them names a node."""
     reading = _Reading()
     for file, text in texts.items():
-        if len(text) > LONGEST_TEXT:
-            raise UnreadableError(f"{file}: more than {LONGEST_TEXT:,} characters")
+        if len(text) > limits.NODE_INFO_TEXT:
+            raise UnreadableError(f"{file}: more than {limits.NODE_INFO_TEXT:,} characters")
         reading.read(file, text)
     if not reading.known:
-        raise UnreadableError(f"{', '.join(texts)}: no text of ros2 node info: no line is the full name of a node")
+        raise UnreadableError(f"{', '.join(texts)}: not output of ros2 node info: no line is the full name of a node")
     entities = {name: tuple(found) for name, found in reading.entities.items()}
     hidden = any(is_hidden(e.name) for found in entities.values() for e in found)
     nodes = tuple(
@@ -108,10 +108,10 @@ class _Reading:
 
     def _tell(self, line: str, place: Place) -> None:
         if len(self.findings) == _MOST_TOLD:
-            self.findings[-1] = Finding("RW505", "Further lines are not understood.", self.findings[-1].place)
+            self.findings[-1] = Finding("RW505", "Further lines could not be parsed.", self.findings[-1].place)
         elif len(self.findings) < _MOST_TOLD:
             absent = _ABSENT.fullmatch(line)
-            said = f"There was no node {absent[1]}." if absent else f"The line is not understood: {line[:100]}"
+            said = f"There was no node {absent[1]}." if absent else f"The line could not be parsed: {line[:100]}"
             self.findings.append(Finding("RW505", said, place))
 
 

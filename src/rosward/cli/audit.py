@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
+from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -22,6 +22,7 @@ from rosward.cli.shared import (
     request_of,
 )
 from rosward.cli.snapshot import add_looks
+from rosward.outputs.formats import OF_FINDINGS
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 
 if TYPE_CHECKING:
@@ -31,28 +32,29 @@ if TYPE_CHECKING:
     from rosward.cli.shared import Commands
     from rosward.findings import Finding
     from rosward.ros.entities import Node
-    from rosward.suppression.judge import Judged, Sources
+    from rosward.suppression.judge import Judged, SourceTexts
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "audit",
-        help="compare the running robot with the sources",
-        description="Says which running nodes and entities the sources do not explain, and which of theirs do not run. "
-        "What runs is said by a snapshot, by texts of `ros2 node info`, or else by the graph itself, where rclpy is there.",
-        epilog="Exit status: 0 all that runs is explained, and all that is expected runs; 1 there are differences; 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        help="compare a running robot with its sources",
+        description="Report which running nodes and entities the sources do not explain, and which expected ones are not running. "
+        "The running system is described by a snapshot or by output of `ros2 node info`. "
+        "Without either, rosward inspects the live graph, which needs rclpy.",
+        epilog="Exit status: 0 everything that runs is explained, and everything expected runs; 1 differences found; "
+        "2 usage error or nothing to read; 3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
-    running = parser.add_argument_group("what runs (default: the graph is looked at)")
+    running = parser.add_argument_group("running system (default: the live graph)")
     which = running.add_mutually_exclusive_group()
-    which.add_argument("--snapshot", metavar="FILE", help="what `rosward snapshot` wrote")
+    which.add_argument("--snapshot", metavar="FILE", help="file written by `rosward snapshot`")
     which.add_argument(
         "--node-info",
         action="append",
         metavar="FILE",
-        help="what `ros2 node info` printed, of one or several nodes; - for the standard input; may be repeated",
+        help="output of `ros2 node info` for one or more nodes; - reads standard input; may be repeated",
     )
     add_looks(running)
     running.add_argument(
@@ -60,14 +62,16 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="this node is known, or 'NODE NAME' for one name of a node; * is any text; may be repeated",
+        help="accept this node, or 'NODE NAME' for one name of a node; * matches any text; may be repeated",
     )
-    running.add_argument("--accept", metavar="FILE", help="a file with one such line for each")
+    running.add_argument("--accept", metavar="FILE", help="file with one such name per line")
     add_sources(parser)
     parser.set_defaults(distro=None)
-    parser.add_argument("--network", metavar="FILE", help="a network.json of an earlier `extract`, instead of sources")
+    parser.add_argument(
+        "--network", metavar="FILE", help="network.json of an earlier `extract`, used instead of sources"
+    )
     add_deployment(parser)
-    add_format(parser, "text", "json", "sarif", "junit", "github")
+    add_format(parser, "text", "json", *OF_FINDINGS)
     add_output_file(parser)
     add_review(parser)
 
@@ -77,7 +81,7 @@ class _Said(NamedTuple):
 
     nodes: tuple[Node, ...]
     findings: tuple[Finding, ...]
-    sources: Sources
+    sources: SourceTexts
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -116,17 +120,19 @@ def _graph(options: argparse.Namespace) -> LiveGraph:
     try:
         return snapshot_of(take(options.seconds, options.domain_id, options.enclave))
     except RuntimeError as error:
-        raise WrongUseError(f"the graph cannot be looked at: {error}; or name a --snapshot or --node-info") from error
+        raise WrongUseError(
+            f"the live graph cannot be inspected: {error}; use --snapshot or --node-info instead"
+        ) from error
 
 
 def _text(file: str) -> str:
-    from rosward.audit.node_info import LONGEST_TEXT
     from rosward.findings import Finding
+    from rosward.source import limits
     from rosward.source.text import read_bytes
 
     if file == "-":
-        return sys.stdin.read(LONGEST_TEXT + 1)
-    data = read_bytes(file, file, LONGEST_TEXT)
+        return sys.stdin.read(limits.NODE_INFO_TEXT + 1)
+    data = read_bytes(file, file, limits.NODE_INFO_TEXT)
     if isinstance(data, Finding):
         raise WrongUseError(f"--node-info: {file}: {data.message}")
     return data.decode("utf-8", "replace")
@@ -134,31 +140,33 @@ def _text(file: str) -> str:
 
 def _earlier(options: argparse.Namespace) -> _Said:
     from rosward.network.network_file import read_network
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
     if options.paths or request.deploys or request.params:
-        raise WrongUseError("--network takes the place of sources: name no PATH, and nothing that is started")
+        raise WrongUseError(
+            "--network replaces the sources: it cannot be combined with PATH or with options that start something"
+        )
     read = read_network(options.network)
-    return _Said(read.nodes, read.findings, Sources(Path.cwd(), ()))
+    return _Said(read.nodes, read.findings, SourceTexts(Path.cwd(), ()))
 
 
 def _extracted(options: argparse.Namespace) -> _Said:
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     result = extracted(options, options.paths, request_of(options))
-    return _Said(result.network.nodes, result.findings, Sources(result.root, result.files))
+    return _Said(result.network.nodes, result.findings, SourceTexts(result.root, result.files))
 
 
 def _tell(found: Audit, said: _Said, options: argparse.Namespace) -> int:
     """Findings at places of the source and of the snapshot are reviewed apart: they are relative to different folders."""
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     differences = {d.finding: None for d in found.differences}
     in_code = [f for f in differences if f.place.file != found.source]
     in_snapshot = [*(f for f in differences if f.place.file == found.source), *found.findings]
     code = reviewed(in_code, said.sources, options, unused=False)
-    paper = reviewed(in_snapshot, Sources(Path.cwd(), ()), options, unused=False)
+    paper = reviewed(in_snapshot, SourceTexts(Path.cwd(), ()), options, unused=False)
     shown = (*code.shown, *paper.shown)
     if options.write_baseline is not None:
         write_baseline(shown, options.write_baseline)
@@ -177,19 +185,10 @@ def _output(
     found: Audit, known: set[Finding], shown: tuple[Judged, ...], said: _Said, options: argparse.Namespace
 ) -> str:
     from rosward.outputs.documents.audit_json import audit_json
-    from rosward.outputs.documents.github import github_commands
-    from rosward.outputs.documents.junit import junit_xml
-    from rosward.outputs.documents.sarif import sarif_json
     from rosward.outputs.terminal.audit_text import audit_text
 
-    match options.format:
-        case "json":
-            return audit_json(found, known, said.findings)
-        case "sarif":
-            return sarif_json(shown, baseline=options.baseline is not None, documentation=documentation())
-        case "junit":
-            return junit_xml(shown)
-        case "github":
-            return github_commands(shown)
-        case _:
-            return audit_text(found, known, said.findings)
+    if options.format in OF_FINDINGS:
+        return findings_text(options.format, shown, options)
+    return (
+        audit_json(found, known, said.findings) if options.format == "json" else audit_text(found, known, said.findings)
+    )

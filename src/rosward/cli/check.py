@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rosward.cli.reviewing import add_output_file, add_review, deliver, documentation, reviewed, write_baseline
+from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -21,6 +21,7 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.outputs.formats import OF_FINDINGS
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -33,18 +34,18 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "check",
-        help="compare an existing policy with what the sources need",
+        help="check an existing policy against the sources",
         usage="%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]",
-        description="Says what the code needs and the policy lacks, and what the policy allows and no code uses. "
-        "The files that end in .xml are the policies, SROS2's or permissions of DDS; the other paths are the sources.",
-        epilog="Exit status: 0 the policy is exactly right; 1 there are findings that are not in the baseline; 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        description="Report which permissions the policy is missing and which ones the code never uses. "
+        "Arguments that end in .xml are policies (SROS2 policies or DDS permissions); the other paths are the sources.",
+        epilog="Exit status: 0 the policy matches the code exactly; 1 findings that are not in the baseline; 2 usage error or nothing to read; "
+        "3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
-    add_format(parser, "text", "json", "sarif", "junit", "github")
+    add_format(parser, "text", "json", *OF_FINDINGS)
     add_output_file(parser)
     add_review(parser)
 
@@ -54,7 +55,7 @@ def _run(options: argparse.Namespace) -> int:
 
     files = [p for p in options.paths if p.lower().endswith(".xml") and not os.path.isdir(p)]  # noqa: PTH112
     if not files:
-        raise WrongUseError("name the policy to check: a file that ends in .xml")
+        raise WrongUseError("no policy given: pass a file that ends in .xml")
     request = request_of(options)
     policy = read_policy(files)
     result = extracted(options, [p for p in options.paths if p not in files], request)
@@ -67,10 +68,10 @@ def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Che
     """Findings in the sources and in the policy are reviewed apart: their places are relative to different folders."""
     from rosward.explanation.checked import checked
     from rosward.policies.compare import compare
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     differences = compare(result.network, policy) if policy.enclaves else ()
-    sources, papers = Sources(result.root, result.files), Sources(Path.cwd(), ())
+    sources, papers = SourceTexts(result.root, result.files), SourceTexts(Path.cwd(), ())
     in_code = dict.fromkeys((*result.findings, *(d.finding for d in differences if not d.in_policy)))
     in_policy = dict.fromkeys((*policy.findings, *(d.finding for d in differences if d.in_policy)))
     code = reviewed(list(in_code), sources, options, unused=False)
@@ -82,19 +83,8 @@ def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Che
 
 def _text(found: Checked, options: argparse.Namespace) -> str:
     from rosward.outputs.documents.check_json import check_json
-    from rosward.outputs.documents.github import github_commands
-    from rosward.outputs.documents.junit import junit_xml
-    from rosward.outputs.documents.sarif import sarif_json
     from rosward.outputs.terminal.check_text import check_text
 
-    match options.format:
-        case "json":
-            return check_json(found)
-        case "sarif":
-            return sarif_json(found.shown, baseline=options.baseline is not None, documentation=documentation())
-        case "junit":
-            return junit_xml(found.shown)
-        case "github":
-            return github_commands(found.shown)
-        case _:
-            return check_text(found)
+    if options.format in OF_FINDINGS:
+        return findings_text(options.format, found.shown, options)
+    return check_json(found) if options.format == "json" else check_text(found)

@@ -56,12 +56,15 @@ def offer(parser: argparse.ArgumentParser) -> None:
         "POLICY_FILE_PATH": FilesCompleter(("xml",)),
     }
     for action in _actions(parser):
+        completer: Completer | None = None
         if action.choices is None and action.dest in by_dest:
-            action.completer = by_dest[action.dest]  # type: ignore[attr-defined]
+            completer = by_dest[action.dest]
         elif action.metavar == "DIR":
-            action.completer = DirectoriesCompleter()  # type: ignore[attr-defined]
+            completer = DirectoriesCompleter()
         elif action.dest == "format" and action.metavar == "LIST":
-            action.completer = _formats  # type: ignore[attr-defined]
+            completer = _formats
+        if completer is not None:
+            action.completer = completer  # type: ignore[attr-defined]  # as argcomplete has it
 
 
 def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:
@@ -128,8 +131,8 @@ def _names_of_the_last_result() -> Iterator[str]:
 
 def _formats(prefix: str, **_: object) -> list[str]:
     """The list so far with one more."""
-    from rosward.cli.extract import FORMATS
+    from rosward.cli.extract import FORMAT_NAMES
 
     before, comma, _last = prefix.rpartition(",")
     taken = before.split(",")
-    return [f"{before}{comma}{each}" for each in FORMATS if each not in taken]
+    return [f"{before}{comma}{each}" for each in FORMAT_NAMES if each not in taken]

@@ -17,17 +17,17 @@ from typing import Final, NamedTuple
 from rosward.cli.configuration_keys import KEYS, Value, WrongValueError
 from rosward.cli.shared import WrongUseError
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 
-__all__ = ["Configuration", "read_configuration"]
+__all__ = ["ConfigurationFile", "read_configuration"]
 
-_LIMIT: Final = 1_000_000
 _COMMANDS: Final = "command"
 _NOTHING: Final[Mapping[str, Value]] = {}
 
 
-class Configuration(NamedTuple):
+class ConfigurationFile(NamedTuple):
     """What a file says: for all commands, and for some; `path` is None where there is no file."""
 
     path: str | None = None
@@ -35,7 +35,7 @@ class Configuration(NamedTuple):
     commands: Mapping[str, Mapping[str, Value]] = {}
 
 
-def read_configuration(start: Path, commands: Collection[str]) -> Configuration:
+def read_configuration(start: Path, commands: Collection[str]) -> ConfigurationFile:
     """The nearest file at or above a path. `commands` are those that there are. Raises WrongUseError."""
     folder = start.absolute()
     for above in (folder, *folder.parents):
@@ -44,13 +44,13 @@ def read_configuration(start: Path, commands: Collection[str]) -> Configuration:
             table = _table(path) if os.path.isfile(path) else None  # noqa: PTH113
             if table is not None:
                 return _configuration(table, path, commands)
-    return Configuration()
+    return ConfigurationFile()
 
 
 def _table(path: Path) -> dict[str, object] | None:
     """The settings in a file; None where it is a pyproject.toml that has none."""
     whole = path.name == "rosward.toml"
-    data = read_bytes(path, str(path), _LIMIT)
+    data = read_bytes(path, str(path), limits.CONFIGURATION_FILE)
     if not isinstance(data, Finding) and not whole and b"rosward" not in data:
         return None
     if isinstance(data, Finding):
@@ -60,7 +60,7 @@ def _table(path: Path) -> dict[str, object] | None:
     try:
         document = read_toml(data.decode("utf-8"))
     except ValueError as error:
-        raise WrongUseError(f"{path}: this is no TOML: {error} (--no-config leaves it unread)") from error
+        raise WrongUseError(f"{path}: not valid TOML: {error} (--no-config ignores the file)") from error
     if whole:
         return dict(document)
     tool = document.get("tool")
@@ -70,7 +70,7 @@ def _table(path: Path) -> dict[str, object] | None:
     return table
 
 
-def _configuration(table: dict[str, object], path: Path, known: Collection[str]) -> Configuration:
+def _configuration(table: dict[str, object], path: Path, known: Collection[str]) -> ConfigurationFile:
     commands: dict[str, dict[str, Value]] = {}
     tables = table.pop(_COMMANDS, {})
     if not isinstance(tables, dict):
@@ -81,7 +81,7 @@ def _configuration(table: dict[str, object], path: Path, known: Collection[str])
         if not isinstance(own, dict):
             raise WrongUseError(f"{path}: {_COMMANDS}.{command} must be a table")
         commands[command] = _values(own, path)
-    return Configuration(str(path), _values(table, path), commands)
+    return ConfigurationFile(str(path), _values(table, path), commands)
 
 
 def _values(table: Mapping[str, object], path: Path) -> dict[str, Value]:
@@ -99,4 +99,4 @@ def _values(table: Mapping[str, object], path: Path) -> dict[str, Value]:
 def _meant(word: str, known: Collection[str]) -> str:
     """What was probably meant, else all that there is."""
     close = difflib.get_close_matches(word.replace("_", "-"), known, n=1, cutoff=0.5)
-    return f"; did you mean {close[0]!r}?" if close else f"; choose out of {', '.join(known)}"
+    return f"; did you mean {close[0]!r}?" if close else f"; choose from {', '.join(known)}"

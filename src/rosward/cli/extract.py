@@ -6,9 +6,10 @@ from __future__ import annotations
 import argparse
 import sys
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.reviewing import add_review, documentation, reviewed_result, write_baseline
+from rosward.cli.reviewing import add_review, findings_text, reviewed_result, scan_of, write_baseline
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
@@ -23,6 +24,7 @@ from rosward.cli.shared import (
     request_of,
 )
 from rosward.guard import Steps
+from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -31,32 +33,32 @@ if TYPE_CHECKING:
     from rosward.pipeline import Result
     from rosward.suppression.judge import Reviewed
 
-FORMATS: Final = ("json", "policy", "svg", "dot", "html", "mermaid", "permissions", "sarif", "junit", "github", "none")
-DEFAULT_FORMATS: Final = ("json", "policy", "svg", "dot", "html")
+FORMAT_NAMES: Final = (*BY_NAME, "none")
+_WORDS: Final = "; ".join((*(f"{each.name}: {each.what}" for each in FORMATS), "none: no file"))
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "extract",
-        help="write the graph, the policies and a report of the sources",
-        description="Reads files, packages or workspaces and writes the computation graph, the SROS2 policies and a report.",
-        epilog="Exit status: 0 complete; 1 extracted, but incomplete (an unknown name, an unreadable file, a limit), or as --fail-on says; "
-        "2 wrong use or nothing to read; 3 written, but rosward itself failed on a part of it (RW299).",
+        help="write the graph, the policies and a report",
+        description="Analyse files, packages or workspaces and write the computation graph, the SROS2 policies and a report.",
+        epilog="Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
+        "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299).",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
     parser.add_argument(
-        "-o", "--output", metavar="DIR", default="rosward-out", help="where to write (default: rosward-out)"
+        "-o", "--output", metavar="DIR", default="rosward-out", help="output folder (default: rosward-out)"
     )
     parser.add_argument(
         "--format",
         type=_formats,
         metavar="LIST",
         default=DEFAULT_FORMATS,
-        help=f"comma-separated outputs out of {', '.join(FORMATS)} (default: {', '.join(DEFAULT_FORMATS)}); none writes no file",
+        help=f"comma-separated outputs (default: {', '.join(DEFAULT_FORMATS)}); {_WORDS}",
     )
     add_unknown(parser)
     add_compact(parser)
@@ -65,18 +67,18 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--loose-ends",
         action="store_true",
-        help="note topics without a publisher or subscription, and services and actions without a server (the report has them anyway)",
+        help="report topics without a publisher or subscription, and services and actions without a server (report.html always has them)",
     )
     add_review(parser)
     parser.add_argument(
         "--fail-on",
         choices=("error", "warning", "note"),
         default="error",
-        help="exit with 1 where there are new findings of this weight, or a heavier one (default: error)",
+        help="exit with 1 if there are new findings of this severity or higher (default: error)",
     )
     volume = parser.add_mutually_exclusive_group()
-    volume.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
-    volume.add_argument("-v", "--verbose", action="store_true", help="print every doubt")
+    volume.add_argument("-q", "--quiet", action="store_true", help="print only errors")
+    volume.add_argument("-v", "--verbose", action="store_true", help="print every finding")
 
 
 def add_compact(parser: argparse.ArgumentParser) -> None:
@@ -84,41 +86,42 @@ def add_compact(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--compact",
         action="store_true",
-        help="where the permissions of an enclave are too large for DDS, let patterns stand for several names, and say what they allow besides",
+        help="if the permissions of an enclave are too large for DDS, replace names by patterns and report what else they allow",
     )
 
 
 def _formats(text: str) -> tuple[str, ...]:
     wanted = tuple(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
-    wrong = [w for w in wanted if w not in FORMATS]
+    wrong = [w for w in wanted if w not in FORMAT_NAMES]
     if wrong or not wanted:
-        raise argparse.ArgumentTypeError(f"choose out of {', '.join(FORMATS)}: {', '.join(wrong) or 'nothing given'}")
+        raise argparse.ArgumentTypeError(
+            f"choose from {', '.join(FORMAT_NAMES)}: {', '.join(wrong) or 'nothing given'}"
+        )
     return wanted
 
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.findings import Severity
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
     result = extracted(options, options.paths, request, shown=not options.quiet)
     widened: Widenings = {}
     if options.compact:
         result, widened = compacted(result, options)
-    sources = Sources(result.root, result.files)
+    sources = SourceTexts(result.root, result.files)
     found, loose = reviewed_result(result, sources, options, unused=not request.deploys)
     written, found = _write(result, found, loose, options, widened)
     steps = Steps()
     if not options.quiet:
-        steps(lambda: summarise(result, found, written, options), None, "the summary ends here")
-    if "github" in options.format:
-        from rosward.outputs.documents.github import github_commands
-
-        sys.stdout.write(steps(lambda: github_commands(found.shown), "", "the format github was not written"))
+        steps(lambda: summarise(result, found, written, options), None, "the rest of the summary is missing")
+    for name in options.format:
+        if name in OF_FINDINGS and not BY_NAME[name].files:
+            printed = partial(findings_text, name, found.shown, options)
+            sys.stdout.write(steps(printed, "", f"the format {name} was not written"))
     note_failures(options, steps.findings)
-    heaviest = [severity.value for severity in Severity]
-    failing = heaviest[: heaviest.index(options.fail_on) + 1]
-    return INCOMPLETE if any(f.rule.severity.value in failing for f in found.new) else COMPLETE
+    enough = Severity(options.fail_on).rank
+    return INCOMPLETE if any(f.rule.severity.rank <= enough for f in found.new) else COMPLETE
 
 
 def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:
@@ -128,7 +131,7 @@ def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Wide
 
     network = result.network
     steps = Steps()
-    compaction = steps(lambda: compact(network.nodes, options.unknown), None, "the permissions are not made smaller")
+    compaction = steps(lambda: compact(network.nodes, options.unknown), None, "the permissions were not compacted")
     if compaction is None:
         note_failures(options, steps.findings)
         return replace(result, network=with_findings(network, steps.findings)), {}
@@ -145,21 +148,24 @@ def _write(
     widened: Widenings,
 ) -> tuple[list[str], Reviewed]:
     """What was written, and the findings with those of writing."""
-    from rosward.outputs.files import Scan, write_outputs
+    from rosward.outputs.files import write_outputs
     from rosward.outputs.report.document import Background
+    from rosward.outputs.writing import Material
     from rosward.suppression.judge import of_no_file
 
     try:
         written = write_outputs(
-            replace(result.network, findings=found.findings),
+            Material(
+                replace(result.network, findings=found.findings),
+                options.unknown,
+                options.system,
+                options.types,
+                widened,
+                Background(result.root, result.systems, loose),
+            ),
             options.output,
             options.format,
-            unknown=options.unknown,
-            system=options.system,
-            types=options.types,
-            scan=Scan(found.shown, options.baseline is not None, documentation()),
-            background=Background(result.root, result.systems, loose),
-            widened=widened,
+            scan_of(found.shown, options),
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error

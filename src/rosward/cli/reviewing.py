@@ -4,6 +4,7 @@
 add_review(parser)                       --baseline, --write-baseline
 reviewed(findings, sources, options)     comments, `ignore`, `ignore-in` and the baseline, applied
 deliver(text, options.output)            to the terminal, or whole into a file
+findings_text("sarif", shown, options)   findings alone, in a format that each command has
 write_file(text, "policy.xml")           whole, or told why not
 """
 
@@ -20,16 +21,18 @@ from rosward.guard import Steps
 
 if TYPE_CHECKING:
     from rosward.findings import Finding
+    from rosward.outputs.writing import Scan
     from rosward.pipeline import Result
-    from rosward.suppression.judge import Judged, Reviewed, Sources
+    from rosward.suppression.judge import Judged, Reviewed, SourceTexts
 
 __all__ = [
     "add_output_file",
     "add_review",
     "deliver",
-    "documentation",
+    "findings_text",
     "reviewed",
     "reviewed_result",
+    "scan_of",
     "write_baseline",
     "write_file",
 ]
@@ -37,18 +40,18 @@ __all__ = [
 
 def add_review(parser: argparse.ArgumentParser) -> None:
     """Which findings are known."""
-    parser.add_argument(
-        "--baseline", metavar="FILE", help="findings in it are not new: they do not count for the exit status"
-    )
-    parser.add_argument("--write-baseline", metavar="FILE", help="write the findings of this run there")
+    parser.add_argument("--baseline", metavar="FILE", help="known findings, which do not count for the exit status")
+    parser.add_argument("--write-baseline", metavar="FILE", help="write the findings of this run to this file")
 
 
 def add_output_file(parser: argparse.ArgumentParser) -> None:
     """Where a command that prints one document writes it instead."""
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of printing")
 
 
-def reviewed(findings: Sequence[Finding], sources: Sources, options: argparse.Namespace, *, unused: bool) -> Reviewed:
+def reviewed(
+    findings: Sequence[Finding], sources: SourceTexts, options: argparse.Namespace, *, unused: bool
+) -> Reviewed:
     """The findings without those that are to be ignored. `unused`: whether comments without a finding are told. Raises WrongUseError."""
     from rosward.suppression.baseline import BaselineError, read_baseline
     from rosward.suppression.judge import Wishes, review
@@ -62,7 +65,7 @@ def reviewed(findings: Sequence[Finding], sources: Sources, options: argparse.Na
 
 
 def reviewed_result(
-    result: Result, sources: Sources, options: argparse.Namespace, *, unused: bool
+    result: Result, sources: SourceTexts, options: argparse.Namespace, *, unused: bool
 ) -> tuple[Reviewed, tuple[Finding, ...]]:
     """The findings of an analysis as `reviewed`, and apart from them its loose ends, which the report tells unasked.
 
@@ -72,7 +75,7 @@ def reviewed_result(
 
     steps = Steps()
     nothing: list[Finding] = []
-    ends = steps(lambda: loose_ends(result.network), nothing, "loose ends are not told")
+    ends = steps(lambda: loose_ends(result.network), nothing, "loose ends were not checked")
     note_failures(options, steps.findings)
     found = reviewed((*result.findings, *steps.findings, *ends), sources, options, unused=unused)
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
@@ -108,7 +111,22 @@ def write_file(text: str, file: str) -> str:
         raise WrongUseError(f"cannot write to {file}: {error.strerror or error}") from error
 
 
-def documentation() -> str | None:
+def scan_of(shown: Sequence[Judged], options: argparse.Namespace) -> Scan:
+    """The findings as the formats of findings take them."""
+    from rosward.outputs.writing import Scan
+
+    return Scan(shown, options.baseline is not None, _documentation())
+
+
+def findings_text(name: str, shown: Sequence[Judged], options: argparse.Namespace) -> str:
+    """The findings in one of the formats of `formats.OF_FINDINGS`."""
+    from rosward.outputs.formats import BY_NAME
+    from rosward.outputs.writing import text
+
+    return text(BY_NAME[name], scan_of(shown, options))
+
+
+def _documentation() -> str | None:
     """Where the installed package says that the explanation of findings is."""
     from importlib.metadata import PackageNotFoundError, metadata
 

@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Final, NamedTuple
 
-from rosward.declaring.sketch import Seen, Sketch, is_usable
+from rosward.declaring.sketch import SeenEndpoint, Sketch, is_usable
 from rosward.ros.entities import Qos
 
 __all__ = ["sketch_of_source"]
@@ -66,7 +66,7 @@ class _Call(NamedTuple):
 
 def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
     """What the texts look like together, each by the name of its file."""
-    entities: list[Seen] = []
+    entities: list[SeenEndpoint] = []
     told: list[str] = []
     parameters: dict[str, str] = {}
     node: str | None = None
@@ -77,7 +77,7 @@ def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
         types = _python_types(text) if in_python else _cpp_types(text)
         for call in _calls(text, in_python=in_python):
             seen = _seen(call, types, f"{file}:{call.line}")
-            if isinstance(seen, Seen):
+            if isinstance(seen, SeenEndpoint):
                 entities.append(seen)
             else:
                 told.append(seen)
@@ -92,7 +92,7 @@ def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
         entities=tuple(entities[:_MOST]),
         parameters=tuple((name, type_) for name, type_ in list(parameters.items())[:_MOST]),
         told=tuple(told[:_MOST]),
-        open=f"found by a search of {_few(texts)}, and not verified",
+        open=f"found by a text search of {_few(texts)}, not verified",
     )
 
 
@@ -116,14 +116,14 @@ def _calls(text: str, *, in_python: bool) -> Iterator[_Call]:
         yield _Call(kind, found["type"], found["rest"], line)
 
 
-def _seen(call: _Call, types: Mapping[str, str], at: str) -> Seen | str:
+def _seen(call: _Call, types: Mapping[str, str], at: str) -> SeenEndpoint | str:
     """The endpoint, or why it is none."""
     part = _PARTS.get(call.kind, "action" if call.kind.startswith("action") else "srv")
     written = call.type.replace("::", ".").strip(".").split(".")
     type_ = "/".join(written[-3:]) if len(written) >= 3 and written[-2] == part else types.get(call.type, "")
     what = f"{at}: {call.kind} of {call.type}"
     if not type_:
-        return f"{what}: its package is not known"
+        return f"{what}: its package is unknown"
     first = call.rest.split(",")
     where = (
         first[1]
@@ -132,9 +132,13 @@ def _seen(call: _Call, types: Mapping[str, str], at: str) -> Seen | str:
     )
     name = _LITERAL.fullmatch(where.strip().rstrip(")").strip())
     if name is None:
-        return f"{what}: its name is no literal ({where.strip()[:60]})"
-    seen = Seen(call.kind, name["text"], type_, _qos(call.rest) if part == "msg" else None, at)
-    return seen if is_usable(seen) else f"{what}: {name['text'][:60]!r} is no name, or {type_} no type of the kind"
+        return f"{what}: its name is not a literal ({where.strip()[:60]})"
+    seen = SeenEndpoint(call.kind, name["text"], type_, _qos(call.rest) if part == "msg" else None, at)
+    return (
+        seen
+        if is_usable(seen)
+        else f"{what}: {name['text'][:60]!r} is not a valid name, or {type_} is not a type of this kind"
+    )
 
 
 def _cpp_types(text: str) -> dict[str, str]:

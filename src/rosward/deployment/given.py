@@ -13,7 +13,7 @@ from pathlib import Path
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import guarded
 from rosward.source.location import Place
 from rosward.source.text import read_source
@@ -21,24 +21,22 @@ from rosward.source.text import read_source
 __all__ = ["parameter_files"]
 
 
-def parameter_files(
-    paths: Sequence[str], root: Path, findings: dict[Finding, None], *, net: bool = True
-) -> Configuration:
+def parameter_files(paths: Sequence[str], root: Path, findings: Findings, *, net: bool = True) -> Configuration:
     """The words to add, without the `--ros-args` before them; none where there are no files."""
     words: list[Value] = []
     files = {}
     for path in paths:
         text = read_source(Path(path).absolute(), root)
         if isinstance(text, Finding):
-            findings[text] = None
+            findings.add(text)
             continue
         missing = "the parameter file was not read"
         read = guarded(partial(read_parameter_file, text.text, path), Place(path), missing, net=net)
         if isinstance(read, Finding):
-            findings[read] = None
+            findings.add(read)
             continue
         rows, doubts = read
-        findings.update(dict.fromkeys(doubts))
+        findings.update(doubts)
         words += [Const("--params-file"), Const(path)]
         files[path] = rows
     return Configuration(tuple(words), files)

@@ -31,12 +31,10 @@ from rosward.findings import Finding
 from rosward.holes import literal
 from rosward.ros.parameter_values import ParameterValue, effective_value, scalar_value
 from rosward.ros.validation import validate_namespace, validate_node_name
+from rosward.source import limits
 from rosward.source.location import Place
 
 _KEY: Final = "ros__parameters"
-_KEY_LIMIT: Final = 50_000
-_NESTING_LIMIT: Final = 200  # of lists: libyaml's time is the square of it
-_NAME_LIMIT: Final = 4_000  # of a name made of nested keys
 _WILDCARDS: Final = ("*", "**")
 _VERSIONS: Final = (None, (1, 1))
 _LOADER: Final = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml is what rcl has
@@ -60,7 +58,7 @@ def read_parameter_file(text: str, file: str) -> tuple[tuple[Given, ...], tuple[
         place = Place(file, line)
         anything = Unknown((Reason(Cause.LIMIT, file, place),))
         return (Given("/**", "*", anything, place),), (
-            Finding("RW201", f"This parameter file is not read: {limit}.", place),
+            Finding("RW201", f"This parameter file was not read: {limit}.", place),
         )
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -72,7 +70,7 @@ def read_parameter_file(text: str, file: str) -> tuple[tuple[Given, ...], tuple[
 
 
 def _finding(why: str, file: str, line: int) -> Finding:
-    return Finding("RW317", f"rcl refuses this parameter file: {why}.", Place(file, line))
+    return Finding("RW317", f"rcl rejects this parameter file: {why}.", Place(file, line))
 
 
 class _Refused(Exception):  # noqa: N818  it is what rcl does, caught and reported
@@ -85,7 +83,7 @@ class _TooMuch(Exception):  # noqa: N818
 
 @final
 @dataclass(slots=True)
-class _Entry:
+class _TypedValues:
     """One parameter: rcl keeps a value for each type, whichever of them came last."""
 
     name: str
@@ -108,11 +106,11 @@ class _Entry:
 
 
 @final
-class _Parameters:
+class _ParametersOfNode:
     """The parameters of one node, in rcl's order: one is found by the first entry of its name."""
 
     def __init__(self) -> None:
-        self.entries: list[_Entry] = []
+        self.entries: list[_TypedValues] = []
         self._positions: dict[str, list[int]] = {}
 
     def find(self, name: str, place: Place) -> int:
@@ -120,7 +118,7 @@ class _Parameters:
         known = self._positions.setdefault(name, [])
         if not known:
             known.append(len(self.entries))
-            self.entries.append(_Entry(name, place))
+            self.entries.append(_TypedValues(name, place))
         return known[0]
 
     def rename(self, position: int, name: str, place: Place) -> None:
@@ -133,7 +131,7 @@ class _Parameters:
 
 @final
 @dataclass(slots=True)
-class _Names:
+class _KeyPath:
     """The keys above the present one, as one text; `depth` counts keys, although one may hold several names."""
 
     separator: str
@@ -144,8 +142,8 @@ class _Names:
         glue = "" if not self.depth or self.text.endswith(self.separator) else self.separator
         self.text = f"{self.text if self.depth else ''}{glue}{name}"
         self.depth += 1
-        if len(self.text) > _NAME_LIMIT:
-            raise _TooMuch("its keys are longer than is read")
+        if len(self.text) > limits.PARAMETER_NAME:
+            raise _TooMuch("its keys are too long")
 
     def pop(self) -> None:
         if self.depth > 1 and self.separator in self.text:
@@ -159,13 +157,13 @@ class _Reader:
 
     def __init__(self, file: str) -> None:
         self._place = Place(file)
-        self._nodes: dict[str, _Parameters] = {}
+        self._nodes: dict[str, _ParametersOfNode] = {}
         self._keys = 0
         self._lists = 0
         self._node = ""
         self._position = 0  # of the parameter at hand; a node that is begun anew does not reset it
-        self._node_names = _Names("/")
-        self._names = _Names(".")
+        self._node_names = _KeyPath("/")
+        self._names = _KeyPath(".")
         self._level = 1  # 1: names of nodes, 2: parameters
         self._depth = 0
         self._is_key = True
@@ -190,12 +188,12 @@ class _Reader:
                 self._is_key = self._array is None
             case yaml.SequenceStartEvent():
                 if self._is_key:
-                    raise _Refused("a list stands where a name is expected")
+                    raise _Refused("a list is in place of a name")
                 if self._level < 2:
-                    raise _Refused(f"a list stands before {_KEY}")
+                    raise _Refused(f"a list comes before {_KEY}")
                 self._lists += 1
-                if self._lists > _NESTING_LIMIT:
-                    raise _TooMuch("its lists are nested deeper than is read")
+                if self._lists > limits.PARAMETER_NESTING:
+                    raise _TooMuch("its lists are nested too deeply")
                 self._array = []
             case yaml.SequenceEndEvent():
                 self._array, self._is_key = None, True
@@ -209,7 +207,7 @@ class _Reader:
             case yaml.AliasEvent():
                 raise _Refused("it has an alias")
             case yaml.DocumentStartEvent() if event.version not in _VERSIONS:
-                raise _Refused(f"rcl does not know YAML {'.'.join(map(str, event.version))}")
+                raise _Refused(f"rcl does not support YAML {'.'.join(map(str, event.version))}")
             case _:
                 pass
 
@@ -235,18 +233,18 @@ class _Reader:
             self._node = self._node_names.text
             why = _wrong_node_key(self._node)
             if why is not None:
-                raise _Refused(f"{self._node[:100]!r} is no name of a node: {why}")
-            self._nodes.setdefault(self._node, _Parameters())
+                raise _Refused(f"{self._node[:100]!r} is not a valid node name: {why}")
+            self._nodes.setdefault(self._node, _ParametersOfNode())
             self._level = 2
 
     def _parameter(self, name: str) -> None:
         self._keys += 1
-        if self._keys > _KEY_LIMIT:
-            raise _TooMuch("it has more parameters than are read")
+        if self._keys > limits.PARAMETER_KEYS:
+            raise _TooMuch("it has too many parameters")
         parameters = self._nodes[self._node]
         if self._is_new_mapping:
             if self._position >= len(parameters.entries):
-                raise _Refused("a mapping stands where there is no parameter yet")
+                raise _Refused("a mapping comes where there is no parameter yet")
             # what was taken for a parameter was the first part of the names in this mapping
             self._names.text, self._names.depth = parameters.entries[self._position].name, self._names.depth + 1
             self._is_new_mapping = False
@@ -255,19 +253,19 @@ class _Reader:
             return
         self._position = parameters.find(self._names.text, self._place)
         nested = f"{self._names.text}.{name}"
-        if len(nested) > _NAME_LIMIT:
-            raise _TooMuch("its names are longer than is read")
+        if len(nested) > limits.PARAMETER_NAME:
+            raise _TooMuch("its names are too long")
         parameters.rename(self._position, nested, self._place)
 
     def _value(self, event: yaml.ScalarEvent) -> None:
         parameters = self._nodes.get(self._node)
         if self._level < 2 or parameters is None or not parameters.entries:
-            raise _Refused(f"a value stands before {_KEY}")
+            raise _Refused(f"a value comes before {_KEY}")
         quoted = event.style in ("'", '"')
         if not quoted and not event.value:
             raise _Refused("a parameter has no value")
         if self._position >= len(parameters.entries):
-            raise _Refused("a value stands where there is no parameter yet")
+            raise _Refused("a value comes where there is no parameter yet")
         value = scalar_value(event.value, quoted=quoted, tag=event.tag)
         kind = value.type or ""
         if self._array is not None:
@@ -292,4 +290,4 @@ def _wrong_node_key(key: str) -> str | None:
 
 
 def _with_star(part: str) -> str | None:
-    return "a wildcard stands for a whole name" if "*" in part else None
+    return "a wildcard must be a whole name" if "*" in part else None

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from rosward.deployment.tree import Action, Description, Template
+    from rosward.deployment.tree import Description, LaunchAction, Template
     from rosward.domain.values import Value
     from rosward.findings import Finding
 
@@ -20,7 +20,7 @@ class Performer(Protocol):
     """The launch context at the point of execution, as Python code of a launch file can ask it (LaunchContext)."""
 
     def text(self, template: Template) -> Value:
-        """The text of a template now; Unknown, a Text with holes or a Choice where it is not wholly known."""
+        """The text of a template now; Unknown, a Text with holes or a Choice where it is not completely known."""
 
     def configuration(self, name: str) -> Value | None:
         """The value of a launch configuration, None where it is surely not set."""
@@ -58,7 +58,7 @@ class PythonCode(Protocol):
         performer: Performer,
         *,
         context: bool,
-    ) -> tuple[Action, ...]:
+    ) -> tuple[LaunchAction, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
 
     def perform(self, substitution: Value, performer: Performer) -> Value:

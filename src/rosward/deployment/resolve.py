@@ -21,7 +21,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import readable
 from rosward.domain.values import Const, Value
 from rosward.effects.entry import Entry
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rosward.source.workspace import Target
 
 
-class Declared(Protocol):
+class DeclaredInterfaces(Protocol):
     """The declared interfaces, as this module asks for them (`deployment/declared/effects.py`)."""
 
     def executable(self, package: str, name: str) -> Program | None:
@@ -80,7 +80,7 @@ class Programs:
         self,
         executables: Iterable[Executable],
         targets: Iterable[Target],
-        declared: Declared,
+        declared: DeclaredInterfaces,
         related: frozenset[str],
         file_of: FileOf,
     ) -> None:
@@ -92,7 +92,7 @@ class Programs:
         self._declared = declared
         self._related = related
         self._file_of = file_of
-        self.findings: dict[Finding, None] = {}
+        self.findings = Findings()
         self.orphans: tuple[Started, ...] = ()
         self._labels: dict[str, int] = {}
         self._containers = Containers(())
@@ -128,7 +128,7 @@ class Programs:
             first = f"component {_shown(members[0].plugin)}"
             several = f"{first} and {len(members) - 1} more are loaded" if len(members) > 1 else f"{first} is loaded"
             message = f"{several} into {target}, which nothing starts"
-            self.findings[Finding("RW318", message, members[0].place, (f"container {target}",))] = None
+            self.findings.add(Finding("RW318", message, members[0].place, (f"container {target}",)))
         return [p._replace(process=label_of(t)) for t, members in wanted.items() for c in members for p in self._of(c)]
 
     def _of(self, each: Started) -> Iterator[Launched]:
@@ -165,7 +165,7 @@ class Programs:
         if (package, executable) in self._targets:
             return "it is written in C++, which is not analysed"
         if self._file_of.has_package(package):
-            return f"the package {package} has no executable of that name among the sources"
+            return f"the package {package} has no such executable among the sources"
         return f"the package {package} is neither among the sources nor declared"
 
     def _component(self, made: Launched) -> Launched:
@@ -175,7 +175,7 @@ class Programs:
         if program is not None:
             return made._replace(program=program)
         if made.package is None:
-            return made._replace(unknown=f"its package is not known{_because(made.started.package)}")
+            return made._replace(unknown=f"its package is unknown{_because(made.started.package)}")
         inside = self._file_of.has_package(made.package)
         why = (
             "it is written in C++, which is not analysed"
@@ -187,7 +187,7 @@ class Programs:
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable
         return made._replace(
-            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known{_because(value)}"
+            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is unknown{_because(value)}"
         )
 
     def _command(self, made: Launched) -> Launched | None:
@@ -202,16 +202,16 @@ class Programs:
         if made.started.kind is not StartKind.PROCESS:
             shown = _shown(made.started.executable)
             if made.started.package is not None:
-                return made._replace(process=shown, unknown=f"its package is not known{_because(made.started.package)}")
+                return made._replace(process=shown, unknown=f"its package is unknown{_because(made.started.package)}")
             return made._replace(
-                process=shown, unknown="no package is named for it, and no file of the sources is behind its path"
+                process=shown, unknown="it names no package, and its path leads to no file of the sources"
             )
         shown = " ".join(readable(w) for w in words)
         program = shown.split()[0].rpartition("/")[2] if shown.split() else ""
         if program not in _INERT:
-            self.findings[
-                Finding("RW319", f"`{shown[:200]}` is started, whose interface is not known", made.started.place)
-            ] = None
+            self.findings.add(
+                Finding("RW319", f"`{shown[:200]}` is started, and its interface is unknown", made.started.place)
+            )
         return None
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Final, Generic, NamedTuple, TypeVar
 
 from rosward.diff.of_nodes import snapshot_of
-from rosward.diff.snapshot import EntityLine, Snapshot
+from rosward.diff.snapshot import ComparedState, EntityLine
 from rosward.findings import Finding
 from rosward.guard import Steps
 from rosward.network.asked import asked_differently
@@ -24,6 +24,7 @@ from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
 from rosward.policies.records import EnclavePolicy, Policy
 from rosward.policies.rights import Right
+from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
@@ -32,7 +33,6 @@ __all__ = ["Change", "Differences", "RightLine", "compare", "not_compared", "rea
 
 _Line = TypeVar("_Line")
 _Sorted = TypeVar("_Sorted", str, EntityLine)
-_LARGEST: Final = 32_000_000
 
 
 class RightLine(NamedTuple):
@@ -80,9 +80,9 @@ class Differences(NamedTuple):
 _NO_CHANGE: Final[Change[Any]] = Change((), ())
 
 
-def read_snapshot(path: str) -> Snapshot:
+def read_snapshot(path: str) -> ComparedState:
     """What a file holds: a policy where it is XML, else a network. Raises UnreadableError."""
-    data = read_bytes(path, path, _LARGEST)
+    data = read_bytes(path, path, limits.DIFF_FILE)
     if isinstance(data, Finding):
         raise UnreadableError(f"{path}: {data.message}")
     if not data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):
@@ -92,19 +92,19 @@ def read_snapshot(path: str) -> Snapshot:
     if policy.findings:
         raise UnreadableError("; ".join(f"{f.place}: {f.message}" for f in policy.findings[:3]))
     profiles = frozenset(f"{e.path}: {name}" for e in policy.enclaves for name in e.profiles)
-    return Snapshot("policy", profiles, frozenset(), policy)
+    return ComparedState("policy", profiles, frozenset(), policy)
 
 
-def compare(old: Snapshot, new: Snapshot, *, net: bool = True) -> Differences:
+def compare(old: ComparedState, new: ComparedState, *, net: bool = True) -> Differences:
     """The changes from one state to another of the same kind. What rosward fails on is not compared, and told; without `net` it is raised."""
     steps = Steps(net=net)
     found = Differences(
-        steps(lambda: _change(old.nodes, new.nodes), _NO_CHANGE, "the nodes are not compared"),
-        steps(lambda: _change(old.entities, new.entities), _NO_CHANGE, "the entities are not compared"),
+        steps(lambda: _change(old.nodes, new.nodes), _NO_CHANGE, "the nodes were not compared"),
+        steps(lambda: _change(old.entities, new.entities), _NO_CHANGE, "the entities were not compared"),
         steps(
             lambda: Change(_beyond(new.policy, old.policy), _beyond(old.policy, new.policy)),
             _NO_CHANGE,
-            "the rights are not compared",
+            "the permissions were not compared",
         ),
         tuple(asked_differently(old.asked, new.asked)),
     )

@@ -19,7 +19,7 @@ from rosward.domain.series import Series
 from rosward.domain.series import joined as joined_series
 from rosward.domain.suspended import Suspension, join_suspended
 from rosward.domain.table import differing, marked, more_marks, written
-from rosward.domain.values import UNBOUND, Ref, Value
+from rosward.domain.values import UNBOUND, Ref, Unknown, Value
 
 Merge = Callable[[Value, Value], Value]
 EventKey = tuple[object, ...]
@@ -84,6 +84,8 @@ def join_objects(left: Obj, right: Obj, merge: Merge) -> Obj:
     elif isinstance(left.payload, Value) and isinstance(right.payload, Value):
         payload = merge(left.payload, right.payload)
         result = result if payload == left.payload else result.replace(payload=payload)
+    elif left.payload is None and right.payload.__class__ is Unknown:  # a message that may have been in unknown hands
+        result = result.replace(payload=right.payload)
     if left.kind in ("list", "set"):
         result = _join_elements(result, left, right, merge)
     elif left.kind == "dict":

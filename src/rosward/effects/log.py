@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, final
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, External, Ref, Unknown, Value
+from rosward.effects.sent import SentEffect
 from rosward.effects.variables import Variables
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
 
@@ -76,7 +77,7 @@ class NodeEffect(NamedTuple):
 
 
 class EntityEffect(NamedTuple):
-    """An entity is created on the node at `address` (None: on a node that is not known)."""
+    """An entity is created on the node at `address` (None: on an unknown node)."""
 
     kind: str
     address: int | None
@@ -112,11 +113,10 @@ class EffectLog:
         self.nodes: dict[NodeEffect, None] = {}
         self.entities: dict[EntityEffect, None] = {}
         self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each
+        self.sent: dict[SentEffect, tuple[Place, ...]] = {}  # with the calls that first led to each
         self.parameters: dict[ParameterEffect, None] = {}
-        self.findings: dict[Finding, None] = {}
-        self.failures: dict[
-            int, dict[Finding, None]
-        ] = {}  # what to tell of an exception of a library that nothing catches
+        self.findings = Findings()
+        self.failures: dict[int, Findings] = {}  # what to tell of an exception of a library that nothing catches
         self.classes: dict[Class, None] = {}
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
@@ -152,11 +152,11 @@ class EffectLog:
         """The program spins a node that is not known, and makes none: whose node it is nobody can tell."""
         if not self.nodes:
             for place, why in self.spun.items():
-                self.findings[
+                self.findings.add(
                     Finding(
-                        "RW208", f"the node that is spun here is not known, and this program makes none{why}", place
+                        "RW208", f"the node that is spun here is unknown, and this program creates none{why}", place
                     )
-                ] = None
+                )
 
     def is_node(self, address: int) -> bool:
         """Whether the object at an address is a node."""
@@ -170,13 +170,13 @@ class EffectLog:
                 self.nodes.pop(node, None)
 
     def assumed_node(self, machine: Execution, ref: Ref, base: Value) -> None:
-        """An object whose class is not wholly known is used as a node."""
+        """An object whose class is not completely known is used as a node."""
         if self.is_node(ref.address):
             return
-        name = base.name if isinstance(base, External) else "a base class that is not known"
+        name = base.name if isinstance(base, External) else "an unknown base class"
         machine.report(
             "RW204",
-            f"{name} is taken to be a node, since entities are created on it; its own entities and its name are not known",
+            f"{name} is assumed to be a node because entities are created on it; its own entities and its name are unknown",
         )
         unknown = machine.unknown(Cause.MODULE, name, "str")
         cls = machine.obj(ref).cls

@@ -42,6 +42,8 @@ class Variables:
         """By variable: where it is read."""
         self.conditions: dict[str, None] = {}
         """The variables that are conditions themselves: true or false."""
+        self.read: dict[str, None] = {}
+        """The variables that were asked for, known or not."""
         self.required: dict[str, None] = {}
         """The variables that are read without a default."""
 
@@ -112,8 +114,8 @@ def _not_given(name: str, variables: Variables) -> Finding:
         f"{what} {listed(tuple(values))}"
         for what, values in (
             ("it is compared with", variables.values[name]),
-            ("there are files for", variables.files.get(name, ())),
-            ("it is a condition,", truths),
+            ("files exist for", variables.files.get(name, ())),
+            ("it is used as a condition,", truths),
         )
         if values
     ]
@@ -121,7 +123,7 @@ def _not_given(name: str, variables: Variables) -> Finding:
     why = f": {', '.join(told)}" if told else ""
     example = f"{name}={next(iter((*variables.candidates(name), *truths)), 'VALUE')}"
     return Finding(
-        "RW325", f"the environment variable {name} is not given{where}{why}: --env {shlex.quote(example)}", places[0]
+        "RW325", f"the environment variable {name} has no value{where}{why}: --env {shlex.quote(example)}", places[0]
     )
 
 

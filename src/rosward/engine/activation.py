@@ -6,7 +6,7 @@ def walk(n): …; walk(n - 1)      four activations are followed, all deeper one
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, widen
 from rosward.domain.state import EventKey, State, join_states
@@ -14,8 +14,10 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher, note, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame
+from rosward.engine.summaries import Summary
+from rosward.engine.throwing import note, rethrow
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 
 if TYPE_CHECKING:
@@ -25,60 +27,42 @@ if TYPE_CHECKING:
 _LARGE: Final = 50
 
 
-@final
-class Summary:
-    """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
-
-    __slots__ = ("after", "before", "catcher", "registers", "value")
-
-    def __init__(self, registers: list[Value], before: State) -> None:
-        self.registers = registers
-        self.before = before
-        self.value: Value = UNBOUND
-        self.after: State | None = None
-        self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
-
-    @property
-    def seen(self) -> tuple[object, ...]:
-        """What must not change any more."""
-        after = self.after.version if self.after is not None else -1
-        return (tuple(self.registers), self.before.version, self.value, after)
-
-
 def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """Run a function body on bound registers; the value returned."""
     code = function.code
     depth = sum(1 for f in machine.frames if f.code is code)
     limit = machine.budget.recursion
-    if machine.coarse:
+    if machine.precision.coarse:
         limit = 0 if _is_large(machine, function) else 1
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return _summarised(machine, function, registers)
     key = (function, tuple(registers), machine.state.version, bool(machine.catchers))
-    remembered = machine.memo.get(key)
+    remembered = machine.summaries.memo.get(key)
     if remembered is not None:
         value, level = remembered
         if level:
             note(machine, level)
         return value
-    raised, version, provisional = machine.raised, machine.state.version, machine.provisional
+    raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
     noted, machine.noted = machine.noted, 0
     value = run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
     level, machine.noted = machine.noted, max(machine.noted, noted)
-    quiet = machine.state.version == version and machine.raised == raised and machine.provisional == provisional
+    quiet = (
+        machine.state.version == version and machine.raised == raised and machine.summaries.provisional == provisional
+    )
     if quiet and value is not UNBOUND and not declared.is_model(function):
-        machine.memo[key] = (value, level)
+        machine.summaries.memo[key] = (value, level)
     return value
 
 
 def _is_large(machine: Engine, function: Function) -> bool:
     """Whether running a body again costs more than asking for its summary. What a library says to be worth it is run each time."""
     code = function.code
-    found = machine.large.get(code.key)
+    found = machine.summaries.large.get(code.key)
     if found is None:
         precise = machine.library.facts.precise
         kept = code.name == "__init__" or declared.is_model(function) or _calls(code.ops, precise)
-        found = machine.large[code.key] = not kept and _weight(code.ops) > _LARGE
+        found = machine.summaries.large[code.key] = not kept and _weight(code.ops) > _LARGE
     return found
 
 
@@ -109,7 +93,7 @@ def run_body(
 ) -> Value:
     """Interpret a body in a frame of its own; the value returned."""
     code = function.code
-    machine.entered.add(code.key)
+    machine.trace.entered.add(code.key)
     machine.choosing = False
     if context is None:
         context = context_of(machine, code, caller)
@@ -143,7 +127,7 @@ def left_by(machine: Engine, frame: Frame, *, alive: bool) -> tuple[Value, State
 
 def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
     """The context of a call: the chain of calls that led to it. What one operation calls (`map`, `sum`) is told apart by its turn."""
-    if machine.coarse:
+    if machine.precision.coarse:
         return machine.context("coarse", code.key)
     if caller is None:
         return 0
@@ -153,7 +137,7 @@ def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
 def _summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A call too deep to follow: solved once for the join of all such calls, by iteration from below."""
     key = (function.code.key, function.cells)
-    summary = machine.summaries.get(key)
+    summary = machine.summaries.running.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 
     def widening(old: Value, new: Value) -> Value:
@@ -162,7 +146,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
     if summary is not None:
         summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
-        machine.provisional += 1  # what is computed from it now may not be its last word
+        machine.summaries.provisional += 1  # what is computed from it now may not be its last word
         if summary.after is None:
             return UNBOUND
         machine.state = summary.after.copy()
@@ -170,7 +154,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
     if len(machine.frames) >= machine.budget.depth * 2:
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     done, outer = machine.state.done, machine.catchers
-    summary = machine.finished.pop(key, None) if machine.coarse else None
+    summary = machine.summaries.finished.pop(key, None) if machine.precision.coarse else None
     if summary is None:
         summary = Summary(list(registers), machine.state.copy())
     else:
@@ -178,16 +162,16 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
         summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
         if before == (summary.registers, summary.before.version):  # a call like those before
-            machine.finished[key] = summary
+            machine.summaries.finished[key] = summary
             return _of_summary(machine, summary, done)
-    machine.summaries[key] = summary
-    if machine.coarse:
+    machine.summaries.running[key] = summary
+    if machine.precision.coarse:
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
     try:
         for _ in range(machine.budget.fixpoint):
-            reads, seen = machine.provisional, summary.seen
+            reads, seen = machine.summaries.provisional, summary.seen
             machine.state = summary.before.copy()
             value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:
@@ -197,17 +181,17 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
                     if summary.after is None
                     else join_states(summary.after, machine.state.copy(), machine.fresh_version, widening)
                 )
-            if machine.provisional == reads:
+            if machine.summaries.provisional == reads:
                 break  # nothing inside asked for the summary: this turn was exact
             if seen == summary.seen:
                 break
         else:
-            machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
+            machine.report("RW201", f"the recursion of {function.code.name} did not converge")
     finally:
-        del machine.summaries[key]
+        del machine.summaries.running[key]
         machine.catchers = outer
     if summary.catcher is not None:
-        machine.finished[key] = summary
+        machine.summaries.finished[key] = summary
     return _of_summary(machine, summary, done)
 
 

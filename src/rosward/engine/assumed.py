@@ -18,8 +18,7 @@ from rosward.domain.choice import options
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Tuple, Unknown, Value
 from rosward.engine import declared
-from rosward.engine.python import attributes
-from rosward.engine.python.binding import ANY, MAYBE
+from rosward.engine.arguments import ANY, MAYBE
 from rosward.findings import Finding
 from rosward.models.python.plain import with_origins
 from rosward.source.location import Place
@@ -37,17 +36,17 @@ def make(machine: Engine, cls: Class) -> None:
     verb = "raises" if len(machine.ended_at) == 1 else "may raise"
     for place, raised in machine.ended_at.items():
         if place not in told:
-            message = f"{cls.name} cannot be made: its constructor {verb} {_named(raised)} here"
-            machine.log.findings[Finding("RW209", message, place if place.file else cls.place)] = None
+            message = f"{cls.name} cannot be created: its constructor {verb} {_named(raised)} here"
+            machine.log.findings.add(Finding("RW209", message, place if place.file else cls.place))
     if not machine.ended_at and not machine.log.nodes:
-        message = f"{cls.name} cannot be made: its constructor does not come to its end"
-        machine.log.findings[Finding("RW209", message, cls.place)] = None
+        message = f"{cls.name} cannot be created: its constructor does not finish"
+        machine.log.findings.add(Finding("RW209", message, cls.place))
 
 
 def _arguments(machine: Engine, cls: Class) -> dict[str, Value]:
     """Whatever somebody may give, and the defaults where nobody gives anything."""
     found: dict[str, Value] = {ANY: UNBOUND}
-    for constructor in options(attributes.lookup(machine, cls, "__init__") or UNBOUND):
+    for constructor in options(machine.language.lookup(machine, cls, "__init__") or UNBOUND):
         if isinstance(constructor, Function) and not declared.is_model(constructor):
             place = Place(constructor.code.file, constructor.code.line)
             for name, default in _defaults(constructor):

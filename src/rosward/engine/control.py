@@ -15,9 +15,8 @@ from rosward.domain.choice import join, widen
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Value
-from rosward.engine.catcher import note
 from rosward.engine.frame import Frame, Snapshot, join_into
-from rosward.engine.python.equality import truth
+from rosward.engine.throwing import note
 from rosward.ir import ops
 from rosward.source.location import Place
 
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
 def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     """Follow the way that the test decides, or both."""
     frame.op, frame.sequence = op, 0
-    decided = truth(machine, frame.registers[op.test])
+    decided = machine.language.truth(machine, frame.registers[op.test])
     if decided is not None:
         return machine.run(op.then if decided else op.orelse, frame) or False
     before = machine.snapshot(frame)
@@ -107,13 +106,13 @@ def loop(
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
     alive, number = True, 0
-    machine.begin_loop(op, frame)
+    machine.precision.begin_loop(op, frame)
     if begun is not None:
         number, finish = begun
         _enter_turn(machine, op, frame, context, number)
         alive = finish()
         if not alive:
-            machine.end_loop(op, frame)
+            machine.precision.end_loop(op, frame)
             frame.context = context
             return behind(machine, frame, alive, saved)
         limit += number + 1
@@ -128,11 +127,16 @@ def loop(
         alive = machine.run(op.condition, frame)
         if not alive:
             break
-        decided = truth(machine, frame.registers[op.test])
+        decided = machine.language.truth(machine, frame.registers[op.test])
         if decided is False:
             alive = machine.run(op.orelse, frame)
             break
-        if decided is None or number >= limit or machine.turns >= machine.budget.turns or machine.coarse:
+        if (
+            decided is None
+            or number >= limit
+            or machine.precision.turns >= machine.budget.turns
+            or machine.precision.coarse
+        ):
             _enter_turn(machine, op, frame, context, ANY_TURN)
             alive = until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
             break
@@ -151,9 +155,9 @@ def loop(
             _never_ends(machine, frame)
             break
         number += 1
-        machine.turns += 1
+        machine.precision.turns += 1
         machine.check_time()
-    machine.end_loop(op, frame)
+    machine.precision.end_loop(op, frame)
     frame.context = context
     return behind(machine, frame, alive, saved)
 
@@ -192,14 +196,14 @@ def until_stable(
 
     head = machine.snapshot(frame)
     done = head.state.done
-    if machine.coarse:  # where it came to rest before it probably does again
-        head = join_into(machine, machine.heads.pop((frame.code.key, op.number), None), head, widening)
+    if machine.precision.coarse:  # where it came to rest before it probably does again
+        head = join_into(machine, machine.precision.heads.pop((frame.code.key, op.number), None), head, widening)
         head = Snapshot(head.registers.copy(), head.state.copy())
     ended: Snapshot | None = None
     frame.uncertain += 1
     # Inside a loop that is followed to a fixpoint itself, each turn would be joined many times over: there it widens at once.
-    patience = 0 if machine.fixpoints or machine.coarse else machine.budget.widen_after
-    machine.fixpoints += 1
+    patience = 0 if machine.precision.fixpoints or machine.precision.coarse else machine.budget.widen_after
+    machine.precision.fixpoints += 1
     for number in range(machine.budget.fixpoint * 4):
         machine.resume(frame, Snapshot(head.registers.copy(), head.state.copy()))
         note(machine)
@@ -207,7 +211,7 @@ def until_stable(
         alive = True
         if isinstance(op, ops.While):
             alive = machine.run(op.condition, frame)
-            decided = truth(machine, frame.registers[op.test]) if alive else False
+            decided = machine.language.truth(machine, frame.registers[op.test]) if alive else False
             if alive and decided is not True:
                 ended = machine.snapshot(frame)
             alive = alive and decided is not False
@@ -225,11 +229,11 @@ def until_stable(
             break
         machine.check_time()
     else:
-        machine.report("RW201", "the loop did not come to rest; what later turns create may be missing")
+        machine.report("RW201", "the loop did not converge; what later iterations create may be missing")
     frame.uncertain -= 1
-    machine.fixpoints -= 1
-    if machine.coarse:
-        machine.heads[frame.code.key, op.number] = head
+    machine.precision.fixpoints -= 1
+    if machine.precision.coarse:
+        machine.precision.heads[frame.code.key, op.number] = head
     if ended is None:
         _never_ends(machine, frame)
         return False

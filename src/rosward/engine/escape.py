@@ -53,7 +53,7 @@ def may_call(machine: Engine, values: Iterable[Value]) -> None:
     for value in values:
         for option in options(value):
             if isinstance(option, (Function, BoundMethod, Partial)) and not _is_library(option):
-                machine.schedule_book.add(machine, option, None, BY_LIBRARY)
+                machine.schedule(option, None, BY_LIBRARY)
 
 
 def name_of(value: Value) -> str:
@@ -68,10 +68,10 @@ def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[in
     for option in options(value):
         if isinstance(option, (Function, BoundMethod, Partial)):
             if not _is_library(option):
-                machine.schedule_book.add(machine, option, None, BY_LIBRARY)
+                machine.schedule(option, None, BY_LIBRARY)
         elif isinstance(option, Class):
             if not option.stub:
-                machine.handed.setdefault(option, machine.place)
+                machine.trace.handed.setdefault(option, machine.place)
         elif isinstance(option, Const):
             named.note(machine, option)
         elif isinstance(option, Tuple):
@@ -92,17 +92,15 @@ def _is_library(value: Value) -> bool:
 def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set[int]) -> None:
     obj = machine.obj(ref)
     if obj.kind == "generator":
-        machine.schedule_book.add(machine, ref, (), BY_LIBRARY)
+        machine.schedule(ref, (), BY_LIBRARY)
     elif obj.kind == "instance":
-        machine.handed.setdefault(ref, machine.place)
+        machine.trace.handed.setdefault(ref, machine.place)
         if not library:
             return  # it knows nothing of ROS
         if machine.log.is_node(ref.address):
-            machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
+            machine.report("RW202", f"a node is passed to {library}; what that creates is unknown")
         elif holds_node(machine, ref):
-            machine.report(
-                "RW202", f"an object that holds a node is handed to {library}, of which it is not known what it creates"
-            )
+            machine.report("RW202", f"an object that holds a node is passed to {library}; what that creates is unknown")
         held = obj.attrs.get(CONTENTS)
         if held is not None and depth < _DEPTH:
             _reach(machine, held, library, depth + 1, seen)

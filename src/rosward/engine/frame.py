@@ -13,7 +13,7 @@ from rosward.ir.program import Code
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.engine.machine import Engine
+    from rosward.effects.log import Execution
 
 _MOST: Final = 64
 """How many calls and objects of one operation are told apart."""
@@ -30,7 +30,7 @@ class Snapshot:
         self.state = state
 
 
-def join_into(machine: Engine, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
+def join_into(machine: Execution, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
     """Join a snapshot (used up) into another of the same frame."""
     if target is None:
         return snapshot

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
 from rosward.engine import named
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
-from rosward.engine.python import attributes, implicit
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -39,18 +38,18 @@ def follow(machine: Engine) -> None:
                 met.add(text)
                 for value in named.called(machine, naming):
                     if isinstance(value, Class):
-                        machine.handed.setdefault(value, naming.place)
+                        machine.trace.handed.setdefault(value, naming.place)
                     else:
-                        machine.schedule_book.add(machine, value, None, BY_LIBRARY, naming.place)
-        for value, place in list(machine.handed.items()):
+                        machine.schedule(value, None, BY_LIBRARY, naming.place)
+        for value, place in list(machine.trace.handed.items()):
             for callback in _not_called(machine, value):
-                machine.schedule_book.add(machine, callback, None, BY_LIBRARY, place)
-        for callback in implicit.callbacks(machine):
-            machine.schedule_book.add(machine, callback, None, BY_PYTHON, _place(callback))
+                machine.schedule(callback, None, BY_LIBRARY, place)
+        for callback in machine.language.implicit_calls(machine):
+            machine.schedule(callback, None, BY_PYTHON, _place(callback))
         if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
             return
         machine.spin()
-    machine.report("RW201", "libraries are handed ever more objects; what they do with the last of them may be missing")
+    machine.report("RW201", "ever more objects are passed to libraries; what they do with the last ones may be missing")
 
 
 def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:
@@ -63,13 +62,13 @@ def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Va
                 if value.__class__ is Function:
                     yield name, BoundMethod(ref, value)
                 elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
-                    yield name, attributes.bind(machine, value, ref, cls)
+                    yield name, machine.language.bind(machine, value, ref, cls)
 
 
 def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
     """Of a class, the class itself; of an object, its methods: where nothing else calls them."""
     if isinstance(value, Class):
-        if value.place not in machine.instantiated:
+        if value.place not in machine.trace.instantiated:
             yield value
     elif isinstance(value, Ref):
         cls = machine.obj(value).cls
@@ -82,7 +81,7 @@ def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
 def _called(machine: Engine, name: str, method: Value) -> bool:
     """Whether a method was run. One that a decorator replaced is another function, which may stand for many."""
     function = method.function if isinstance(method, BoundMethod) else method
-    return isinstance(function, Function) and function.code.name == name and function.code.key in machine.entered
+    return isinstance(function, Function) and function.code.name == name and function.code.key in machine.trace.entered
 
 
 def _place(callback: Value) -> Place:

@@ -17,6 +17,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.state import element
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, Const, External, Ref, Text, Tuple, Unknown, Value
+from rosward.models.ros import message_fields
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -43,7 +44,7 @@ def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set
                 changed = _changed_dict(obj, unknown) if obj.kind == "dict" else _changed_list(obj, unknown)
             elif obj.kind == "instance" and not holds_node(machine, option):
                 inner = [v for n, v in obj.attrs.items() if not n.startswith("__")]
-                changed = _changed_object(obj, unknown)
+                changed = message_fields.opened(machine, _changed_object(obj, unknown))
             else:
                 continue
             if changed is not obj:

@@ -6,13 +6,12 @@ A handler returns None where control goes on, and False where it does not (the p
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj, fields_of
+from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
@@ -23,35 +22,21 @@ from rosward.domain.values import (
     UNBOUND,
     Class,
     Function,
+    ModuleValue,
     Native,
     Ref,
     TooManyPartsError,
     Unknown,
     Value,
 )
-from rosward.engine import activation, catcher, escape, failing
-from rosward.engine.budget import Budget, LimitReachedError
+from rosward.engine import escape, schedule, throwing
+from rosward.engine.budget import Budget
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot
-from rosward.engine.python import (
-    abandoned,
-    assignment,
-    attributes,
-    calls,
-    contexts,
-    equality,
-    generators,
-    instances,
-    items,
-    iteration,
-    modules,
-    namespaces,
-    raised,
-    removal,
-    stepping,
-    suspending,
-)
-from rosward.engine.schedule import Schedule
-from rosward.engine.transfer import HANDLERS
+from rosward.engine.precision import Precision
+from rosward.engine.scheduled import Schedule
+from rosward.engine.summaries import Summaries
+from rosward.engine.trace import Trace
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.models.python.containers.sets import each_once
@@ -60,10 +45,13 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
-    from rosward.engine.library import Library
-    from rosward.ir.program import Code, OpKey
+    from rosward.engine.machine import Language, SharedLanguages
+    from rosward.engine.stepped import Resumption, Running, Stepped
+    from rosward.engine.ways import Way
+    from rosward.ir.program import Code
     from rosward.models.file_paths import Files
-    from rosward.models.native import Items
+    from rosward.models.native import Items, ResumptionKind
+    from rosward.source.definitions import Definition
 
 _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one step, about
 _LONGEST_PATH: Final = 12
@@ -73,23 +61,17 @@ _LONGEST_PATH: Final = 12
 class Interpreter:
     """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
-    def __init__(self, library: Library, budget: Budget, log: EffectLog) -> None:
+    def __init__(self, library: SharedLanguages, budget: Budget, log: EffectLog) -> None:
         self.library = library
         self.budget = budget
         self.log = log
         self.state = State(Heap(ground=library.ground), 0, NOTHING_DONE)
         self.frames: list[Frame] = []
-        self.catchers: list[catcher.Catcher] = []
+        self.catchers: list[Catcher] = []
         self.schedule_book = Schedule()
-        self.steps = 0
-        self.step_limit = budget.steps
-        self.coarse = False  # precision is given up: too many steps were spent
-        self.always_coarse = False  # the callback that is running took too many steps when it ran before
-        self.coarse_limit = int(budget.steps * budget.coarse)
-        self.loop_limit = self.coarse_limit  # the same for the outermost loop that is running
-        self.heavy: set[OpKey] = set()  # the outermost loops that took too many steps
-        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
-        self.deadline = time.thread_time() + budget.seconds
+        self.precision = Precision(budget)
+        self.trace = Trace()
+        self.summaries = Summaries()
         self.making: list[Class] = []  # the classes whose bodies are done and whose metaclass is making them
         self.unhooked: set[int] | None = set()  # the classes without `__init_subclass__` (`subclass_hooks.py`)
         self.hooked = False  # whether a class of the program has `__getattribute__`
@@ -97,41 +79,35 @@ class Interpreter:
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
-        self.provisional = 0  # how often an unfinished summary of a recursion was read
-        self.fixpoints = 0  # how many loops are being followed to a fixpoint
-        self.loops = 0  # how many loops are running
-        self.turns = 0  # turns followed one by one since the outermost of them began
+        self.unheld: set[int] = set()  # messages of the last time that callbacks ran, which nothing holds (`unheld.py`)
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
-        self.advancing: dict[int, generators.Running] = {}  # the generators that run now, by address
-        self.ways: dict[str, dict[int, suspending.Way]] = {}  # how each body, by its key, leads to its yields
+        self.advancing: dict[int, Running] = {}  # the generators that run now, by address
+        self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
-        self.summaries: dict[object, activation.Summary] = {}
-        self.finished: dict[object, activation.Summary] = {}  # of recursions and large functions; in coarse mode only
-        self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
-        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
-        self.instantiated: set[Place] = set()
-        self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
-        self.entered: set[str] = set()  # the key of each code body that was run
-        self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
-        self.asked: set[tuple[str, str, str]] = set()  # what may be called without being seen: see `unreached.py`
         self._versions = 0
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
         self._contexts: dict[object, int] = {}
-        self.table = HANDLERS
+        self.languages = library.languages
+        self.language = next(
+            iter(self.languages.values())
+        )  # of the code that runs; at first that of models and natives
 
     # Running
 
     def run(self, block: ops.Block, frame: Frame) -> bool:
         """Interpret a block; False where control does not come out at its end."""
-        self.steps += len(block)
-        if self.steps > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
-        if self.steps > self.loop_limit:
-            self.coarse = True
+        if frame.code.language != self.language.name:
+            return self._run_in(self.languages[frame.code.language], block, frame)
+        precision = self.precision
+        precision.steps += len(block)
+        if precision.steps > precision.step_limit:
+            precision.spend(0, self)
+        if precision.steps > precision.loop_limit:
+            precision.coarse = True
         if self.catchers:
-            return failing.run_noting(self, block, frame)
-        table = self.table
+            return self.language.run_noting(self, block, frame)
+        table = self.language.table
         for op in block:
             try:
                 if table[op.__class__](self, op, frame) is False:
@@ -140,6 +116,18 @@ class Interpreter:
                 self.give_up_value(op, frame)
         return True
 
+    def _run_in(self, language: Language, block: ops.Block, frame: Frame) -> bool:
+        """Interpret a block of code of another language than what called it."""
+        outer, self.language = self.language, language
+        try:
+            return self.run(block, frame)
+        finally:
+            self.language = outer
+
+    def run_module(self, module: ModuleValue, name: str, turn: int = 0) -> bool:
+        """Run the top level of a module as its language does; False where it does not come to its end."""
+        return self.library.language_of(module).run_module(self, module, name, turn)
+
     def give_up_value(self, op: ops.Op, frame: Frame) -> None:
         """What an operation makes is too large to keep: its result is not known."""
         if hasattr(op, "dst"):
@@ -147,30 +135,7 @@ class Interpreter:
 
     def spend(self, steps: int) -> None:
         """Something that takes as long as this many steps: a native that computes, a join of much."""
-        self.steps += steps
-        if self.steps > self.step_limit:
-            raise LimitReachedError(f"more than {self.step_limit} steps", self.place)
-
-    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-        if not self.loops:
-            self.turns = 0
-            self.loop_limit = min(self.coarse_limit, self.steps + self.budget.loop_steps)
-            self.coarse = self.coarse or (frame.code.key, op.number) in self.heavy
-        self.loops += 1
-
-    def end_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop has ended."""
-        self.loops -= 1
-        if not self.loops:
-            if self.coarse and not self.always_coarse:
-                self.heavy.add((frame.code.key, op.number))
-                self.always_coarse = self.schedule_book.running  # in a callback, until it ends
-            if not self.schedule_book.running:  # what follows in the main body has its part of what is left
-                left = int((self.step_limit - self.steps) * self.budget.coarse)
-                self.coarse_limit = max(self.coarse_limit, self.steps + left)
-            self.loop_limit = self.coarse_limit
-            self.coarse = self.always_coarse or self.steps > self.coarse_limit
+        self.precision.spend(steps, self)
 
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
@@ -181,12 +146,11 @@ class Interpreter:
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
-        if time.thread_time() > self.deadline:
-            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", self.place)
+        self.precision.check_time(self)
 
     def fresh_version(self, compared: int = 0) -> int:
         """A version number never used before, for a state that took as many comparisons of objects to make."""
-        self.steps += compared // _OBJECTS_A_STEP
+        self.precision.steps += compared // _OBJECTS_A_STEP
         self._versions += 1
         return self._versions
 
@@ -259,16 +223,31 @@ class Interpreter:
         Unless that is a generator at its end: nothing can be had from it any more, so the new one takes its place.
         """
         address = self.place_key(key)
+        self.place_anew(address, obj)
+        return address
+
+    def place_anew(self, address: int, obj: Obj) -> None:
+        """Put a new object at an address, beside those that stand there already."""
         old = self.state.heap.get(address)
-        if old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
+        if address in self.unheld:
+            self.unheld.discard(address)
+        elif old is not None and not (isinstance(old.payload, Suspension) and old.payload.is_over):
             joined = join_objects(old, obj, join)
             if not joined.many:
                 joined = joined.replace(many=True)
             if joined is old:
-                return address
+                return
             obj = joined
-        self.put(address, obj)
-        return address
+        if obj is not old:
+            self.put(address, obj)
+
+    def place_inner(self, owner: Ref, name: str, obj: Obj, *, again: bool) -> Ref:
+        """The object that belongs to an attribute of another one."""
+        key = ("inner", owner.address, name)
+        address = self.place_key(key)
+        if again or self.state.heap.get(address) is None:
+            self.place_at(key, obj)
+        return Ref(address)
 
     def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
         """A new list."""
@@ -281,7 +260,7 @@ class Interpreter:
             known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
         return self._collection("set", Series(known, rest))
 
-    def _collection(self, kind: str, series: Series) -> Ref:
+    def _collection(self, kind: ObjKind, series: Series) -> Ref:
         return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind, self.budget.items)))
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
@@ -292,47 +271,43 @@ class Interpreter:
 
     def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
         """Call a value."""
-        return calls.call(self, function, tuple(args), dict(keywords) if keywords else {})
+        return self.language.call(self, function, tuple(args), dict(keywords) if keywords else {})
 
     def call_method(self, value: Value, name: str, args: tuple[Value, ...]) -> Value:
         """value.name(*args)."""
-        return calls.call_method(self, value, name, args)
+        return self.language.call_method(self, value, name, args)
 
     def wait_for(self, value: Value) -> Value:
         """`await value`."""
-        return calls.wait_for(self, value)
+        return self.language.wait_for(self, value)
 
     def make_generator(self, function: Function, registers: list[Value]) -> Ref:
         """What a call of a generator function or coroutine gives."""
-        return generators.make(self, function, registers)
+        return self.language.make_generator(self, function, registers)
 
-    def advance(self, ref: Ref, action: stepping.Action) -> stepping.Stepped:
+    def advance(self, ref: Ref, action: Resumption) -> Stepped:
         """Resume a suspended generator."""
-        return generators.advance(self, ref, action)
+        return self.language.advance(self, ref, action)
 
     def run_out(self, ref: Ref) -> tuple[Items, Value]:
         """Run a generator or coroutine to its end: what it yields, what it returns."""
-        return generators.run_out(self, ref)
+        return self.language.run_out(self, ref)
 
     def close_generator(self, ref: Ref) -> None:
         """`generator.close()`."""
-        generators.close(self, ref)
+        self.language.close_generator(self, ref)
 
-    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""
-        item = stepping.next_of(self, iterator, stepping.Action(kind, value), default)
-        abandoned.watch(self, iterator)
-        return item
+        return self.language.next_of(self, iterator, kind, value, default)
 
     def is_stepped(self, value: Value) -> bool:
         """Whether a value is followed step by step where it is iterated over."""
-        return stepping.is_followed(self, value)
+        return self.language.is_stepped(self, value)
 
     def throw(self, exception: Value) -> None:
         """An exception is raised here for sure."""
-        made = raised.made(self, exception)
-        raised.chain(self, made, None)
-        catcher.throw(self, made)
+        throwing.throw(self, self.language.raised(self, exception))
 
     @contextmanager
     def handles(self, exception: Value, level: int) -> Iterator[None]:
@@ -349,22 +324,22 @@ class Interpreter:
         if not self.handling:
             return NONE
         known, level = self.handling[-1]
-        return known if not level else join(known, catcher.unseen(self))
+        return known if not level else join(known, throwing.unseen(self))
 
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
-        self.schedule_book.uncaught(self, exception)
+        schedule.uncaught(self, exception)
         if not self.schedule_book.running:
-            cls = raised.class_of(self, exception)
+            cls = self.language.class_of(self, exception)
             self.ended_at[self.place] = join(self.ended_at.get(self.place, UNBOUND), cls)
 
     def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
         """What an action gives, and whether it may raise a builtin exception, which goes no further."""
-        return raised.guarded(self, action, error, unseen=unseen)
+        return self.language.guarded(self, action, error, unseen=unseen)
 
     def unwind(self, exits: Sequence[Value], exception: Value) -> Value:
         """Call the exits of a stack of context managers."""
-        return contexts.unwind(self, exits, exception)
+        return self.language.unwind(self, exits, exception)
 
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
@@ -372,55 +347,55 @@ class Interpreter:
 
     def load_attr(self, value: Value, name: str) -> Value:
         """value.name."""
-        return attributes.load(self, value, name)
+        return self.language.load_attr(self, value, name)
 
     def store_attr(self, target: Value, name: str, value: Value) -> None:
         """target.name = value."""
-        assignment.store(self, target, name, value)
+        self.language.store_attr(self, target, name, value)
 
     def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
         """owner.__dict__[name] = value; UNBOUND: `del` of that."""
-        assignment.keep(self, owner, name, value, weak=weak)
+        self.language.keep_attr(self, owner, name, value, weak=weak)
 
     def delete_attr(self, target: Value, name: str) -> None:
         """del target.name."""
-        removal.delete(self, target, name)
+        self.language.delete_attr(self, target, name)
 
     def load_item(self, value: Value, index: Value) -> Value:
         """value[index]."""
-        return items.load(self, value, index)
+        return self.language.load_item(self, value, index)
 
     def store_item(self, target: Value, index: Value, value: Value) -> None:
         """target[index] = value."""
-        items.store(self, target, index, value)
+        self.language.store_item(self, target, index, value)
 
     def binary(self, operator: str, left: Value, right: Value) -> Value:
         """left operator right."""
-        return equality.binary(self, operator, left, right, inplace=False)
+        return self.language.binary(self, operator, left, right, inplace=False)
 
     def compare(self, operator: str, left: Value, right: Value) -> Value:
         """left operator right."""
-        return equality.compare(self, operator, left, right)
+        return self.language.compare(self, operator, left, right)
 
     def iterate(self, value: Value) -> Items:
         """What iterating yields."""
-        return iteration.iterate(self, value)
+        return self.language.iterate(self, value)
 
     def series(self, value: Value) -> Series:
         """What iterating yields, as far as the order is known."""
-        return iteration.series(self, value)
+        return self.language.series(self, value)
 
     def truth(self, value: Value) -> bool | None:
         """The truth of a value, None for both."""
-        return equality.truth(self, value)
+        return self.language.truth(self, value)
 
     def is_instance(self, value: Value, wanted: Value) -> bool | None:
         """isinstance(value, wanted)."""
-        return instances.is_instance(self, value, wanted)
+        return self.language.is_instance(self, value, wanted)
 
     def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
         """issubclass(cls, wanted)."""
-        return instances.is_subclass(self, cls, wanted)
+        return self.language.is_subclass(self, cls, wanted)
 
     def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
         """An unknown that arises here."""
@@ -434,22 +409,30 @@ class Interpreter:
         """Values reach unknown code."""
         escape.escape(self, values, library, callee)
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
-        """A callback may run from now on."""
-        self.schedule_book.add(self, callback, tuple(args), event)
+    def schedule(
+        self,
+        callback: Value,
+        args: Sequence[Value] | None,
+        event: str,
+        place: Place | None = None,
+        *,
+        answered: Value | None = None,
+    ) -> None:
+        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
+        schedule.add(self, callback, None if args is None else tuple(args), event, place, answered)
 
     def spin(self) -> None:
         """Everything scheduled may run here."""
-        self.schedule_book.spin(self)
+        schedule.spin(self)
 
     def variables(self, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""
-        found = namespaces.variables(self, local=local)
+        found = self.language.variables(self, local=local)
         return self.unknown(Cause.LIVE, "variables", "dict") if found is None else found
 
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
         """A finding at the current place."""
-        self.log.findings[Finding(code, message, self.place, causes)] = None
+        self.log.findings.add(Finding(code, message, self.place, causes))
 
     def die(
         self, error: str, message: str, args: Sequence[Value] | None = None, *, sure: bool = False, plain: bool = False
@@ -457,8 +440,8 @@ class Interpreter:
         """This path raises here: it ends where that is what the program wants (SystemExit), or waits for. Any other failure of a builtin
         is taken as a value that is not known: what fails for the values that we see (a default list too short) may go well for others."""
         if error not in ("SystemExit", "StopIteration"):
-            return raised.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
-        catcher.throw(self, raised.builtin_error(self, error, args))
+            return self.language.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
+        throwing.throw(self, self.language.builtin_error(self, error, args))
         return UNBOUND
 
     @property
@@ -499,6 +482,15 @@ class Interpreter:
         """The heap record of a function that was given attributes."""
         return self.state.heap.get(self.library.function_address(function))
 
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class."""
+        return self.library.interface_definition(dotted)
+
+    @property
+    def asked(self) -> set[tuple[str, str, str]]:
+        """What may be called without being seen."""
+        return self.trace.asked
+
     @property
     def files(self) -> Files:
         """The files of the analysed packages."""
@@ -517,4 +509,4 @@ class Interpreter:
     def load_module(self, name: str, level: int = 0, *, asked: bool = False) -> Value:
         """The module (or external thing) of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
         frame = next((f for f in reversed(self.frames) if not f.stub), None)
-        return (modules.load_asked if asked else modules.load)(self, name, frame, level)
+        return (self.language.load_asked if asked else self.language.load_module)(self, name, frame, level)

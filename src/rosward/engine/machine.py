@@ -1,33 +1,40 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the modules of the engine ask each other: the protocol that the interpreter implements.
+"""What the modules of the engine ask each other (`Engine`, which the interpreter implements), and what they ask a language (`Language`).
 
-A module that says how calls or attributes work takes an `Engine`, and names no module that implements it.
+A module that says how calls or attributes work takes an `Engine`, and names no module that implements it. What a language means by an
+attribute, a call or a truth stands in its record; `engine/languages.py` lists them. One engine, one heap, one schedule and one log serve all:
+
+    the code that runs asks its own language (`machine.language`): p->name, x == y, if (count)
+    who is called decides what a call does with its arguments (`machine.languages[function.code.language]`)
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from typing import TYPE_CHECKING, Any, Protocol
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol, final
 
+from rosward.engine.shared import Shared
 from rosward.models.native import Machine
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
+    from rosward.domain.series import Series
     from rosward.domain.state import State
-    from rosward.domain.values import Class, Function, Ref, Value
-    from rosward.engine.activation import Summary
+    from rosward.domain.values import Class, Function, ModuleValue, Ref, Value
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
     from rosward.engine.frame import Frame, Snapshot
-    from rosward.engine.library import Library
-    from rosward.engine.python.generators import Running
-    from rosward.engine.python.stepping import Action, Stepped
-    from rosward.engine.python.suspending import Way
-    from rosward.engine.schedule import Schedule
+    from rosward.engine.precision import Precision
+    from rosward.engine.scheduled import Schedule
+    from rosward.engine.stepped import Resumption, Running, Stepped
+    from rosward.engine.summaries import Summaries
+    from rosward.engine.trace import Trace
+    from rosward.engine.ways import Way
     from rosward.ir import ops
-    from rosward.ir.program import Code, OpKey
-    from rosward.models.native import Items
+    from rosward.ir.program import Code
+    from rosward.models.native import Items, ResumptionKind
     from rosward.source.location import Place
 
 
@@ -38,41 +45,23 @@ class Engine(Machine, Protocol):
     frames: list[Frame]
     catchers: list[Catcher]
     schedule_book: Schedule
-    steps: int
-    step_limit: int
-    coarse: bool
-    always_coarse: bool
-    coarse_limit: int
-    loop_limit: int
-    heavy: set[OpKey]
-    heads: dict[OpKey, Snapshot]
-    deadline: float
+    precision: Precision
+    trace: Trace
+    summaries: Summaries
     making: list[Class]
     unhooked: set[int] | None
     hooked: bool
     choosing: bool
     noted: int
     handling: list[tuple[Value, int]]
-    provisional: int
-    fixpoints: int
-    loops: int
-    turns: int
+    unheld: set[int]
     ended_at: dict[Place, Value]
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]
     ends: State | None
-    summaries: dict[object, Summary]
-    finished: dict[object, Summary]
-    large: dict[str, bool]
-    memo: dict[object, tuple[Value, int]]
-    instantiated: set[Place]
-    handed: dict[Value, Place]
-    entered: set[str]
-    reached: set[OpKey]
-    asked: set[tuple[str, str, str]]
 
     @property
-    def library(self) -> Library:
+    def library(self) -> Shared:
         """What all processes share."""
 
     @property
@@ -80,20 +69,21 @@ class Engine(Machine, Protocol):
         """How much the process may take."""
 
     @property
-    def table(self) -> Mapping[type[ops.Op], Any]:
-        """What each operation does, by its class."""
+    def languages(self) -> Mapping[str, Language]:
+        """Every language that code may be written in, by its name."""
+
+    @property
+    def language(self) -> Language:
+        """That of the code that runs."""
+
+    def run_module(self, module: ModuleValue, name: str, turn: int = 0) -> bool:
+        """Run the top level of a module as its language does; False where it does not come to its end."""
 
     def run(self, block: ops.Block, frame: Frame) -> bool:
         """Interpret a block; False where control does not come out at its end."""
 
     def give_up_value(self, op: ops.Op, frame: Frame) -> None:
         """What an operation makes is too large to keep: its result is not known."""
-
-    def begin_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
-
-    def end_loop(self, op: ops.Op, frame: Frame) -> None:
-        """A loop has ended."""
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
@@ -119,6 +109,9 @@ class Engine(Machine, Protocol):
     def place_at(self, key: object, obj: Obj) -> int:
         """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
 
+    def place_anew(self, address: int, obj: Obj) -> None:
+        """Put a new object at an address, beside those that stand there already."""
+
     def new_cells(self, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
 
@@ -128,7 +121,7 @@ class Engine(Machine, Protocol):
     def make_generator(self, function: Function, registers: list[Value]) -> Ref:
         """What a call of a generator function or coroutine gives."""
 
-    def advance(self, ref: Ref, action: Action) -> Stepped:
+    def advance(self, ref: Ref, action: Resumption) -> Stepped:
         """Resume a suspended generator."""
 
     def run_out(self, ref: Ref) -> tuple[Items, Value]:
@@ -140,5 +133,114 @@ class Engine(Machine, Protocol):
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
 
+    def schedule(
+        self,
+        callback: Value,
+        args: Sequence[Value] | None,
+        event: str,
+        place: Place | None = None,
+        *,
+        answered: Value | None = None,
+    ) -> None:
+        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
+
     def may_call(self, values: Sequence[Value]) -> None:
         """A described library may call those that are functions."""
+
+
+Handler = Callable[[Any, Any, Any], "bool | None"]
+"""What an operation does: None where control goes on, False where it does not. Takes the machine, the operation and the frame."""
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Language:
+    """What a language means by the operations of the core, and by what natives ask. UNBOUND for a value: no execution goes on there.
+
+    `table` has the handler of each operation by its class: those of the core (`transfer.CORE`), and the language's own. Where a language means by
+    an operation of the core something that this record cannot say, its table has another handler for it.
+    C++ adds to its table what it alone has: references to places, copies by value, conversions to the type of a variable, the end of a scope.
+    Overloads and template arguments are a matter of `call_with`, which is given the arguments as they are written.
+    """
+
+    name: str
+    table: Mapping[type[ops.Op], Handler]
+    run_noting: Callable[[Engine, ops.Block, Frame], bool]
+    """Run a block inside of a `try`: what its operations may raise is noted."""
+
+    # Values
+    truth: Callable[[Engine, Value], bool | None]
+    unary: Callable[[Engine, str, Value], Value]
+    binary: Callable[..., Value]
+    """Of machine, operator, left, right; `inplace` for an augmented assignment."""
+    compare: Callable[[Engine, str, Value, Value], Value]
+    may: Callable[[Engine, Value, str, Value | None, bool], bool]
+    """Whether a test of a value (see `ops.Assume`) may come out so."""
+    is_instance: Callable[[Engine, Value, Value], bool | None]
+    is_subclass: Callable[[Engine, Value, Value], bool | None]
+
+    # Attributes and elements
+    load_attr: Callable[[Engine, Value, str], Value]
+    store_attr: Callable[[Engine, Value, str, Value], bool]
+    keep_attr: Callable[..., None]
+    """Of machine, object, name, value; past all that a program may have put between. `weak`: the old one stays possible."""
+    delete_attr: Callable[[Engine, Value, str], None]
+    lookup: Callable[[Engine, Value, str], Value | None]
+    """What a class and its bases have under a name, as it stands there."""
+    bind: Callable[[Engine, Value, Value, Value], Value]
+    """What an object of a class has of what was looked up there: a method with its receiver."""
+    load_item: Callable[[Engine, Value, Value], Value]
+    store_item: Callable[[Engine, Value, Value, Value], None]
+
+    # Calls
+    call: Callable[[Engine, Value, tuple[Value, ...], dict[str, Value]], Value]
+    call_with: Callable[[Engine, Value, tuple[ops.Argument, ...], list[Value]], Value]
+    """A call as it is written."""
+    call_function: Callable[[Engine, Function, tuple[Value, ...], dict[str, Value]], Value]
+    """What a function of this language does with arguments, whoever calls it."""
+    call_method: Callable[[Engine, Value, str, tuple[Value, ...]], Value]
+    implicit_calls: Callable[[Engine], Iterable[Value]]
+    """What the language itself calls, at times that nobody sees: conversions, hooks."""
+
+    # Iteration, and calls that are suspended
+    iterate: Callable[[Engine, Value], Items]
+    series: Callable[[Engine, Value], Series]
+    is_stepped: Callable[[Engine, Value], bool]
+    next_of: Callable[[Engine, Value, ResumptionKind, Value, Value | None], Value]
+    wait_for: Callable[[Engine, Value], Value]
+    make_generator: Callable[[Engine, Function, list[Value]], Ref]
+    advance: Callable[[Engine, Ref, Resumption], Stepped]
+    run_out: Callable[[Engine, Ref], tuple[Items, Value]]
+    close_generator: Callable[[Engine, Ref], None]
+
+    # Modules and their variables
+    run_module: Callable[[Engine, ModuleValue, str, int], bool]
+    run_packages: Callable[[Engine, ModuleValue], bool]
+    """Run what has to be run before a module that an entry point names."""
+    load_module: Callable[[Engine, str, Frame | None, int], Value]
+    load_asked: Callable[[Engine, str, Frame | None, int], Value]
+    """The same, where the program asks for it: it may fail."""
+    load_global: Callable[[Engine, ModuleValue, str], Value]
+    """A name that is no variable of a module."""
+    variables: Callable[..., Value | None]
+    """Of machine; `local`: of the call that runs, else of its module."""
+
+    # Exceptions
+    raised: Callable[[Engine, Value], Value]
+    """The exception that `raise value` raises, with what it follows from."""
+    class_of: Callable[[Engine, Value], Value]
+    fail: Callable[..., Value]
+    builtin_error: Callable[[Engine, str, Sequence[Value] | None], Value]
+    guarded: Callable[..., tuple[Value, bool]]
+    unwind: Callable[[Engine, Sequence[Value], Value], Value]
+
+
+class SharedLanguages(Shared, Protocol):
+    """What all processes share, and which languages there are."""
+
+    @property
+    def languages(self) -> Mapping[str, Language]:
+        """What each language means by its operations, by its name."""
+
+    def language_of(self, module: ModuleValue) -> Language:
+        """That of the file of a module; of one without a file, that of the models."""

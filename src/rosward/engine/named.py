@@ -11,13 +11,11 @@ The library may import the module at any time, make the class with anything and 
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.values import UNBOUND, Class, Const, Function, ModuleValue, Value
-from rosward.engine.frame import Frame
-from rosward.engine.python import modules
-from rosward.source.location import Place
+from rosward.engine.scheduled import Naming
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -27,15 +25,6 @@ _WITH_COLON: Final = re.compile(rf"({_DOTTED}):(\S+)")
 _WITH_DOT: Final = re.compile(rf"({_DOTTED})\.([A-Za-z_]\w*)")
 _LONGEST: Final = 300
 """The longest text that is taken for a name."""
-
-
-class Naming(NamedTuple):
-    """A name that was handed to a library: of which module, what in it, and where that was."""
-
-    module: str
-    name: str
-    place: Place
-    frame: Frame | None
 
 
 def note(machine: Engine, value: Const) -> None:
@@ -54,7 +43,7 @@ def note(machine: Engine, value: Const) -> None:
 
 def called(machine: Engine, naming: Naming) -> list[Value]:
     """What a library gets by a name: classes and functions."""
-    found = modules.load(machine, naming.module, naming.frame)
+    found = machine.language.load_module(machine, naming.module, naming.frame, 0)
     for part in naming.name.split("."):
         if isinstance(found, (ModuleValue, Class)):
             found = machine.at(found.address).attrs.get(part, UNBOUND)

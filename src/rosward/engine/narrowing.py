@@ -13,7 +13,6 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Descriptor, Function, Ref, Tuple, Unknown, Value
-from rosward.engine.python import attributes, equality
 from rosward.ir import ops
 from rosward.models.python.operators.operators import is_default
 from rosward.models.python.plain import int_of
@@ -30,7 +29,7 @@ def narrowed(machine: Engine, value: Value, test: str, other: Value | None, sens
     kept = [
         _one(machine, option, test, other, sense)
         for option in options(value)
-        if equality.may(machine, option, test, other, sense)
+        if machine.language.may(machine, option, test, other, sense)
     ]
     return join_all(kept) if kept else None
 
@@ -104,7 +103,7 @@ def narrow_attribute(machine: Engine, target: Value, name: str, value: Value) ->
     if obj.kind != "instance" or obj.many:
         return
     if name not in obj.attrs:
-        name = _returned_by(attributes.lookup(machine, obj.cls, name))
+        name = _returned_by(machine.language.lookup(machine, obj.cls, name))
     if name in obj.attrs and obj.attrs[name] is not value:
         machine.put(target.address, obj.with_attr(name, value))
 

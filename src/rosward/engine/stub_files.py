@@ -12,16 +12,16 @@ from pathlib import Path
 from typing import Final, final
 
 from rosward.engine.declared import MODEL_PREFIX
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
 STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
-_LARGEST: Final = 1_000_000
 _LONGEST_NAME: Final = 200
 """No file has a longer name."""
 _CODES: Final = {"python2": "RW006", "depth": "RW005"}
@@ -40,7 +40,7 @@ class StubFiles:
         self._found: dict[str, str | None] = {}
         self._packages: dict[str, bool] = {}
         self._modules: dict[str, Module] = {}
-        self.findings: dict[Finding, None] = {}
+        self.findings = Findings()
 
     def find(self, name: str) -> str | None:
         """The file of a module, as places name it; None where no stub describes it."""
@@ -81,23 +81,23 @@ class StubFiles:
     def _is_read(self, path: Path, file: str) -> bool:
         found = guarded(lambda: self._read(path, file), Place(file), "this stub was not read", net=self._net)
         if isinstance(found, Finding):
-            self.findings[found] = None
+            self.findings.add(found)
             return False
         return found
 
     def _read(self, path: Path, file: str) -> bool:
-        data = read_bytes(path, file, _LARGEST)
+        data = read_bytes(path, file, limits.STUB_FILE)
         source = data if isinstance(data, Finding) else decode(data, file)
         if isinstance(source, Finding):
-            self.findings[source] = None
+            self.findings.add(source)
             return False
         if source.finding is not None:
-            self.findings[source.finding] = None
+            self.findings.add(source.finding)
             return False
         try:
             self._modules[file] = front_end_of(file).lower(source.text, file)
         except FrontendError as error:
             place = Place(file, error.line, error.column)
-            self.findings[Finding(_CODES.get(error.kind, "RW001"), error.message, place)] = None
+            self.findings.add(Finding(_CODES.get(error.kind, "RW001"), error.message, place))
             return False
         return True

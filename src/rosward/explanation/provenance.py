@@ -16,34 +16,30 @@ from rosward.enclaves.grants import enclaves
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
+from rosward.policies.elements import ELEMENTS
+from rosward.ros.entities import Entity, Node, Parameter, Resolution
 from rosward.source.location import Place
 
-__all__ = ["PolicyLine", "Rights", "Source", "Start", "Starts", "remap_rules", "remedies", "sources"]
+__all__ = ["EntityRules", "NameSource", "PolicyLine", "Start", "Starts", "remap_rules", "remedies", "sources"]
 
-_ELEMENTS: Final = {
-    EntityKind.PUBLISHER: ("topics", "publish", "topic"),
-    EntityKind.SUBSCRIPTION: ("topics", "subscribe", "topic"),
-    EntityKind.SERVICE_SERVER: ("services", "reply", "service"),
-    EntityKind.SERVICE_CLIENT: ("services", "request", "service"),
-    EntityKind.ACTION_SERVER: ("actions", "execute", "action"),
-    EntityKind.ACTION_CLIENT: ("actions", "call", "action"),
-}
 _REMEDIES: Final = (
-    ("parameter without a value", "give the parameter a default, or a value: --params FILE.yaml, or the launch file"),
-    ("command-line argument", "give the argument a default, or analyse the launch file that passes it: --launch FILE"),
+    (
+        "parameter without a value",
+        "give the parameter a default, or a value with --params FILE.yaml or in the launch file",
+    ),
+    ("command-line argument", "give the argument a default, or analyse the launch file that passes it (--launch FILE)"),
     ("launch argument without a value", "--arg NAME:=VALUE"),
     ("environment variable", "--env NAME=VALUE, or set it in the launch file"),
-    ("module that is not among the sources", "add its package to the PATHs, or describe it in a stub file: --models"),
-    ("call that is not modelled", "describe the call in a stub file: --models DIR"),
-    ("argument that no caller in the sources gives", "add the code that makes the call to the PATHs"),
+    ("module not among the sources", "add its package to the PATHs, or describe it in a stub file (--models)"),
+    ("unmodelled call", "describe the call in a stub file (--models DIR)"),
+    ("argument that no caller in the sources passes", "add the code that makes the call to the PATHs"),
 )
 """By the cause with which a reason begins."""
 
-_OTHERWISE: Final = "make it a constant, or a parameter with a default; or accept the wildcard in the policy"
+_OTHERWISE: Final = "use a constant or a parameter with a default, or accept the wildcard in the policy"
 
 
-class Source(NamedTuple):
+class NameSource(NamedTuple):
     """Something outside of the code that a name was made of. `value` is None where it is no plain value."""
 
     name: str
@@ -74,7 +70,7 @@ class PolicyLine(NamedTuple):
 
 
 @final
-class Rights:
+class EntityRules:
     """The rule of each entity of a network."""
 
     def __init__(self, network: Network, unknown: UnknownNames = "deny") -> None:
@@ -84,7 +80,7 @@ class Rights:
             lines = self.by_enclave.setdefault(enclave.path, [])
             for profile in enclave.profiles:
                 for grant in profile.grants:
-                    outer, verb, inner = _ELEMENTS[grant.kind]
+                    outer, verb, inner = ELEMENTS[grant.kind]
                     line = PolicyLine(enclave.path, f'<{outer} {verb}="ALLOW">', f"<{inner}>{grant.name}</{inner}>", "")
                     lines.append(line)
                     self._lines.update((id(entity), line) for entity in grant.entities)
@@ -125,7 +121,7 @@ class Starts:
         return [e for e in same if e.namespace is not None and e.namespace.text == node.namespace] or same
 
 
-def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[Source, ...]:
+def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[NameSource, ...]:
     """What a name was made of, each with its value and who set it."""
     parameters = {parameter.name: parameter for parameter in node.parameters}
     alone = len(entity.depends_on) == 1
@@ -133,7 +129,9 @@ def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple
     return tuple(
         _parameter(parameters[name], entries, given=bound and alone)
         if name in parameters
-        else Source(name, "argument or environment variable", None, "set from outside" if bound and alone else "", ())
+        else NameSource(
+            name, "argument or environment variable", None, "set from outside" if bound and alone else "", ()
+        )
         for name in entity.depends_on
     )
 
@@ -144,11 +142,11 @@ def remap_rules(entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[str, ..
     return tuple(dict.fromkeys(f"{a.text} → {b.text}" for a, b in rules if b.text == entity.name))
 
 
-def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: bool) -> Source:
+def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: bool) -> NameSource:
     value = parameter.value
     if not given and value == parameter.default:
         places = (parameter.declared_at,) if parameter.declared_at else ()
-        return Source(parameter.name, "parameter", value, "its default" if value is not None else "", places)
+        return NameSource(parameter.name, "parameter", value, "its default" if value is not None else "", places)
     own = [p for e in entries for p in e.parameters if p.kind != "file" and p.name == parameter.name]
     if own:
         at = tuple(dict.fromkeys(p.place for p in own if p.place is not None)) or tuple(
@@ -156,12 +154,12 @@ def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: b
         )
         shown = value if value is not None else own[-1].value.text
         same = any(str(shown).lower() == p.value.text.lower() for p in own)  # True is `true` in a launch file
-        origin = "set in the launch file" if same else "set from outside, over the launch file or beside it"
-        return Source(parameter.name, "parameter", shown, origin, at)
+        origin = "set in the launch file" if same else "set from outside, overriding or in addition to the launch file"
+        return NameSource(parameter.name, "parameter", shown, origin, at)
     # what the launch passes need not be what decides: a file of --params, too, may set it
     files = list(dict.fromkeys(p.value.text for e in entries for p in e.parameters if p.kind == "file"))
     passed = f"; the launch passes {', '.join(files[:3])}" if files else ""
-    return Source(parameter.name, "parameter", value, f"set from outside{passed}", ())
+    return NameSource(parameter.name, "parameter", value, f"set from outside{passed}", ())
 
 
 def remedies(reasons: Iterable[str]) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.git.folders import make_folders
-from rosward.git.git import Entry, Git, GitError
+from rosward.git.git import Git, GitError, TreeEntry
 
 __all__ = ["write_commit", "write_work_tree"]
 
@@ -98,7 +98,7 @@ def _is_bulk(path: str, size: int) -> bool:
     return size > _LARGEST or _MEDIA.fullmatch(path) is not None
 
 
-def _with_contents(git: Git, entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
+def _with_contents(git: Git, entries: list[TreeEntry]) -> Iterator[tuple[TreeEntry, bytes]]:
     return zip(entries, git.contents(e.name for e in entries), strict=True)
 
 
@@ -115,7 +115,7 @@ def _place(folder: str, path: str) -> str:
     """Where a path of the repository is; its name alone must not lead elsewhere."""
     parts = path.split("/")
     if any(part in ("", ".", "..") or part.lower() == ".git" or "\0" in part for part in parts):
-        raise GitError(f"{path!r} is no name for a file")
+        raise GitError(f"{path!r} is not a valid file name")
     return os.path.join(folder, *parts)  # noqa: PTH118
 
 

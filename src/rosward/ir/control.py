@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import final
 
-from rosward.ir.core import NO_REGISTER, Block, Op
+from rosward.ir.core import NO_REGISTER
+from rosward.ir.op import Block, Op
 
 
 @final

@@ -19,7 +19,9 @@ in the table of the language.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, Final, Literal, final
+
+from rosward.ir.op import Op
 
 if TYPE_CHECKING:
     from rosward.ir.program import Code
@@ -27,27 +29,6 @@ if TYPE_CHECKING:
 Constant = None | bool | int | float | complex | str | bytes
 """What a `Const` can hold; `...` is the global name `Ellipsis`."""
 
-
-class Op:
-    """An operation; `line` and `column` (both from 1) say where in the source it stands, `number` (from 1) which one of its `Code` it is.
-
-    Several operations may stand at one place (`f(f(x))`, `a().b()`), so a place does not tell them apart; the number does.
-    """
-
-    __slots__ = ("column", "line", "number")
-
-    def __init__(self, line: int, column: int) -> None:
-        self.line = line
-        self.column = column
-        self.number = 0  # given when the code is complete
-
-    @property
-    def blocks(self) -> tuple[Block, ...]:
-        """The blocks that it holds, in the order in which they stand."""
-        return ()
-
-
-Block = list[Op]
 
 NO_REGISTER: Final = -1
 
@@ -204,13 +185,16 @@ class Compare(Op):
         self.right = right
 
 
+ArgumentKind = Literal["positional", "star", "keyword", "doublestar"]
+
+
 @final
 class Argument:
     """One argument as written: kind is 'positional', 'star', 'keyword' (with its name) or 'doublestar'."""
 
     __slots__ = ("kind", "name", "register")
 
-    def __init__(self, kind: str, register: int, name: str = "") -> None:
+    def __init__(self, kind: ArgumentKind, register: int, name: str = "") -> None:
         self.kind = kind
         self.register = register
         self.name = name

@@ -22,7 +22,6 @@ from rosward.ir.core import (
     Argument,
     Assume,
     Binary,
-    Block,
     Call,
     Compare,
     Const,
@@ -32,12 +31,12 @@ from rosward.ir.core import (
     LoadItem,
     MakeFunction,
     Move,
-    Op,
     StoreAttr,
     StoreCell,
     StoreItem,
     Unary,
 )
+from rosward.ir.op import Block, Op
 from rosward.ir.python import (
     Await,
     Build,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
 from rosward.domain.values import UNBOUND, Ref, Value
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 
 if TYPE_CHECKING:
     from rosward.models.native import Machine
@@ -22,7 +22,7 @@ def fail(machine: Machine, cls: Value, message: str, args: tuple[Value, ...]) ->
     finding = Finding("RW209", message, machine.place)
     for each in options(exception):
         if isinstance(each, Ref):
-            machine.log.failures.setdefault(each.address, {})[finding] = None
+            machine.log.failures.setdefault(each.address, Findings()).add(finding)
     machine.throw(exception)
     return UNBOUND
 
@@ -31,4 +31,4 @@ def tell_uncaught(machine: Machine, exception: Value) -> None:
     """An exception leaves the program, or a callback: where a library raised it, that is told."""
     for each in options(exception):
         if isinstance(each, Ref):
-            machine.log.findings.update(machine.log.failures.get(each.address, {}))
+            machine.log.findings.update(machine.log.failures.get(each.address, ()))

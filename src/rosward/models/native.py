@@ -11,7 +11,7 @@ A native is a function of a `NativeCall` that returns an abstract value. It is f
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
-from typing import TYPE_CHECKING, NamedTuple, Protocol, SupportsIndex, final, overload
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol, SupportsIndex, final, overload
 
 from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rosward.domain.values import Function, Ref, Value
     from rosward.effects.log import EffectLog
     from rosward.models.file_paths import Files
+    from rosward.source.definitions import Definition
 
 
 class Items(NamedTuple):
@@ -53,9 +54,15 @@ class Callbacks(Protocol):
         """Those that threads do not catch."""
 
 
+ResumptionKind = Literal["next", "send", "throw", "close"]
+"""How a suspended generator goes on."""
+
+
 class Machine(Execution, Protocol):
     """What the engine offers to a native. All of it acts on the current state of the interpretation."""
 
+    choosing: bool
+    """Whether what is being called is one of several alternatives."""
     raised: int
     """How many exceptions were raised so far: a call in which it grows is not remembered."""
 
@@ -130,7 +137,7 @@ class Machine(Execution, Protocol):
     def is_stepped(self, value: Value) -> bool:
         """Whether `for x in value` follows it step by step: a generator, or an object with `__next__`."""
 
-    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
         """Advance an iterator (`kind`: next, send or throw, with `value`): its next item; at its end the default, else StopIteration."""
 
     def close_generator(self, ref: Ref) -> None:
@@ -175,11 +182,17 @@ class Machine(Execution, Protocol):
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         """A new dict; `rest` joins the values under unknown keys."""
 
+    def place_inner(self, owner: Ref, name: str, obj: Obj, *, again: bool) -> Ref:
+        """The object that belongs to an attribute of another one: made where there is none yet; `again`: it stands for this one too."""
+
+    def interface_definition(self, dotted: str) -> Definition | None:
+        """The fields of a message by the dotted name of its class; None where they are not known."""
+
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """The values reach code that is not known: callables may be called, contents change, nodes may get entities (a finding)."""
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
-        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times."""
+    def schedule(self, callback: Value, args: Sequence[Value], event: str, *, answered: Value | None = None) -> None:
+        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times; `answered` is given its results."""
 
     def spin(self) -> None:
         """Everything that is scheduled may run here, in any order, any number of times."""

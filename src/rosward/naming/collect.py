@@ -11,7 +11,7 @@ from rosward.domain.text import pattern
 from rosward.domain.unknown import causes_of
 from rosward.domain.values import Const, Tuple, Value
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.holes import HOLE, Holed
 from rosward.naming import implicit
 from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unknown_type
@@ -20,7 +20,7 @@ from rosward.naming.implicit import Identity
 from rosward.naming.options import NameOption, interface_types, name_options, together
 from rosward.ros import names
 from rosward.ros.distro import Distro
-from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution
+from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution, least_sure
 from rosward.ros.implicit import service_event_topic
 from rosward.source.location import Place
 
@@ -34,7 +34,6 @@ KINDS: Final = {
 }
 _SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
 _ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
-_ORDER: Final = {r: n for n, r in enumerate(Resolution)}
 _NO_VARIABLES: Final[Mapping[str, Value]] = {}
 
 
@@ -66,29 +65,29 @@ _MAY_HAVE_MORE: Final = frozenset(
 
 def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node], list[Finding]]:
     """The nodes of a process and the findings about their names."""
-    findings: dict[Finding, None] = {}
+    findings = Findings()
     nodes: list[Node] = []
     for effect in log.nodes:
         for identity in _identities(log, effect, findings):
-            own: dict[Finding, None] = {}
+            own = Findings()
             node = _node(log, effect, identity, process, distro, own)
-            findings.update(dict.fromkeys(f._replace(nodes=(node.fqn,)) for f in own))
+            findings.update(f._replace(nodes=(node.fqn,)) for f in own)
             nodes.append(node)
     lacks = tuple(f"{f.code}: {f.message}" for f in log.findings if f.code in _MAY_HAVE_MORE)
     return [_with_interface(n, process, lacks) for n in _merged(nodes)], list(findings)
 
 
 def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Node:
-    """The node with what is known of all that it has: in part, where the program or a name of its own says that there may be more."""
+    """The node with how completely its interface is known: in part, where the program or a name of its own says that there may be more."""
     interface, given = process.interface, process.lacks
     if interface is Interface.UNKNOWN:
         return replace(node, interface=interface, lacks=given)
     nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
-    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is not known" for kind in nameless))
+    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is unknown" for kind in nameless))
     return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
 
 
-def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None]) -> list[Identity]:
+def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[Identity]:
     if _refused(log, effect):
         return []
     name_value, space_value = final_name(log, effect)
@@ -100,22 +99,22 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: dict[Finding, None
         for option in own:
             wrong = names.validate_node_name(option.text) or names.validate_namespace(names.full_namespace(space.text))
             if wrong:
-                findings[
+                findings.add(
                     invalid_name(
                         "node",
                         option.text if names.validate_node_name(option.text) else space.text,
                         wrong,
                         effect.place,
                     )
-                ] = None
+                )
                 continue
             namespace = names.full_namespace(space.text)
             about = (names.fully_qualified(namespace, option.text),)
-            resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
-            if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
-                findings[unknown_node(option, effect.place)._replace(nodes=about)] = None
-            if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
-                findings[unknown_node(space, effect.place, "namespace")._replace(nodes=about)] = None
+            resolution = least_sure(option.resolution, space.resolution)
+            if not option.resolution.whole and not effect.assumed:
+                findings.add(unknown_node(option, effect.place)._replace(nodes=about))
+            if not space.resolution.whole:
+                findings.add(unknown_node(space, effect.place, "namespace")._replace(nodes=about))
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
             causes = causes_of((*option.reasons, *space.reasons), effect.place)
@@ -135,7 +134,7 @@ def _node(
     identity: Identity,
     process: Process,
     distro: Distro,
-    findings: dict[Finding, None],
+    findings: Findings,
 ) -> Node:
     started = not process.conditional and not process.assumed
     certain = identity.sole and not effect.late and started and ("node", effect.address) in process.done
@@ -149,7 +148,7 @@ def _node(
     for each in made:
         if HOLE in each.name and HOLE not in identity.namespace + identity.name:
             option = NameOption(Holed(each.name), each.resolution, (), ())
-            findings[unknown_name(each.kind.value, each, option, effect.place)] = None
+            findings.add(unknown_name(each.kind.value, each, option, effect.place))
     entities = [replace(e, system=True) if (e.kind, e.name, e.type) in asked else e for e in entities]
     entities += [e if identity.sole else replace(e, conditional=True) for e in made]
     if not certain:
@@ -188,7 +187,7 @@ def _entities(
     effect: EntityEffect,
     identity: Identity,
     distro: Distro,
-    findings: dict[Finding, None],
+    findings: Findings,
     path: tuple[Place, ...],
     *,
     sure: bool,
@@ -205,9 +204,9 @@ def _entities(
             for type_ in types:
                 entity = _entity(effect, kind, text, type_, how, identity, path, sure=sure and alone)
                 if type_ is None:
-                    findings[unknown_type(kind.value, text, effect.type, effect.place)] = None
-                if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(how):
-                    findings[unknown_name(kind.value, entity, how, effect.place)] = None
+                    findings.add(unknown_type(kind.value, text, effect.type, effect.place))
+                if not entity.resolution.whole and not _from_node_only(how):
+                    findings.add(unknown_name(kind.value, entity, how, effect.place))
                 result.append(entity)
                 if effect.introspection and type_ is not None:
                     for event in _events(kind, distro, text, type_):
@@ -233,7 +232,7 @@ def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Ent
 
 def _from_node_only(option: NameOption) -> bool:
     """The name itself is known: its hole stems from the node's own name or namespace, of which a finding speaks already."""
-    return option.resolution not in (Resolution.UNKNOWN, Resolution.PATTERN)
+    return option.resolution.whole
 
 
 def _resolved(
@@ -242,7 +241,7 @@ def _resolved(
     identity: Identity,
     distro: Distro,
     effect: EntityEffect,
-    findings: dict[Finding, None],
+    findings: Findings,
 ) -> list[tuple[Holed, NameOption]]:
     """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
     remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
@@ -255,7 +254,7 @@ def _resolved(
     try:
         found = names.resolve(option.text, remap, tuple(r.rule for r in rules), own, space)
     except names.InvalidName as error:
-        findings[invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on)] = None
+        findings.add(invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on))
         return []
     result: list[tuple[Holed, NameOption]] = []
     for text in found:
@@ -267,8 +266,8 @@ def _resolved(
 def _behind_rule(name: NameOption, target: NameOption) -> NameOption:
     """How a name was found that a remap rule gives: as the rule's target was, and, since the rule fits this name only, as that was."""
     depends = tuple(sorted({*name.depends_on, *target.depends_on}))
-    known = name.resolution in _KNOWN and target.resolution in _KNOWN
-    resolution = max(name.resolution, target.resolution, key=_ORDER.__getitem__) if known else target.resolution
+    known = name.resolution.whole and target.resolution.whole
+    resolution = least_sure(name.resolution, target.resolution) if known else target.resolution
     return target._replace(depends_on=depends, resolution=resolution)
 
 
@@ -287,17 +286,14 @@ def _entity(
     depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
     causes = causes_of(option.reasons, effect.place)
     if not option.text.startswith("/"):
-        resolution = max(
-            resolution,
-            identity.resolution if HOLE in text or resolution in _KNOWN else resolution,
-            key=_ORDER.__getitem__,
-        )
+        if HOLE in text or resolution.whole:
+            resolution = least_sure(resolution, identity.resolution)
         depends = tuple(sorted({*depends, *identity.depends_on}))
         causes = tuple(sorted({*causes, *identity.causes}))
         reasons = (*reasons, *identity.reasons)
     if resolution is Resolution.UNKNOWN and HOLE in text and text.strip("/*"):
         resolution = Resolution.PATTERN
-    if HOLE not in text and resolution not in _KNOWN:
+    if HOLE not in text and not resolution.whole:
         resolution = Resolution.DEFAULT if depends else Resolution.EXACT
     callback = effect.callback
     return Entity(
@@ -317,9 +313,6 @@ def _entity(
         path=path,
         system=implicit.is_of_container(kind, text, type_),
     )
-
-
-_KNOWN: Final = (Resolution.EXACT, Resolution.DEFAULT, Resolution.BOUND)
 
 
 def _parameters(log: EffectLog, address: int) -> list[Parameter]:

@@ -23,13 +23,13 @@ from rosward.ros import arguments, names
 from rosward.ros.parameter_values import ParameterValue, effective_value
 from rosward.source.location import Place
 
-UNKNOWN_ARGUMENTS: Final = "ROS arguments that are not known may rename what the process creates"
+UNKNOWN_ARGUMENTS: Final = "unknown ROS arguments may rename what the process creates"
 
 ANY_NAME = "*"
 """In `Given.name`: a parameter of a name that is not known."""
 
 
-class Rule(NamedTuple):
+class ValueRule(NamedTuple):
     """A remap rule, and its target as a value."""
 
     rule: names.RemapRule
@@ -43,7 +43,7 @@ class CommandLine(NamedTuple):
     `open`: why there may be further words.
     """
 
-    remaps: tuple[Rule, ...] = ()
+    remaps: tuple[ValueRule, ...] = ()
     parameters: tuple[Given, ...] = ()
     missing: tuple[Reason, ...] = ()
     enclave: Value | None = None
@@ -70,13 +70,13 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
         return CommandLine()
     parsed = arguments.parse_arguments([pattern(w) for w in words])
     at = parsed.positions
-    found: list[tuple[int, Rule]] = []
+    found: list[tuple[int, ValueRule]] = []
     further = [*between.open]
     for rule, index in zip(parsed.remaps, at.remaps, strict=True):
         if renames_anything(rule):
             further += reasons_of(words[index])
         else:
-            found.append((index, Rule(rule, behind(words[index], ":="))))
+            found.append((index, ValueRule(rule, behind(words[index], ":="))))
     remaps = (
         *(rule for index, rule in found if index < len(series.head)),
         *between.remaps,
@@ -120,9 +120,9 @@ def renames_anything(rule: names.RemapRule) -> bool:
 
 
 class _Between(NamedTuple):
-    """What words of unknown number may mean: rules and parameters that may be given, and why there may be others."""
+    """What words of unknown number may mean: rules and parameters that may be set, and why there may be others."""
 
-    remaps: tuple[Rule, ...] = ()
+    remaps: tuple[ValueRule, ...] = ()
     missing: tuple[Reason, ...] = ()
     open: tuple[Reason, ...] = ()
 
@@ -133,7 +133,7 @@ _PARAMETERS: Final = ("-p", "--param", "--params-file")
 
 def _between(middle: Value | None) -> _Between:
     several = options(middle) if middle is not None else ()
-    rules: list[Rule] = []
+    rules: list[ValueRule] = []
     parameters = False
     reasons: list[Reason] = []
     for word in several:
@@ -150,8 +150,8 @@ def _between(middle: Value | None) -> _Between:
         if renames_anything(rule):
             reasons += reasons_of(word)
         else:
-            rules.append(Rule(rule, behind(word, ":=")))
-    missing = (Reason(Cause.OPERATION, "ROS arguments that may be given", Place("")),) if parameters else ()
+            rules.append(ValueRule(rule, behind(word, ":=")))
+    missing = (Reason(Cause.OPERATION, "ROS arguments that may be passed", Place("")),) if parameters else ()
     return _Between(tuple(rules), (*missing, *reasons), tuple(dict.fromkeys(reasons)))
 
 

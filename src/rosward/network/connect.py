@@ -11,18 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Final, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 from rosward.findings import Finding, each_once
 from rosward.network.checks import UnknownNames, check
 from rosward.network.graph import Action, Network, Service, Topic
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
+from rosward.ros.entities import KIND_ORDER, Entity, EntityKind, Node, Parameter, Qos, surest
 from rosward.source.location import Place
 
 __all__ = ["apart", "connect", "with_findings"]
 
-_KIND_ORDER: Final = {kind: index for index, kind in enumerate(EntityKind)}
-_RESOLUTION_ORDER: Final = {resolution: index for index, resolution in enumerate(Resolution)}
 _T = TypeVar("_T")
 
 
@@ -70,7 +68,7 @@ def with_findings(network: Network, findings: Iterable[Finding]) -> Network:
 def _settled(node: Node) -> Node:
     groups: dict[tuple[int, str, str, bool], list[Entity]] = {}
     for entity in node.entities:
-        key = (_KIND_ORDER[entity.kind], entity.name, entity.type or "", entity.ros_prefix)
+        key = (KIND_ORDER[entity.kind], entity.name, entity.type or "", entity.ros_prefix)
         groups.setdefault(key, []).append(entity)
     entities = tuple(_merged(groups[key]) for key in sorted(groups))
     return replace(node, entities=entities, parameters=_parameters(node.parameters))
@@ -84,7 +82,7 @@ def _merged(entities: list[Entity]) -> Entity:
     return replace(
         first,
         system=all(e.system for e in entities),
-        resolution=min((e.resolution for e in entities), key=_RESOLUTION_ORDER.__getitem__),
+        resolution=surest(e.resolution for e in entities),
         conditional=all(e.conditional for e in entities),
         callback=", ".join(callbacks) or None,
         qos=_common_qos([e.qos for e in entities]),
@@ -141,7 +139,7 @@ def _node_order(node: Node) -> tuple[str, str, Place, str]:
     return (node.fqn, node.process, node.defined_at, repr(node))
 
 
-class _Meeting(NamedTuple):
+class _Joined(NamedTuple):
     """Fields in the order of `Topic`, `Service` and `Action`."""
 
     name: str
@@ -151,14 +149,14 @@ class _Meeting(NamedTuple):
     system: bool
 
 
-def _meetings(nodes: tuple[Node, ...], sender: EntityKind, receiver: EntityKind) -> list[_Meeting]:
+def _meetings(nodes: tuple[Node, ...], sender: EntityKind, receiver: EntityKind) -> list[_Joined]:
     ends: dict[str, list[tuple[Node, Entity]]] = {}
     for node in nodes:
         for entity in node.entities:
             if entity.kind is sender or entity.kind is receiver:
                 ends.setdefault(entity.name, []).append((node, entity))
     return [
-        _Meeting(
+        _Joined(
             name,
             tuple(sorted({e.type for _, e in ends[name] if e.type is not None})),
             tuple(sorted({node.shown for node, e in ends[name] if e.kind is sender})),

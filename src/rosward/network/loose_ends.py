@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 from rosward.findings import Finding
 from rosward.network.ends import End, Meeting, meetings, told
 from rosward.network.graph import Network
-from rosward.network.holes import Names
+from rosward.network.holes import NameIndex
 from rosward.ros.entities import Node, Resolution
 
 __all__ = ["LOOSE_ENDS", "loose_ends"]
@@ -42,7 +42,7 @@ _WITHOUT_SOURCE: Final = {
 class _Side(NamedTuple):
     """All ends on one side of the topics, services or actions: their names, and those whose name is not known."""
 
-    names: Names
+    names: NameIndex
     nameless: tuple[End, ...]
 
 
@@ -80,9 +80,9 @@ def _finding(
     types = {e.entity.type for e in own}
     nameless = [e.node.fqn for e in side.nameless if None in types or e.entity.type is None or e.entity.type in types]
     kind = own[0].entity.kind.value
-    message = f"{meeting.word} {meeting.name}: {kind} in {told(e.node.fqn for e in own)}, and no {other}"
-    maybe = [f"that of unknown name in {told(nameless)} may be it"] if nameless else []
-    maybe += [f"{told(n.fqn for n in unknown)}, of unknown interface, may have it"] if unknown else []
+    message = f"{meeting.word} {meeting.name}: {kind} in {told(e.node.fqn for e in own)}, but no {other}"
+    maybe = [f"one of unknown name in {told(nameless)} may match"] if nameless else []
+    maybe += [f"{told(n.fqn for n in unknown)}, whose interface is unknown, may have it"] if unknown else []
     message += f" that is known; {'; '.join(maybe)}" if maybe else ""
     yield Finding(code, message, own[0].place)
 
@@ -91,7 +91,7 @@ def _side(ends: Iterable[tuple[End, ...]]) -> _Side:
     everything = [end for some in ends for end in some]
     nameless = tuple(e for e in everything if e.entity.resolution is Resolution.UNKNOWN and not e.entity.system)
     names = (e.entity.name for e in everything if e.entity.system or e.entity.resolution is not Resolution.UNKNOWN)
-    return _Side(Names(names), nameless)
+    return _Side(NameIndex(names), nameless)
 
 
 def _of_unknown_interface(network: Network) -> list[Node]:

@@ -31,11 +31,13 @@ from rosward.network.connect import with_findings
 from rosward.network.counts import counts_of
 from rosward.network.graph import Network
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
-from rosward.outputs.files import Scan, write_outputs
+from rosward.outputs.files import write_outputs
+from rosward.outputs.formats import BY_NAME
 from rosward.outputs.report.document import Background
 from rosward.outputs.terminal.diff_text import diff_text
 from rosward.outputs.terminal.summary import summary
 from rosward.outputs.whole_files import write_text
+from rosward.outputs.writing import Material, Scan, of_enclave
 from rosward.pipeline import extract
 from rosward.server.job import Job
 from rosward.server.launch_files import launch_files
@@ -44,11 +46,10 @@ from rosward.server.settings import Settings
 from rosward.server.telling import Teller
 from rosward.server.unpacking import unpack
 from rosward.source.json_fields import UnreadableError
-from rosward.suppression.judge import Sources, Wishes, of_no_file, review
+from rosward.suppression.judge import SourceTexts, Wishes, of_no_file, review
 
-__all__ = ["FORMATS", "analyse"]
+__all__ = ["analyse"]
 
-FORMATS: Final = ("json", "policy", "permissions", "svg", "dot", "mermaid", "html", "sarif", "junit")
 _MOST_LEFT_OUT: Final = 200
 _MOST_ENCLAVES: Final = 1_000
 
@@ -70,17 +71,15 @@ def analyse(job: Job, tell: Teller) -> None:
     )
     tell("writing", 0, 1)
     findings = (*result.findings, *loose_ends(result.network))
-    found = review(findings, Sources(result.root, result.files), Wishes(), unused=not request.deploys)
+    found = review(findings, SourceTexts(result.root, result.files), Wishes(), unused=not request.deploys)
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
     reviewed = found._replace(shown=tuple(j for j in found.shown if j.finding.code not in LOOSE_ENDS))
     network = replace(result.network, findings=reviewed.findings)
     written = write_outputs(
-        network,
+        Material(network, settings.unknown, background=Background(result.root, result.systems, loose)),
         job.output,
-        FORMATS,
-        unknown=settings.unknown,
-        scan=Scan(reviewed.shown),
-        background=Background(result.root, result.systems, loose),
+        BY_NAME,
+        Scan(reviewed.shown),
     )
     reviewed = reviewed._replace(shown=(*reviewed.shown, *of_no_file(written.findings)))
     network = with_findings(network, written.findings)
@@ -155,7 +154,7 @@ def _enclaves(network: Network, settings: Settings) -> list[dict[str, object]]:
                 "nodes": [node.fqn for profile in enclave.profiles for node in profile.nodes],
                 "rules": len(own),
                 "left_out": sum(len(profile.omissions) for profile in enclave.profiles),
-                "file": f"policies{'' if enclave.path == '/' else enclave.path}/policy.xml",
+                "file": of_enclave("policies", enclave.path, "policy.xml"),
             }
         )
     return found

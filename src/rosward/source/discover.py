@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
 from rosward.guard import guarded
+from rosward.source import limits
 from rosward.source.boundary import Boundary
 from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
@@ -25,9 +26,9 @@ from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
-from rosward.source.packages import Described, describe, is_build_script
+from rosward.source.packages import DescribedPackage, describe, is_build_script
 from rosward.source.surroundings import ROS_2
-from rosward.source.text import PYTHON_LIMIT, place_name, read_bytes
+from rosward.source.text import place_name, read_bytes
 from rosward.source.walk import DESCRIPTIONS, Tree, walk
 from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Target, Workspace
 
@@ -122,7 +123,7 @@ def _twins(packages: Iterable[Package]) -> list[Finding]:
     return [
         Finding(
             "RW014",
-            f"{len(several)} packages are called {name}: {named_few([each.relative or '.' for each in several])}.",
+            f"{len(several)} packages are named {name}: {named_few([each.relative or '.' for each in several])}.",
             Place(_description(several[0])),
         )
         for name, several in sorted(by_name.items())
@@ -136,7 +137,7 @@ def _description(package: Package) -> str:
     return f"{package.relative}/{name}" if package.relative not in ("", ".") else name
 
 
-def _targets(described: list[tuple[Package, Described]]) -> tuple[Target, ...]:
+def _targets(described: list[tuple[Package, DescribedPackage]]) -> tuple[Target, ...]:
     """The programs and components that CMake builds."""
     found = [
         Target(package, target.name, target.kind, target.place, target.plugin)
@@ -167,14 +168,16 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
             tree.python[os.path.realpath(path)] = path
         else:
             there = os.path.lexists(path)
-            what = "This is no regular file or folder, or cannot be reached." if there else "There is no such file."
+            what = (
+                "This is not a regular file or folder, or it cannot be accessed."
+                if there
+                else "The file does not exist."
+            )
             findings.append(Finding("RW002", what, Place(place_name(path, root))))
     for path in sorted(tree.linked):
         tree.python.setdefault(os.path.realpath(path), path)
     for path, what in tree.not_files:
-        findings.append(
-            Finding("RW002", f"This is not a file that can be read: {what}.", Place(place_name(path, root)))
-        )
+        findings.append(Finding("RW002", f"This file cannot be read: {what}.", Place(place_name(path, root))))
     return chosen
 
 
@@ -185,18 +188,18 @@ def _is_launch(path: str) -> bool:
         return True
     if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
         return False
-    data = read_bytes(path, path, PYTHON_LIMIT)
+    data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and b"generate_launch_description" in data
 
 
 def _describe_all(
     tree: Tree, around: list[tuple[str, set[str]]], root: Path, environment: Mapping[str, str], *, net: bool
-) -> tuple[list[tuple[Package, Described]], list[Finding]]:
+) -> tuple[list[tuple[Package, DescribedPackage]], list[Finding]]:
     """The packages below the paths and those `around` them."""
     folders = dict(tree.descriptions)
     for above in around:
         folders.setdefault(*above)
-    found: list[tuple[Package, Described]] = []
+    found: list[tuple[Package, DescribedPackage]] = []
     failed: list[Finding] = []
     for folder, names in sorted(folders.items()):
         place = Place(place_name(os.path.join(folder, min(names, default="")), root))  # noqa: PTH118
@@ -228,7 +231,10 @@ def _is_file(folder: str, name: str) -> bool:
 
 
 def _executables(
-    described: list[tuple[Package, Described]], resolver: ImportResolver, taken: set[str] | None, starts: list[str]
+    described: list[tuple[Package, DescribedPackage]],
+    resolver: ImportResolver,
+    taken: set[str] | None,
+    starts: list[str],
 ) -> tuple[list[Executable], list[Finding]]:
     """The executables in the order of packages and names.
 

@@ -12,18 +12,19 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
-from rosward.source.text import PYTHON_LIMIT, read_bytes
+from rosward.source import limits
+from rosward.source.text import read_bytes
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:
     from rosward.source.imports import ImportResolver
     from rosward.source.location import Place
-    from rosward.source.packages import Described
+    from rosward.source.packages import DescribedPackage
 
 _SHEBANG: Final = re.compile(rb"#![^\n]*\bpython[0-9.]*\b")
 
 
-def executables(described: Described, resolver: ImportResolver) -> tuple[list[Executable], list[Finding]]:
+def executables(described: DescribedPackage, resolver: ImportResolver) -> tuple[list[Executable], list[Finding]]:
     """The executables of one package whose source is Python, and what is wrong with them."""
     package = described.package
     found: list[Executable] = []
@@ -36,7 +37,7 @@ def executables(described: Described, resolver: ImportResolver) -> tuple[list[Ex
             message = f"The executable {name!r} starts the module {module!r}, which is not among the sources."
             findings.append(Finding("RW009" if own else "RW016", message, place))
         elif target is not None and target.guess:
-            message = f"The executable {name!r} starts the module {module!r}, taken to be {file.relative}."
+            message = f"The executable {name!r} starts the module {module!r}, assumed to be {file.relative}."
             findings.append(Finding("RW009", message, place))
         found.append(Executable(package, name, ExecutableKind.CONSOLE_SCRIPT, file, place, module, function))
     top = os.fspath(package.path)
@@ -56,5 +57,5 @@ def is_python_script(path: str) -> bool:
     """Whether the file is Python: by its suffix, or by its first line."""
     if path.endswith(".py"):
         return True
-    data = read_bytes(path, path, PYTHON_LIMIT)
+    data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and _SHEBANG.match(data) is not None

@@ -15,7 +15,7 @@ from typing import NamedTuple, final
 from rosward.findings import Finding
 from rosward.source.boundary import Boundary
 from rosward.source.text import place_name
-from rosward.source.workspace import Generated, Package, SourceFile, Workspace
+from rosward.source.workspace import GeneratedModule, Package, SourceFile, Workspace
 
 
 class Made(NamedTuple):
@@ -53,17 +53,19 @@ class GeneratedModules:
         return self._made.get("".join([path, *(os.sep + name for name in rest)]))
 
 
-def there(generated: Sequence[Generated], boundary: Boundary) -> tuple[tuple[Generated, ...], list[Finding]]:
+def there(
+    generated: Sequence[GeneratedModule], boundary: Boundary
+) -> tuple[tuple[GeneratedModule, ...], list[Finding]]:
     """The modules whose descriptions are there, and what is wrong with the others."""
-    found: dict[str, Generated] = {}
+    found: dict[str, GeneratedModule] = {}
     findings = []
     for each in generated:
         names = each.name, *(each.validation.split(".") if each.validation else ())
         readable = all(name.isidentifier() for name in names) and "\0" not in each.source
         if not readable or not os.path.isfile(each.source) or boundary.leads_out(each.source):  # noqa: PTH113
-            message = f"What the module {each.name!r} is generated of is not among the sources."
+            message = f"The file from which the module {each.name!r} is generated is not among the sources."
             findings.append(Finding("RW008", message, each.place))
         elif found.setdefault(each.source, each)[3:4] != each[3:4]:
-            message = f"The module {each.name!r} is generated of what another is made of, with other validators: it is not read."
+            message = f"The module {each.name!r} is generated from the same file as another one, with other validators. It was not read."
             findings.append(Finding("RW008", message, each.place))
     return tuple(g for g in generated if g.source in found and g.validation == found[g.source].validation), findings

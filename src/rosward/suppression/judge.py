@@ -18,10 +18,10 @@ from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
 from rosward.suppression.comments import IgnoreComment, ignore_comments
-from rosward.suppression.fingerprints import fingerprints
+from rosward.suppression.fingerprints import Told, fingerprints, fingerprints_without_line
 from rosward.suppression.ignore_in import IgnoredPaths, IgnoreIn
 
-__all__ = ["Judged", "RelatedPlace", "Reviewed", "Sources", "Wishes", "judged", "of_no_file", "review"]
+__all__ = ["Judged", "RelatedPlace", "Reviewed", "SourceTexts", "Wishes", "judged", "of_no_file", "review"]
 
 
 class RelatedPlace(NamedTuple):
@@ -84,7 +84,7 @@ class Wishes(NamedTuple):
         return finding.rule.severity is not Severity.ERROR or finding.code in self.accepted
 
 
-class Sources:
+class SourceTexts:
     """The text of the files that were read, again: lines for fingerprints, comments. Each file is read once."""
 
     def __init__(self, root: Path, files: Iterable[SourceFile]) -> None:
@@ -123,7 +123,7 @@ def _below_repository(root: Path) -> str:
     return ""
 
 
-def review(findings: Sequence[Finding], sources: Sources, wishes: Wishes, *, unused: bool) -> Reviewed:
+def review(findings: Sequence[Finding], sources: SourceTexts, wishes: Wishes, *, unused: bool) -> Reviewed:
     """Sort the findings. `unused` says whether a comment without a finding is told: not where only parts of the sources are started."""
     by_path = IgnoredPaths(wishes.ignore_in, sources.root)
     comments = _Comments(sources, sources.files if unused else dict.fromkeys(f.place.file for f in findings))
@@ -142,12 +142,16 @@ def review(findings: Sequence[Finding], sources: Sources, wishes: Wishes, *, unu
     return Reviewed(judged(kept, sources, wishes.baseline), ignored, accepted)
 
 
-def judged(findings: Sequence[Finding], sources: Sources, baseline: Collection[str] = ()) -> tuple[Judged, ...]:
+def judged(findings: Sequence[Finding], sources: SourceTexts, baseline: Collection[str] = ()) -> tuple[Judged, ...]:
     """The findings with their fingerprints."""
     marks = fingerprints(findings, sources.line_at, sources.prefix)
+    files = [sources.prefix + f.place.file if f.place.file else "" for f in findings]
+    without_line = fingerprints_without_line(
+        [Told(f.code, file, f.message) for f, file in zip(findings, files, strict=True)]
+    )
     return tuple(
-        Judged(f, mark, sources.prefix + f.place.file if f.place.file else "", mark in baseline)
-        for f, mark in zip(findings, marks, strict=True)
+        Judged(f, mark, file, mark in baseline or other in baseline)
+        for f, mark, other, file in zip(findings, marks, without_line, files, strict=True)
     )
 
 
@@ -160,7 +164,7 @@ def of_no_file(findings: Collection[Finding]) -> tuple[Judged, ...]:
 class _Comments:
     """The ignore comments of the files, and which of their codes met a finding."""
 
-    def __init__(self, sources: Sources, files: Iterable[str]) -> None:
+    def __init__(self, sources: SourceTexts, files: Iterable[str]) -> None:
         self._at: dict[tuple[str, int], list[IgnoreComment]] = {}
         self._met: dict[tuple[str, IgnoreComment], set[str]] = {}
         for file in files:
@@ -190,7 +194,7 @@ def _unused(comment: IgnoreComment, met: set[str]) -> str:
     if comment.codes is None:
         return "" if met else "there is no finding on this line"
     if not comment.codes:
-        return "the brackets name no code, so nothing is ignored"
+        return "the brackets contain no code, so nothing is ignored"
     if "RW010" in comment.codes:
         return ""
     unknown = [code for code in comment.codes if code not in RULES]

@@ -18,12 +18,19 @@ from functools import partial
 from pathlib import Path
 from typing import Final, final
 
-from rosward.deployment.declared.found import Found, Open, ReadFile
-from rosward.deployment.declared.items import Steps, expansions, type_value
+from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile
+from rosward.deployment.declared.items import ItemLimit, expansions, type_value
 from rosward.deployment.declared.programs import READERS
 from rosward.deployment.declared.read import read_package
-from rosward.deployment.declared.shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
-from rosward.deployment.declared.text import Parameters, Scope, as_value, expand, joined
+from rosward.deployment.declared.shapes import (
+    DeclaredParameter,
+    EndpointGroup,
+    EndpointTemplate,
+    NodeShape,
+    PackageDeclaration,
+    Program,
+)
+from rosward.deployment.declared.text import DeclaredParameters, TemplateScope, as_value, expand, joined
 from rosward.domain.choice import lift, options
 from rosward.domain.series import Series
 from rosward.domain.text import pattern
@@ -31,7 +38,7 @@ from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, External, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.guard import guarded
 from rosward.holes import HOLE, Holed
 from rosward.naming.command_line import given_to, read_words
@@ -39,12 +46,12 @@ from rosward.naming.final_name import final_name, remaps_of
 from rosward.ros import names
 from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
 MODELS: Final = Path(__file__).parent.parent.parent / "models" / "nodes"
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
-_LARGEST_FILE: Final = 2_000_000
 _MOST_ENDPOINTS: Final = 2_000
 _MOST_STEPS: Final = 50_000
 _DEEPEST_INCLUDE: Final = 16
@@ -62,8 +69,8 @@ class Declarations:
         self._net = net
         self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
         self._places.append(("models:nodes/", MODELS))
-        self._packages: dict[str, tuple[Package, ...]] = {}
-        self.findings: dict[Finding, None] = {}
+        self._packages: dict[str, tuple[PackageDeclaration, ...]] = {}
+        self.findings = Findings()
 
     def executable(self, package: str, name: str) -> Program | None:
         """The declared executable of a package."""
@@ -73,7 +80,7 @@ class Declarations:
         """The declared component of a package, by the name of its plugin."""
         return next((p.components[plugin] for p in self._of(package) if plugin in p.components), None)
 
-    def interface(self, package: str, name: str) -> Group | None:
+    def interface(self, package: str, name: str) -> EndpointGroup | None:
         """A named group of a package."""
         return next((p.interfaces[name] for p in self._of(package) if name in p.interfaces), None)
 
@@ -81,25 +88,25 @@ class Declarations:
         """Whether anything is declared of a package."""
         return bool(self._of(package))
 
-    def _of(self, package: str) -> tuple[Package, ...]:
+    def _of(self, package: str) -> tuple[PackageDeclaration, ...]:
         if package not in self._packages:
             self._packages[package] = tuple(self._read(package)) if _NAME.fullmatch(package) else ()
         return self._packages[package]
 
-    def _read(self, package: str) -> Iterator[Package]:
+    def _read(self, package: str) -> Iterator[PackageDeclaration]:
         for label, folder in self._places:
             path = folder / f"{package}.yaml"
             if not path.is_file():
                 continue
             file = f"{label.rstrip('/')}/{package}.yaml"
-            data = read_bytes(path, file, _LARGEST_FILE)
+            data = read_bytes(path, file, limits.DECLARED_FILE)
             if isinstance(data, Finding):
-                self.findings[Finding("RW324", data.message, data.place)] = None
+                self.findings.add(Finding("RW324", data.message, data.place))
                 continue
             text, missing = data.decode("utf-8", "replace"), "the declared interface was not read"
             read = guarded(partial(read_package, text, file, package), Place(file), missing, net=self._net)
             found, findings = (None, (read,)) if isinstance(read, Finding) else read
-            self.findings |= dict.fromkeys(findings)
+            self.findings.update(findings)
             if found is not None:
                 yield found
 
@@ -118,7 +125,7 @@ def declared(
     read_file: ReadFile = no_file,
 ) -> EffectLog:
     """The effects of a process that runs `program`, started at `place`. `read_file` gives the text of a file that an argument names."""
-    return _Execution(program, configuration, place, declarations, distro, read_file).run()
+    return _DeclaredProcess(program, configuration, place, declarations, distro, read_file).run()
 
 
 class _Pass(enum.Enum):
@@ -129,7 +136,7 @@ class _Pass(enum.Enum):
 
 
 @final
-class _Execution:
+class _DeclaredProcess:
     """One process: walks the groups of its nodes and notes their effects."""
 
     def __init__(
@@ -151,14 +158,14 @@ class _Execution:
         self._log = EffectLog()
         self._log.configuration = configuration
         self._done: set[tuple[object, ...]] = set()
-        self._steps = Steps(_MOST_STEPS)
+        self._steps = ItemLimit(_MOST_STEPS)
         parsed = parse_arguments([pattern(w) for w in configuration.own])
         self._arguments = tuple(configuration.own[i] for i in parsed.positions.user)
 
     def run(self) -> EffectLog:
         """The effects of all nodes."""
-        scope = Scope(Parameters({}, ()), self._arguments, {}, Const("/"), lambda name, _: name)
-        main: Scope | None = None
+        scope = TemplateScope(DeclaredParameters({}, ()), self._arguments, {}, Const("/"), lambda name, _: name)
+        main: TemplateScope | None = None
         for shape in self._program.nodes:
             for bound, certain in expansions(shape.group, main or scope, self._distro, self._steps):
                 inner, address = self._node(shape, bound, first=main is None, certain=certain)
@@ -172,11 +179,11 @@ class _Execution:
         if not self._program.nodes and self._program.reader:
             self._read(scope, None, certain=False)
         if self._steps.left < 0:
-            self._limit(f"asks for more than {_MOST_STEPS} groups and items")
+            self._limit(f"requests more than {_MOST_STEPS} groups and items")
         self._log.ends.append(frozenset(self._done))
         return self._log
 
-    def _node(self, shape: NodeShape, scope: Scope, *, first: bool, certain: bool) -> tuple[Scope, int]:
+    def _node(self, shape: NodeShape, scope: TemplateScope, *, first: bool, certain: bool) -> tuple[TemplateScope, int]:
         address = len(self._log.nodes) + 1
         given = self._configuration
         loaded = (
@@ -204,7 +211,7 @@ class _Execution:
             self._done.add(("node", address))
         return self._scope(effect, scope, first=first), address
 
-    def _scope(self, effect: NodeEffect, outer: Scope, *, first: bool) -> Scope:
+    def _scope(self, effect: NodeEffect, outer: TemplateScope, *, first: bool) -> TemplateScope:
         """What templates of a node see: its parameters and its names."""
         own, space = final_name(self._log, effect)
         name, namespace = pattern(own), pattern(space)
@@ -214,14 +221,14 @@ class _Execution:
             line = read_words(words, self._configuration)
             given |= given_to(names.fully_qualified(namespace, name), line.parameters)
             missing += line.missing
-        parameters = Parameters(given, missing)
+        parameters = DeclaredParameters(given, missing)
         rules = tuple(r.rule for r in remaps_of(self._log, effect))
 
         def resolve(topic: Value, remapped: bool) -> Value:
             return _resolved(topic, rules if remapped else (), name, namespace)
 
         variables = {**outer.variables, "node": qualified(space, own), "node_name": own}
-        scope = Scope(
+        scope = TemplateScope(
             parameters,
             self._arguments,
             variables,
@@ -233,7 +240,14 @@ class _Execution:
         return scope
 
     def _contents(
-        self, group: Group, scope: Scope, address: int, way: tuple[str, ...], pass_: _Pass, *, certain: bool
+        self,
+        group: EndpointGroup,
+        scope: TemplateScope,
+        address: int,
+        way: tuple[str, ...],
+        pass_: _Pass,
+        *,
+        certain: bool,
     ) -> None:
         """What stands in a group, whose conditions hold (or, where it is not `certain`, may hold).
 
@@ -253,9 +267,9 @@ class _Execution:
             package, _, name = include.name.rpartition("/")
             found = self._declarations.interface(package or here, name)
             if found is None or len(way) > _DEEPEST_INCLUDE:
-                self._log.findings[
-                    Finding("RW324", f"The interface {include.name} that is included is not declared.", include.place)
-                ] = None
+                self._log.findings.add(
+                    Finding("RW324", f"The included interface {include.name} is not declared.", include.place)
+                )
                 continue
             bound = scope
             for variable, template in include.variables:
@@ -267,11 +281,11 @@ class _Execution:
                 self._contents(each, bound, address, (*way, home), pass_, certain=sure and holds)
 
     @staticmethod
-    def _cases(group: Group, scope: Scope) -> list[tuple[Group, bool]]:
+    def _cases(group: EndpointGroup, scope: TemplateScope) -> list[tuple[EndpointGroup, bool]]:
         if group.switch is None:
             return []
         table = dict(group.cases)
-        found: list[Group] = []
+        found: list[EndpointGroup] = []
         several = options(expand(group.switch, scope))
         for option in several:
             if isinstance(option, Const):
@@ -281,7 +295,7 @@ class _Execution:
                 found += [*table.values(), *([group.otherwise] if group.otherwise is not None else [])]
         return [(g, len(several) == 1 and len(found) == 1) for g in dict.fromkeys(found)]
 
-    def _declare(self, parameter: DeclaredParameter, address: int, scope: Scope, pass_: _Pass) -> None:
+    def _declare(self, parameter: DeclaredParameter, address: int, scope: TemplateScope, pass_: _Pass) -> None:
         for name in options(expand(parameter.name, scope)):
             if not isinstance(name, Const):
                 continue
@@ -293,13 +307,13 @@ class _Execution:
             value = scope.parameters.value(text)
             self._log.parameters[ParameterEffect(address, Const(text), default, value, NONE, self._place)] = None
 
-    def _endpoint(self, endpoint: Endpoint, scope: Scope, address: int, *, certain: bool) -> None:
+    def _endpoint(self, endpoint: EndpointTemplate, scope: TemplateScope, address: int, *, certain: bool) -> None:
         if not endpoint.window.has(self._distro):
             return
-        as_group = Group(when=endpoint.when)
+        as_group = EndpointGroup(when=endpoint.when)
         for bound, holds in expansions(as_group, scope, self._distro, self._steps):
             self._add(
-                Found(
+                FoundEndpoint(
                     endpoint.kind,
                     expand(endpoint.name, bound),
                     expand(endpoint.type, bound),
@@ -309,14 +323,14 @@ class _Execution:
                 address,
             )
 
-    def _read(self, scope: Scope, address: int | None, *, certain: bool) -> None:
+    def _read(self, scope: TemplateScope, address: int | None, *, certain: bool) -> None:
         """What the program's reader finds in its arguments and files."""
         if self._program.reader is None:
             return
         reader = READERS.get(self._program.reader)
         if reader is None:
-            message = f"No reader is called {self._program.reader}; known are {', '.join(READERS)}."
-            self._log.findings[Finding("RW324", message, self._program.place)] = None
+            message = f"Unknown reader {self._program.reader}; available: {', '.join(READERS)}."
+            self._log.findings.add(Finding("RW324", message, self._program.place))
             return
         for found in reader(scope, self._read_file):
             if isinstance(found, Open):
@@ -324,7 +338,7 @@ class _Execution:
             elif address is not None:
                 self._add(found._replace(certain=certain and found.certain), address)
 
-    def _add(self, found: Found, address: int) -> None:
+    def _add(self, found: FoundEndpoint, address: int) -> None:
         if len(self._log.entities) >= _MOST_ENDPOINTS:
             self._limit(f"has more than {_MOST_ENDPOINTS} endpoints")
             return
@@ -338,11 +352,11 @@ class _Execution:
 
     def _limit(self, what: str) -> None:
         message = f"The declared interface of {self._program.package}/{self._program.name} {what} here."
-        self._log.findings[Finding("RW201", message, self._place)] = None
+        self._log.findings.add(Finding("RW201", message, self._place))
 
     def _open(self, reason: str) -> None:
         what = f"interface of {self._program.package}/{self._program.name}"
-        self._log.findings[Finding("RW314", f"The {what} is not wholly known: {reason}.", self._place, (what,))] = None
+        self._log.findings.add(Finding("RW314", f"The {what} is not completely known: {reason}.", self._place, (what,)))
 
 
 def qualified(namespace: Value, name: Value) -> Value:

@@ -2,7 +2,7 @@
 """Is the file of a declared interface well-formed, and what does it say?
 
     read_package(text, 'models/nodes/joy.yaml')  ->  Package('joy', executables={'joy_node': Program(…)}, …), ()
-    …  with 'publisher:' for 'publishers:'       ->  None, (Finding RW324 "unknown key 'publisher'; known here: …",)
+    …  with 'publisher:' for 'publishers:'       ->  None, (Finding RW324 "unknown key 'publisher'; expected one of: …",)
 
 The notation is described in docs/declared-nodes.md.
 """
@@ -14,14 +14,14 @@ from collections.abc import Mapping
 from typing import Final
 
 from rosward.deployment.declared.shapes import (
-    Condition,
+    DeclaredCondition,
     DeclaredParameter,
-    Endpoint,
-    Group,
-    Include,
+    EndpointGroup,
+    EndpointTemplate,
+    IncludedDeclaration,
     Loop,
     NodeShape,
-    Package,
+    PackageDeclaration,
     Program,
     Scalar,
     Window,
@@ -85,7 +85,9 @@ _POLICIES: Final = {
 _MORE_QOS: Final = frozenset(("deadline_ns", "lifespan_ns", "liveliness", "liveliness_lease_duration_ns"))
 
 
-def read_package(text: str, file: str, package: str | None = None) -> tuple[Package | None, tuple[Finding, ...]]:
+def read_package(
+    text: str, file: str, package: str | None = None
+) -> tuple[PackageDeclaration | None, tuple[Finding, ...]]:
     """The package that a file declares, or why it cannot be read. `package`: the name that the file has to give."""
     try:
         item = read_yaml(text, file)
@@ -94,10 +96,10 @@ def read_package(text: str, file: str, package: str | None = None) -> tuple[Pack
         return None, (Finding("RW324", f"The declared interface cannot be read: {error.message}.", error.place),)
 
 
-def _package(item: Item, wanted: str | None) -> Package:
+def _package(item: Item, wanted: str | None) -> PackageDeclaration:
     top = item.mapping(_FILE)
     if "nodl_version" not in top or top["nodl_version"].value != 2:
-        raise Malformed("nodl_version: 2 is expected", item.place)
+        raise Malformed("expected nodl_version: 2", item.place)
     for key in ("package", "source", "client_library"):
         if key not in top:
             raise Malformed(f"'{key}' is missing", item.place)
@@ -113,7 +115,7 @@ def _package(item: Item, wanted: str | None) -> Package:
     }
     executables, components = _shared(top, "executables", programs), _shared(top, "components", programs)
     _check_includes(interfaces, name, item.place)
-    return Package(name, executables, components, interfaces)
+    return PackageDeclaration(name, executables, components, interfaces)
 
 
 def _shared(top: Mapping[str, Item], kind: str, programs: Mapping[str, Mapping[str, Program]]) -> dict[str, Program]:
@@ -127,12 +129,12 @@ def _shared(top: Mapping[str, Item], kind: str, programs: Mapping[str, Mapping[s
         wanted = shape["same_as"].text()
         other = programs["executables"].get(wanted) or programs["components"].get(wanted)
         if other is None or (wanted == name and other is program) or set(shape) - {"same_as", "description"}:
-            raise Malformed(f"same_as names no other executable or component: {wanted}", shape["same_as"].place)
+            raise Malformed(f"same_as does not name another executable or component: {wanted}", shape["same_as"].place)
         found[name] = other._replace(name=name, kind=program.kind)
     return found
 
 
-def _check_includes(interfaces: Mapping[str, Group], package: str, place: Place) -> None:
+def _check_includes(interfaces: Mapping[str, EndpointGroup], package: str, place: Place) -> None:
     """No group of a file includes itself; what other files have is bounded when it is executed."""
     if len(interfaces) > _MOST_INTERFACES:
         raise Malformed(f"more than {_MOST_INTERFACES} interfaces", place)
@@ -144,7 +146,7 @@ def _check_includes(interfaces: Mapping[str, Group], package: str, place: Place)
             if "/" in short:
                 continue
             if short not in interfaces:
-                raise Malformed(f"no interface is called {short}", include.place)
+                raise Malformed(f"there is no interface {short}", include.place)
             if short in (*way, name):
                 raise Malformed(f"{short} includes itself", include.place)
             if short not in checked:
@@ -156,7 +158,7 @@ def _check_includes(interfaces: Mapping[str, Group], package: str, place: Place)
             visit(each, ())
 
 
-def _includes(group: Group) -> tuple[Include, ...]:
+def _includes(group: EndpointGroup) -> tuple[IncludedDeclaration, ...]:
     inner = (*group.groups, *(g for _, g in group.cases), *((group.otherwise,) if group.otherwise else ()))
     return (*group.includes, *(i for g in inner for i in _includes(g)))
 
@@ -173,7 +175,7 @@ def _library(item: Item) -> ClientLibrary:
     try:
         return ClientLibrary(item.text())
     except ValueError:
-        raise Malformed("client_library is rclcpp or rclpy", item.place) from None
+        raise Malformed("client_library must be rclcpp or rclpy", item.place) from None
 
 
 def _program(item: Item, package: str, name: str, kind: str, source: str, library: ClientLibrary) -> Program:
@@ -182,23 +184,23 @@ def _program(item: Item, package: str, name: str, kind: str, source: str, librar
     if "node" in shape:
         nodes.append(_node(Item({k: v for k, v in shape.items() if k in _NODE}, item.place), library))
     elif set(shape) & (_NODE - {"open", "description", "since", "until"}):
-        raise Malformed("'node' is missing: the name that the node has by default", item.place)
+        raise Malformed("'node' is missing: the default name of the node", item.place)
     nodes += [_node(each, library) for each in _items(shape, "nodes")]
     open_ = None if "node" in shape else _text(shape, "open")
     reader = _text(shape, "reader")
     if not nodes and reader is None and open_ is None and "same_as" not in shape and "nodes" not in shape:
-        raise Malformed("it has no nodes: write 'nodes: []' if it makes none", item.place)
+        raise Malformed("'nodes' is missing: write 'nodes: []' if it creates no node", item.place)
     return Program(package, name, kind.removesuffix("s"), source, tuple(nodes), reader, open_, item.place)
 
 
 def _node(item: Item, library: ClientLibrary) -> NodeShape:
     shape = item.mapping(_NODE)
     if "node" not in shape:
-        raise Malformed("'node' is missing: the name that the node has by default", item.place)
+        raise Malformed("'node' is missing: the default name of the node", item.place)
     options = _mapping(shape, "options")
     for key, option in options.items():
         if key not in OPTIONS:
-            raise Malformed(f"unknown option '{key}'; known here: {', '.join(OPTIONS)}", option.place)
+            raise Malformed(f"unknown option '{key}'; expected one of: {', '.join(OPTIONS)}", option.place)
     return NodeShape(
         shape["node"].text(),
         _text(shape, "namespace"),
@@ -216,7 +218,7 @@ def _text(of: Mapping[str, Item], key: str) -> str | None:
     return of[key].text() if key in of else None
 
 
-def _group(item: Item) -> Group:
+def _group(item: Item) -> EndpointGroup:
     shape = item.mapping(_GROUP)
     loops = tuple(_loop(each) for each in _one_or_many(shape, "for_each"))
     return _content(shape)._replace(when=_when(shape), window=_window(shape), loops=loops)
@@ -228,12 +230,12 @@ def _one_or_many(of: Mapping[str, Item], key: str) -> list[Item]:
     return of[key].items() if isinstance(of[key].value, list) else [of[key]]
 
 
-def _content(shape: Mapping[str, Item]) -> Group:
+def _content(shape: Mapping[str, Item]) -> EndpointGroup:
     cases = tuple((name, _group(each)) for name, each in _mapping(shape, "cases").items())
     if ("switch" in shape) != ("cases" in shape) or ("otherwise" in shape and "switch" not in shape):
         place = next(v.place for k, v in shape.items() if k in ("switch", "cases", "otherwise"))
-        raise Malformed("'switch', 'cases' and 'otherwise' belong together", place)
-    return Group(
+        raise Malformed("'switch', 'cases' and 'otherwise' must be used together", place)
+    return EndpointGroup(
         parameters=tuple(_parameter(n, i) for n, i in _mapping(shape, "parameters").items()),
         endpoints=tuple(_endpoint(each, key) for key in KINDS for each in _items(shape, key)),
         includes=tuple(_include(each) for each in _items(shape, "include")),
@@ -245,27 +247,27 @@ def _content(shape: Mapping[str, Item]) -> Group:
     )
 
 
-def _include(item: Item) -> Include:
+def _include(item: Item) -> IncludedDeclaration:
     if isinstance(item.value, str):
-        return Include(item.value, (), item.place)
+        return IncludedDeclaration(item.value, (), item.place)
     shape = item.mapping(frozenset(("interface", "with")))
     if "interface" not in shape:
-        raise Malformed("'interface' is missing: the name of what is included", item.place)
+        raise Malformed("'interface' is missing: the name of the included interface", item.place)
     variables = tuple((k, v.text()) for k, v in _mapping(shape, "with").items())
-    return Include(shape["interface"].text(), variables, item.place)
+    return IncludedDeclaration(shape["interface"].text(), variables, item.place)
 
 
 def _loop(item: Item) -> Loop:
     shape = item.mapping(_LOOPS | {"as"})
     sources = sorted(set(shape) & _LOOPS)
     if len(sources) != 1 or "as" not in shape or not _VARIABLE.fullmatch(shape["as"].text()):
-        raise Malformed("'as: VARIABLE' and one of family, words, list, below, values are expected", item.place)
+        raise Malformed("expected 'as: VARIABLE' and one of family, words, list, below, values", item.place)
     source = sources[0]
     if source == "values":
         return Loop(shape["as"].text(), source, "", tuple(i.text() for i in shape[source].items()))
     of = shape[source].text()
     if source == "family" and of.count("{n}") != 1:
-        raise Malformed("a family has {n} where its number stands", shape[source].place)
+        raise Malformed("a family must have {n} in place of its number", shape[source].place)
     return Loop(shape["as"].text(), source, of)
 
 
@@ -276,22 +278,22 @@ def _window(shape: Mapping[str, Item]) -> Window:
 def _distro(shape: Mapping[str, Item], key: str) -> Distro | None:
     known = {d.value: d for d in Distro}
     if key in shape and shape[key].text() not in known:
-        raise Malformed(f"'{key}' names a distribution: {', '.join(known)}", shape[key].place)
+        raise Malformed(f"'{key}' must name a distribution: {', '.join(known)}", shape[key].place)
     return known[shape[key].text()] if key in shape else None
 
 
-def _when(shape: Mapping[str, Item]) -> tuple[Condition, ...]:
+def _when(shape: Mapping[str, Item]) -> tuple[DeclaredCondition, ...]:
     return tuple(_condition(each) for each in _one_or_many(shape, "when"))
 
 
-def _condition(item: Item) -> Condition:
+def _condition(item: Item) -> DeclaredCondition:
     shape = item.mapping(_CONDITION)
     if set(shape) == {"installed"}:
-        return Condition(shape["installed"].text(), "installed", ())
+        return DeclaredCondition(shape["installed"].text(), "installed", ())
     subjects = [k for k in ("param", "argument", "value") if k in shape]
     tests = [k for k in ("is", "not", "in", "set") if k in shape]
     if len(subjects) != 1 or len(tests) != 1:
-        raise Malformed("a condition has one of param, argument, value and one of is, not, in, set", item.place)
+        raise Malformed("a condition needs one of param, argument, value and one of is, not, in, set", item.place)
     subject, test = shape[subjects[0]].text(), tests[0]
     template = subject if subjects[0] == "value" else f"${{{subjects[0]}:{subject}}}"
     values: tuple[Scalar, ...]
@@ -299,11 +301,11 @@ def _condition(item: Item) -> Condition:
         values = tuple(i.scalar() for i in shape["in"].items())
     elif test == "set":
         if subjects[0] == "value":
-            raise Malformed("'set' asks for a param or an argument", item.place)
+            raise Malformed("'set' requires a param or an argument", item.place)
         values = (shape["set"].flag(),)
     else:
         values = (shape[test].scalar(),)
-    return Condition(template, test, values)
+    return DeclaredCondition(template, test, values)
 
 
 def _parameter(name: str, item: Item) -> DeclaredParameter:
@@ -315,7 +317,7 @@ def _parameter(name: str, item: Item) -> DeclaredParameter:
     return DeclaredParameter(name, _text(shape, "type"), default, item.place, _window(shape))
 
 
-def _endpoint(item: Item, key: str) -> Endpoint:
+def _endpoint(item: Item, key: str) -> EndpointTemplate:
     shape = item.mapping(_ENDPOINT)
     for needed in ("name", "type"):
         if needed not in shape:
@@ -323,13 +325,13 @@ def _endpoint(item: Item, key: str) -> Endpoint:
     name, type_ = shape["name"].text(), shape["type"].text()
     part = "msg" if key in ("publishers", "subscriptions") else "srv" if key.startswith("service") else "action"
     if "${" not in type_ and not _is_type(type_, part):
-        raise Malformed(f"{type_} is no type of this kind: package/{part}/Name is expected", shape["type"].place)
+        raise Malformed(f"{type_} is not a type of this kind: expected package/{part}/Name", shape["type"].place)
     if not name or any(c.isspace() or c == "*" for c in name):
-        raise Malformed("a name has no spaces and no '*'", shape["name"].place)
+        raise Malformed("a name must not contain spaces or '*'", shape["name"].place)
     qos = _qos(shape["qos"]) if "qos" in shape else None
     if qos is None and part == "msg":
         raise Malformed("'qos' is missing", item.place)
-    return Endpoint(KINDS[key], name, type_, qos, _when(shape), _window(shape), item.place)
+    return EndpointTemplate(KINDS[key], name, type_, qos, _when(shape), _window(shape), item.place)
 
 
 def _is_type(type_: str, part: str) -> bool:
@@ -346,16 +348,16 @@ def _qos(item: Item) -> Qos:
     if isinstance(value, str):
         if value in _PROFILES:
             return _PROFILES[value]
-        raise Malformed(f"unknown profile '{value}'; known here: {', '.join(_PROFILES)}", item.place)
+        raise Malformed(f"unknown profile '{value}'; expected one of: {', '.join(_PROFILES)}", item.place)
     shape = item.mapping(frozenset((*_POLICIES, "depth")) | _MORE_QOS)
     words: dict[str, str | None] = dict.fromkeys(_POLICIES)
     for policy, known in _POLICIES.items():
         if policy in shape:
             word = shape[policy].text().lower()
             if word not in known:
-                raise Malformed(f"{policy} is one of {', '.join(k.upper() for k in known)}", shape[policy].place)
+                raise Malformed(f"{policy} must be one of {', '.join(k.upper() for k in known)}", shape[policy].place)
             words[policy] = word
     depth = shape["depth"].value if "depth" in shape else None
     if depth is not None and (not isinstance(depth, int) or isinstance(depth, bool)):
-        raise Malformed("depth is a number", shape["depth"].place)
+        raise Malformed("depth must be a number", shape["depth"].place)
     return Qos(words["reliability"], words["durability"] or "volatile", words["history"] or "keep_last", depth)

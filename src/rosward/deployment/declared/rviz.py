@@ -16,8 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from rosward.deployment.declared.found import Found, Open, ReadFile, file_text
-from rosward.deployment.declared.text import Scope, argument
+from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile, file_text
+from rosward.deployment.declared.text import TemplateScope, argument
 from rosward.domain.choice import reasons_of
 from rosward.domain.values import EMPTY, Const
 from rosward.ros.entities import Qos
@@ -73,16 +73,16 @@ _SENSOR: Final = Qos("best_effort", "volatile", "keep_last", 5)
 _DEFAULT: Final = Qos("reliable", "volatile", "keep_last", 5)
 _DEEPEST: Final = 20
 
-Found_ = Iterator["Found | Open"]
+Found_ = Iterator["FoundEndpoint | Open"]
 
 
-def rviz(scope: Scope, read: ReadFile) -> Found_:
+def rviz(scope: TemplateScope, read: ReadFile) -> Found_:
     """What the configuration of rviz2 makes it subscribe to and publish."""
     path = argument("-d", scope)
     path = argument("--display-config", scope) if path == EMPTY else path
     if path == EMPTY:
         yield from (_endpoint("publisher", name, type_, _DEFAULT) for name, type_ in _TOOLS.values())
-        yield Open("without -d it shows what the user's own ~/.rviz2/default.rviz says")
+        yield Open("without -d it loads the user's own ~/.rviz2/default.rviz")
         return
     text = file_text(path, read)
     if text is None:
@@ -116,15 +116,15 @@ def _word(item: Item | None, key: str) -> str:
     return found.value if found is not None and isinstance(found.value, str) else ""
 
 
-def _endpoint(kind: str, name: str, type_: str, qos: Qos | None, *, certain: bool = True) -> Found:
-    return Found(kind, Const(name), Const(type_), qos, certain)
+def _endpoint(kind: str, name: str, type_: str, qos: Qos | None, *, certain: bool = True) -> FoundEndpoint:
+    return FoundEndpoint(kind, Const(name), Const(type_), qos, certain)
 
 
 def _panels(panels: Item | None) -> Found_:
     for panel in _list(panels):
         name = _word(panel, "Class")
         if name and not name.startswith(("rviz_common/", "rviz/")):
-            yield Open(f"its panel {name} is not known")
+            yield Open(f"its panel {name} is unknown")
 
 
 def _tools(tools: Item | None) -> Found_:
@@ -132,7 +132,7 @@ def _tools(tools: Item | None) -> Found_:
         library, _, name = _word(tool, "Class").partition("/")
         if library not in ("rviz_default_plugins", "rviz") or (name not in _TOOLS and name not in _SILENT):
             if f"{library}/{name}" != "nav2_rviz_plugins/GoalTool":  # it hands the goal to a panel
-                yield Open(f"its tool {library}/{name} is not known")
+                yield Open(f"its tool {library}/{name} is unknown")
         elif name in _TOOLS:
             default, type_ = _TOOLS[name]
             yield _endpoint("publisher", _word(tool, "Topic") or default, type_, _profile(tool, "Topic"))
@@ -147,13 +147,13 @@ def _displays(displays: Item | None, depth: int, *, shown: bool) -> Found_:
             yield from _displays(_child(display, "Displays"), depth + 1, shown=certain)
         elif library in ("rviz_default_plugins", "rviz"):
             for found in _display(display, name):
-                yield found._replace(certain=certain) if isinstance(found, Found) else found
+                yield found._replace(certain=certain) if isinstance(found, FoundEndpoint) else found
         elif f"{library}/{name}" in _OF_OTHERS:
             topic, type_ = _word(display, "Topic"), _OF_OTHERS[f"{library}/{name}"]
             if topic:
                 yield _endpoint("subscription", topic, type_, _profile(display, "Topic"), certain=certain)
         else:
-            yield Open(f"its display {library}/{name} is not known")
+            yield Open(f"its display {library}/{name} is unknown")
 
 
 def _display(display: Item, name: str) -> Found_:
@@ -179,7 +179,7 @@ def _display(display: Item, name: str) -> Found_:
     elif name in _SUBSCRIBED:
         yield from _subscribed(display, name)
     elif name not in _SILENT:
-        yield Open(f"its display {name} is not known")
+        yield Open(f"its display {name} is unknown")
 
 
 def _subscribed(display: Item, name: str) -> Found_:

@@ -7,24 +7,24 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final, final
 
-from rosward.findings import Finding
+from rosward.findings import Finding, Findings
 from rosward.source.location import Place
 
 MAX_FINDINGS: Final = 5_000
 
 
 @final
-class Findings:
+class FindingLog:
     """Findings, each once, in the order in which they came up."""
 
     def __init__(self) -> None:
-        self._found: dict[Finding, None] = {}
-        self._heard: list[dict[Finding, None]] = []
+        self._found = Findings()
+        self._heard: list[Findings] = []
 
     @contextmanager
-    def heard(self) -> Iterator[dict[Finding, None]]:
+    def heard(self) -> Iterator[Findings]:
         """What is told meanwhile, also where it was told before."""
-        told: dict[Finding, None] = {}
+        told = Findings()
         self._heard.append(told)
         try:
             yield told
@@ -39,7 +39,7 @@ class Findings:
         """Tell doubts that somebody else has found."""
         if len(self._found) < MAX_FINDINGS:
             for found in (self._found, *self._heard):
-                found.update(dict.fromkeys(findings))
+                found.update(findings)
 
     def all(self) -> tuple[Finding, ...]:
         """All that were told."""

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.deployment.execution.component_parameters import ComponentParameters
 from rosward.deployment.execution.namespaces import full_name, prefixed, scopes
-from rosward.deployment.execution.parameters import Parameters
+from rosward.deployment.execution.parameters import LaunchedParameters
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Component, NodeKind, StartNode, Template
@@ -36,7 +36,7 @@ from rosward.source.location import Place
 
 _ROS_ARGS: Final = Const("--ros-args")
 _RULE: Final = Const("-r")
-_BY_PUSH: Final = "what was pushed or set for all nodes before"
+_BY_PUSH: Final = "what was pushed or set earlier for all nodes"
 _KINDS: Final = {
     NodeKind.NODE: StartKind.NODE,
     NodeKind.LIFECYCLE: StartKind.LIFECYCLE,
@@ -90,7 +90,7 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
         words += [_ROS_ARGS, *(scene.text(word) for word in action.ros_arguments)]
     words.append(_ROS_ARGS)
     words += _identity(name, namespace)
-    parameters = Parameters(scene, scopes(namespace, name), name)
+    parameters = LaunchedParameters(scene, scopes(namespace, name), name)
     parameters.add_global(state.parameters)
     parameters.add(action.parameters)
     remaps = _remaps(action.remappings, state, scene)
@@ -124,7 +124,7 @@ def _check(name: Value | None, namespace: Value | None, scene: Scene, place: Pla
             plain = plain_text(option)
             error = validate(literal(plain)) if plain is not None else None
             if error is not None:
-                scene.fails(f"{plain!r} is no valid {what} of a node ({error})", place)
+                scene.fails(f"{plain!r} is not a valid {what} of a node ({error})", place)
 
 
 def _identity(name: Value | None, namespace: Value | None) -> list[Value]:

@@ -29,7 +29,7 @@ SETTINGS: Final = (
     tree.Declare,
     tree.SetConfiguration,
     tree.Environ,
-    tree.Scope,
+    tree.ScopeChange,
     tree.PushNamespace,
     tree.SetRemap,
     tree.SetParameter,
@@ -40,7 +40,7 @@ Setting = (
     tree.Declare
     | tree.SetConfiguration
     | tree.Environ
-    | tree.Scope
+    | tree.ScopeChange
     | tree.PushNamespace
     | tree.SetRemap
     | tree.SetParameter
@@ -56,7 +56,7 @@ def change(action: Setting, scene: Scene) -> None:
         set_configuration(scene.text(action.name), value, scene)
     elif isinstance(action, tree.Environ):
         _environ(action, scene)
-    elif isinstance(action, tree.Scope):
+    elif isinstance(action, tree.ScopeChange):
         _scope(action, scene)
     elif isinstance(action, tree.PushNamespace):
         _push_namespace(action, scene)
@@ -67,7 +67,7 @@ def change(action: Setting, scene: Scene) -> None:
         _set_parameter(action, scene)
     if scene.context.exceeded:
         scene.context.exceeded = False
-        message = "Namespaces, remap rules or parameters depend on too many conditions here: not all combinations are followed."
+        message = "Namespaces, remap rules or parameters depend on too many conditions here. Not all combinations are analysed."
         scene.findings.tell("RW201", message, action.place)
 
 
@@ -111,7 +111,7 @@ def _declare_one(name: str, action: tree.Declare, scene: Scene) -> None:
         if action.default is not None:
             default = with_origin(scene.text(action.default), Origin("launch argument", name, settled=True))
         else:
-            shown = f"The launch argument '{name}' has no default and is given no value."
+            shown = f"The launch argument '{name}' has no default and was not given a value."
             reasons = (Reason(Cause.LAUNCH_ARGUMENT, name, action.place),)
             scene.findings.tell("RW312", shown, action.place, causes_of(reasons, action.place))
             default = Unknown(reasons, "str")
@@ -137,7 +137,7 @@ def _chosen(name: str, value: Value, action: tree.Declare, scene: Scene) -> Valu
     if fitting:
         return join_all(fitting)
     choice = ", ".join(plain)
-    scene.fails(f"the launch argument '{name}' is '{readable(value)}', but has to be one of {choice}", action.place)
+    scene.fails(f"the launch argument '{name}' is '{readable(value)}', but must be one of {choice}", action.place)
     return value
 
 
@@ -177,7 +177,7 @@ def _extended(name: str, value: Value, separator: Value, action: tree.Environ, s
     return join_all(found)
 
 
-def _scope(action: tree.Scope, scene: Scene) -> None:
+def _scope(action: tree.ScopeChange, scene: Scene) -> None:
     context = scene.context
     done = True
     if action.what == "configurations":
@@ -194,7 +194,7 @@ def _scope(action: tree.Scope, scene: Scene) -> None:
     else:
         context.reset_environment()
     if not done:
-        scene.fails(f"there are no {action.what} to go back to", action.place)
+        scene.fails(f"there are no {action.what} to restore", action.place)
 
 
 def _push_namespace(action: tree.PushNamespace, scene: Scene) -> None:
@@ -205,7 +205,7 @@ def _push_namespace(action: tree.PushNamespace, scene: Scene) -> None:
             plain = plain_text(option)
             error = validate_namespace(literal(plain)) if plain is not None else None
             if error is not None:
-                scene.fails(f"{plain!r} is no valid namespace ({error})", action.place)
+                scene.fails(f"{plain!r} is not a valid namespace ({error})", action.place)
 
 
 def _set_parameter(action: tree.SetParameter, scene: Scene) -> None:
@@ -217,7 +217,7 @@ def _set_parameter(action: tree.SetParameter, scene: Scene) -> None:
         if source.substitutions:
             path = scene.generated.performed(scene, path, place)
         added.append(GlobalFile(path, place, node))
-    elif isinstance(source, tree.ParameterRule):
+    elif isinstance(source, tree.ParameterArgument):
         name = scene.text(source.name)
         added.append(GlobalParameter(name, evaluate(source.data, name, scene, place), place))
     else:

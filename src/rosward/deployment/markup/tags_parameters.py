@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.deployment.markup.element import Attribute, Element, Format
+from rosward.deployment.markup.element import Attribute, Format, Tag
 from rosward.deployment.markup.substitutions import plain_text, unknown_text
 from rosward.deployment.markup.values import Native, Scalar, text_value
 from rosward.deployment.tree import (
@@ -34,7 +34,7 @@ _LIST: Final = "list_of_"
 _Entries = list[tuple[Template, ParameterData]]
 
 
-def read_parameters(element: Element) -> tuple[ParameterSource, ...]:
+def read_parameters(element: Tag) -> tuple[ParameterSource, ...]:
     """All that <param> gives, in order."""
     found: list[ParameterSource] = []
     for param in element.elements("param"):
@@ -42,14 +42,14 @@ def read_parameters(element: Element) -> tuple[ParameterSource, ...]:
         name = param.template("name")
         if path is not None:
             if name is not None:
-                param.refuse("<param> has both 'name' and 'from', which launch does not take together.")
+                param.refuse("<param> has both 'name' and 'from', which launch does not accept together.")
             if isinstance(substitutions, str):
                 param.parsed(substitutions)
             found.append(ParameterFile(path, param.place, bool(substitutions)))
             param.finish()
         elif name is not None:
             if substitutions is not None:
-                param.refuse("'allow_substs' of <param> goes with 'from' only.")
+                param.refuse("'allow_substs' of <param> is allowed only with 'from'.")
             entries: _Entries = []
             _read(param, name, entries)
             found.append(ParameterTable(tuple(entries), param.place))
@@ -58,7 +58,7 @@ def read_parameters(element: Element) -> tuple[ParameterSource, ...]:
     return tuple(found)
 
 
-def _read(param: Element, name: Template, entries: _Entries) -> None:
+def _read(param: Tag, name: Template, entries: _Entries) -> None:
     kind = param.text("type")
     value = param.attribute("value")
     nested = param.elements("param")
@@ -67,34 +67,34 @@ def _read(param: Element, name: Template, entries: _Entries) -> None:
     elif not nested:
         param.refuse("<param> has neither a 'value' nor nested parameters.")
     if nested and (value is not None or kind is not None):
-        param.refuse("<param> has nested parameters; launch takes neither 'value' nor 'type' beside them.")
+        param.refuse("<param> has nested parameters; launch accepts neither 'value' nor 'type' with them.")
     for each in nested:
         _read(each, (*name, Const("."), *each.required("name")), entries)
     param.finish()
 
 
-def _kind(param: Element, kind: str | None) -> str | None:
+def _kind(param: Tag, kind: str | None) -> str | None:
     """The type that is asked for, as `List[…]` if it is a list; None for YAML's own."""
     if kind is None or kind == "yaml":
         return None
     scalar = kind.removeprefix(_LIST)
     if scalar not in _SCALARS:
-        param.refuse(f"launch knows no type {kind!r} of a parameter.")
+        param.refuse(f"launch has no parameter type {kind!r}.")
         return None
     return f"List[{scalar}]" if kind.startswith(_LIST) else kind
 
 
-def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterData:
+def _data(param: Tag, attribute: Attribute, kind: str | None) -> ParameterData:
     value = attribute.value if param.format is Format.YAML else _from_xml(param, attribute.text, kind)
     if value is None:
-        param.refuse("The value of <param> is nothing that a parameter can be.", attribute.place)
+        param.refuse("The value of <param> is not a valid parameter value.", attribute.place)
         return Typed(param.parsed(attribute.text) if attribute.text else unknown_text("value", param.place), kind)
     is_list = kind is not None and kind.startswith("List[")
     inner = kind[5:-1] if kind is not None and is_list else kind
     if not isinstance(value, tuple):
         data = _scalar(param, value, inner)
         if is_list:
-            param.refuse(f"The value of <param> is no list, as {kind} asks for.", attribute.place)
+            param.refuse(f"The value of <param> is not a list, which {kind} requires.", attribute.place)
         return Typed(data.text, kind) if is_list and isinstance(data, Typed) else data
     if kind is not None and not is_list:
         param.refuse(f"The value of <param> is a list, not a {kind}.", attribute.place)
@@ -105,29 +105,29 @@ def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterDa
     if len(types) > 1:
         param.refuse("The list in <param> has elements of several types.", attribute.place)
     elif inner is not None and not types <= {_SCALARS[inner]}:
-        param.refuse(f"The list in <param> is no {kind}.", attribute.place)
+        param.refuse(f"The list in <param> is not of type {kind}.", attribute.place)
     elif not items and inner not in {None, "str"}:
-        param.refuse(f"The list in <param> is empty, which launch does not take as {kind}.", attribute.place)
+        param.refuse(f"The list in <param> is empty, which launch does not accept as {kind}.", attribute.place)
     return Literal(Tuple(tuple(literals))) if len(literals) == len(items) else Several(tuple(items))
 
 
-def _scalar(param: Element, value: Scalar, kind: str | None) -> Literal | Typed:
+def _scalar(param: Tag, value: Scalar, kind: str | None) -> Literal | Typed:
     """One value; text may hold substitutions."""
     wanted = _SCALARS.get(kind or "")
     if not isinstance(value, str):
         if wanted is not None and not isinstance(value, wanted):
-            param.refuse(f"{value!r} in <param> is no {kind}.")
+            param.refuse(f"{value!r} in <param> is not of type {kind}.")
         return Literal(Const(value))
     template = param.parsed(value)
     text = plain_text(template)
     if text is None:
         return Typed(template, kind)
     if wanted not in {None, str}:
-        param.refuse(f"{value!r} in <param> is no {kind}.")
+        param.refuse(f"{value!r} in <param> is not of type {kind}.")
     return Literal(Const(text))
 
 
-def _from_xml(param: Element, text: str, kind: str | None) -> Native:
+def _from_xml(param: Tag, text: str, kind: str | None) -> Native:
     """What launch_xml converts the text to; it stays text where that fails, since it may hold substitutions."""
     separator = param.text("value-sep")
     if separator is not None:

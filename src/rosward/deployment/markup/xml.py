@@ -8,36 +8,28 @@ Text between tags means nothing to launch. A document type could only bring enti
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import NamedTuple, final
 from xml.parsers import expat
 
-from rosward.deployment.markup.element import (
-    DEPTH_LIMIT,
-    ELEMENT_LIMIT,
-    Attribute,
-    Element,
-    Format,
-    Refusals,
-)
+from rosward.deployment.markup.element import Attribute, Format, Refusals, Tag
 from rosward.deployment.markup.tags import read_description
-from rosward.deployment.markup.values import UnreadableError
+from rosward.deployment.markup.values import UnreadableMarkupError
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
-
-XML_LIMIT: Final = 2_000_000
 
 
 def read_xml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     """The launch file `file`; what launch would refuse in it is a finding."""
     refusals = Refusals()
     try:
-        if len(text) > XML_LIMIT:
-            raise UnreadableError(f"The launch file is longer than {XML_LIMIT:,} characters.")
+        if len(text) > limits.LAUNCH_XML_TEXT:
+            raise UnreadableMarkupError(f"The launch file is longer than {limits.LAUNCH_XML_TEXT:,} characters.")
         root = _Document(file, refusals).read(text)
         if root.tag != "launch":
-            raise UnreadableError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
-    except UnreadableError as error:
+            raise UnreadableMarkupError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
+    except UnreadableMarkupError as error:
         return Description((), file), (Finding("RW310", str(error), Place(file, error.line, error.column)),)
     return Description(read_description(root), file), refusals.findings
 
@@ -48,7 +40,7 @@ class _Open(NamedTuple):
     tag: str
     place: Place
     attributes: dict[str, str]
-    children: list[Element]
+    children: list[Tag]
 
 
 @final
@@ -60,10 +52,10 @@ class _Document:
         self._refusals = refusals
         self._parser = expat.ParserCreate()
         self._stack: list[_Open] = []
-        self._root: Element | None = None
+        self._root: Tag | None = None
         self._count = 0
 
-    def read(self, text: str) -> Element:
+    def read(self, text: str) -> Tag:
         """The root; raises UnreadableError."""
         parser = self._parser
         parser.StartDoctypeDeclHandler = self._doctype
@@ -73,34 +65,34 @@ class _Document:
             parser.Parse(text, True)
         except expat.ExpatError as error:
             why = expat.errors.messages.get(error.code, "syntax error")
-            raise UnreadableError(f"The XML is not well-formed: {why}.", error.lineno, error.offset + 1) from None
+            raise UnreadableMarkupError(f"The XML is not well-formed: {why}.", error.lineno, error.offset + 1) from None
         except ValueError:  # a lone surrogate, from bytes that are no text
-            raise UnreadableError("The launch file is not UTF-8 text.") from None
+            raise UnreadableMarkupError("The launch file is not UTF-8 text.") from None
         assert self._root is not None
         return self._root
 
-    def _unreadable(self, why: str) -> UnreadableError:
-        return UnreadableError(why, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
+    def _unreadable(self, why: str) -> UnreadableMarkupError:
+        return UnreadableMarkupError(why, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
 
     def _doctype(self, _: str, system: str | None, public: str | None, subset: bool) -> None:
         if system or public or subset:
-            raise self._unreadable("The launch file has a document type declaration; entities are not read.")
+            raise self._unreadable("The launch file has a document type declaration; entities are not supported.")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._count += 1
-        if len(self._stack) >= DEPTH_LIMIT:
+        if len(self._stack) >= limits.LAUNCH_DEPTH:
             raise self._unreadable("The tags are nested too deeply.")
-        if self._count > ELEMENT_LIMIT:
-            raise self._unreadable(f"The launch file has more than {ELEMENT_LIMIT:,} tags.")
+        if self._count > limits.LAUNCH_ELEMENTS:
+            raise self._unreadable(f"The launch file has more than {limits.LAUNCH_ELEMENTS:,} tags.")
         place = Place(self._file, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
         self._stack.append(_Open(tag, place, attributes, []))
 
     def _end(self, _: str) -> None:
         opened = self._stack.pop()
-        groups: dict[str, list[Element]] = {}
+        groups: dict[str, list[Tag]] = {}
         for child in opened.children:
             groups.setdefault(child.tag, []).append(child)
-        element = Element(
+        element = Tag(
             opened.tag,
             opened.place,
             Format.XML,

@@ -14,21 +14,14 @@ from typing import Final, final
 
 import yaml
 
-from rosward.deployment.markup.element import (
-    DEPTH_LIMIT,
-    ELEMENT_LIMIT,
-    Attribute,
-    Element,
-    Format,
-    Refusals,
-)
+from rosward.deployment.markup.element import Attribute, Format, Refusals, Tag
 from rosward.deployment.markup.tags import read_description
-from rosward.deployment.markup.values import UnreadableError, Values, compose
+from rosward.deployment.markup.values import UnreadableMarkupError, Values, compose
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
 
-YAML_LIMIT: Final = 500_000
 _MERGE: Final = "tag:yaml.org,2002:merge"
 
 
@@ -36,10 +29,10 @@ def read_yaml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     """The launch file `file`; what launch would refuse in it is a finding."""
     refusals = Refusals()
     try:
-        if len(text) > YAML_LIMIT:
-            raise UnreadableError(f"It is longer than {YAML_LIMIT:,} characters.")
+        if len(text) > limits.LAUNCH_YAML_TEXT:
+            raise UnreadableMarkupError(f"It is longer than {limits.LAUNCH_YAML_TEXT:,} characters.")
         root = _Document(file, refusals).root(compose(text))
-    except UnreadableError as error:
+    except UnreadableMarkupError as error:
         message = f"The YAML launch file cannot be read. {error}"
         return Description((), file), (Finding("RW310", message, Place(file, error.line, error.column)),)
     return Description(read_description(root), file), refusals.findings
@@ -55,37 +48,37 @@ class _Document:
         self._values = Values()
         self._count = 0
 
-    def root(self, node: yaml.Node | None) -> Element:
+    def root(self, node: yaml.Node | None) -> Tag:
         """The element `launch`; raises UnreadableError."""
         if not isinstance(node, yaml.MappingNode):
-            raise UnreadableError("Its root is no mapping with the key 'launch'.")
+            raise UnreadableMarkupError("Its root is not a mapping with the key 'launch'.")
         entries = self._entries(node, 0)
         if [name for name, *_ in entries] != ["launch"]:
-            raise UnreadableError("Its root is no mapping with 'launch' as its only key.")
+            raise UnreadableMarkupError("Its root is not a mapping with 'launch' as its only key.")
         _, key, value = entries[0]
         if isinstance(value, yaml.ScalarNode):
-            raise UnreadableError("Below 'launch' stands no list of actions.", value.start_mark.line + 1)
+            raise UnreadableMarkupError("'launch' is not a list of actions.", value.start_mark.line + 1)
         return self._element("launch", key, value, 0)
 
     def _place(self, node: yaml.Node) -> Place:
         return Place(self._file, node.start_mark.line + 1, node.start_mark.column + 1)
 
-    def _unreadable(self, why: str, node: yaml.Node) -> UnreadableError:
-        return UnreadableError(why, node.start_mark.line + 1, node.start_mark.column + 1)
+    def _unreadable(self, why: str, node: yaml.Node) -> UnreadableMarkupError:
+        return UnreadableMarkupError(why, node.start_mark.line + 1, node.start_mark.column + 1)
 
     def _visit(self, node: yaml.Node, depth: int) -> None:
         """Count what is read: aliases make more of it than there are nodes."""
         self._count += 1
-        if self._count > ELEMENT_LIMIT:
+        if self._count > limits.LAUNCH_ELEMENTS:
             raise self._unreadable("With its aliases it is too large.", node)
-        if depth > DEPTH_LIMIT:
+        if depth > limits.LAUNCH_DEPTH:
             raise self._unreadable("It is nested too deeply.", node)
 
-    def _element(self, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Element:
+    def _element(self, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Tag:
         self._visit(node, depth)
         attributes: dict[str, Attribute] = {}
-        groups: dict[str, tuple[Element, ...]] = {}
-        body: tuple[Element, ...] | None = None
+        groups: dict[str, tuple[Tag, ...]] = {}
+        body: tuple[Tag, ...] | None = None
         self._values.check(node)
         if isinstance(node, yaml.SequenceNode):
             body = self._actions(node, depth)
@@ -104,9 +97,9 @@ class _Document:
         else:
             self._values.native(node)
             self._refusals.add(
-                f"<{tag}> is no mapping, as launch expects it ({{}} if it has no attributes).", self._place(key)
+                f"<{tag}> is not a mapping, which launch expects ({{}} if it has no attributes).", self._place(key)
             )
-        return Element(
+        return Tag(
             tag,
             self._place(key),
             Format.YAML,
@@ -120,15 +113,15 @@ class _Document:
         value = self._values.native(node)
         return Attribute(node.value if isinstance(node, yaml.ScalarNode) else "", value, self._place(node))
 
-    def _actions(self, node: yaml.SequenceNode, depth: int) -> tuple[Element, ...]:
+    def _actions(self, node: yaml.SequenceNode, depth: int) -> tuple[Tag, ...]:
         self._visit(node, depth)
         self._values.check(node)
-        found: list[Element] = []
+        found: list[Tag] = []
         for item in node.value:
             self._visit(item, depth)
             entries = self._entries(item, depth) if isinstance(item, yaml.MappingNode) else []
             if len(entries) != 1:
-                self._refusals.add("An action is a mapping with its tag as the only key.", self._place(item))
+                self._refusals.add("An action must be a mapping with its tag as the only key.", self._place(item))
                 entries = [each for each in entries if not isinstance(each[2], yaml.ScalarNode)]
             found += [self._element(tag, key, value, depth + 1) for tag, key, value in entries]
         return tuple(found)
@@ -145,12 +138,10 @@ class _Document:
                     merged.setdefault(name, entry)
                 continue
             if not isinstance(key, yaml.ScalarNode):
-                raise self._unreadable("A key is no scalar.", key)
+                raise self._unreadable("A key is not a scalar.", key)
             self._values.native(key)
             if key.value in own:
-                message = (
-                    f"The key {key.value!r} stands twice in one mapping: launch takes the last, the first is lost."
-                )
+                message = f"The key {key.value!r} occurs twice in one mapping: launch uses the last one and ignores the first."
                 self._refusals.add(message, self._place(key))
             own[key.value] = (key.value, key, value)
         return list({**merged, **own}.values())
@@ -162,7 +153,7 @@ class _Document:
         found: dict[str, tuple[str, yaml.Node, yaml.Node]] = {}
         for each in sources:
             if not isinstance(each, yaml.MappingNode):
-                raise self._unreadable("What << names is no mapping.", each)
+                raise self._unreadable("The value of << is not a mapping.", each)
             self._visit(each, depth)
             for name, key, value in self._entries(each, depth):
                 found.setdefault(name, (name, key, value))

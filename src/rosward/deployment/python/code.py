@@ -52,7 +52,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.performer import Performer
-    from rosward.deployment.tree import Action
+    from rosward.deployment.tree import LaunchAction
     from rosward.engine.library import Library
     from rosward.ir.program import Code
 
@@ -102,14 +102,14 @@ class LaunchPython:
             self._limit(limit, Place(file))
             return Description((Unread(place=Place(file), why=limit.what),), file)
 
-    def _description(self, file: str, turn: int) -> tuple[Action, ...]:
+    def _description(self, file: str, turn: int) -> tuple[LaunchAction, ...]:
         machine, place = self._machine, Place(file)
         if machine.library.module(file) is None:
             self._tell("RW310", "the file cannot be read", place)
             return (Unread(place=place, why="the launch file cannot be read"),)
         name = file.rpartition("/")[2].removesuffix(".py")
         module = ModuleValue(machine.place_key(("launch", file, turn)), name, file)
-        if not modules.run_module(machine, module, name, turn):
+        if not machine.run_module(module, name, turn):
             self._tell("RW320", "this launch file raises an exception when it is loaded", place)
             return ()
         generate = modules.attribute(machine, module, _GENERATE)
@@ -137,7 +137,7 @@ class LaunchPython:
         performer: Performer,
         *,
         context: bool,
-    ) -> tuple[Action, ...]:
+    ) -> tuple[LaunchAction, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
         place = self._place(function)
         try:
@@ -192,7 +192,7 @@ class LaunchPython:
         elif self._objects.is_a(value, _CONDITION):
             return self._context.evaluate(value)
         elif isinstance(value, Ref) and not self._objects.overrides(value, "__call__"):
-            self._tell("RW320", "this is no condition", self._place(value))
+            self._tell("RW320", "this is not a condition", self._place(value))
             return machine.unknown(Cause.ERROR, "condition", "bool")
         else:
             found = machine.call(value, (self._launch_context(),))
@@ -230,17 +230,17 @@ class LaunchPython:
         frames, catchers = machine.frames, machine.catchers
         machine.frames, machine.catchers = [*frames, root], []
         self._context.performers.append(performer)
-        limits = machine.step_limit, machine.deadline
+        limits = machine.precision.step_limit, machine.precision.deadline
         if not frames:
-            machine.step_limit = min(machine.steps + self._budget.steps, self._most)
-            machine.deadline = self._end
+            machine.precision.step_limit = min(machine.precision.steps + self._budget.steps, self._most)
+            machine.precision.deadline = self._end
         try:
             yield self._turns
         finally:
             self._context.performers.pop()
             machine.frames, machine.catchers = frames, catchers
             if frames:
-                machine.step_limit, machine.deadline = limits
+                machine.precision.step_limit, machine.precision.deadline = limits
 
     def _give_arguments(self, given: Sequence[str], file: str) -> None:
         """`sys.argv` is that of `ros2 launch PACKAGE FILE name:=value …` with the first file that an execution reads."""

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from typing import Any, Final, NamedTuple, final
 
 from rosward.deployment.python.objects import Objects
-from rosward.deployment.python.parameters import Parameters
+from rosward.deployment.python.parameters import ParameterReader
 from rosward.deployment.python.substitutions import Texts
 from rosward.deployment.tree import (
-    Action,
     Component,
     Condition,
+    LaunchAction,
     LoadComponents,
     NodeKind,
     OnEvent,
@@ -35,7 +35,7 @@ _KINDS: Final = {
 _NODE: Final = "launch_ros.actions.Node"
 _COMPONENT: Final = "launch_ros.descriptions.ComposableNode"
 
-Entities = Callable[[Value | None, Place], tuple[Action, ...]]
+Entities = Callable[[Value | None, Place], tuple[LaunchAction, ...]]
 
 
 class _Variables(NamedTuple):
@@ -49,7 +49,7 @@ class _Variables(NamedTuple):
 class Nodes:
     """Reads what is started. `entities` reads a list of actions."""
 
-    def __init__(self, objects: Objects, texts: Texts, parameters: Parameters, entities: Entities) -> None:
+    def __init__(self, objects: Objects, texts: Texts, parameters: ParameterReader, entities: Entities) -> None:
         self.objects = objects
         self.texts = texts
         self.parameters = parameters
@@ -104,7 +104,7 @@ class Nodes:
                 elif isinstance(option, Unknown):
                     found.append(Component(package=(option,), plugin=(option,), place=place))
                 elif option != NONE:
-                    self.objects.tell("RW320", "launch_ros wants a ComposableNode here", place)
+                    self.objects.tell("RW320", "launch_ros requires a ComposableNode here", place)
         return tuple(found)
 
     def _component(self, ref: Ref, place: Place, sure: bool) -> Component:
@@ -113,9 +113,7 @@ class Nodes:
         field, texts = self.objects.field, self.texts
         condition = texts.condition(field(ref, "condition"), here)
         if not sure:
-            condition = Condition(
-                "python", (), here, self.objects.unknown("condition in Python not known", here, "bool")
-            )
+            condition = Condition("python", (), here, self.objects.unknown("unknown condition in Python", here, "bool"))
         return Component(
             package=texts.template(field(ref, "package"), here),
             plugin=texts.template(field(ref, "plugin"), here),
@@ -150,7 +148,7 @@ class Nodes:
         more = self.texts.pairs(self.objects.field(ref, "additional_env"), place)
         return _Variables((*self.texts.pairs(whole, place), *more), whole is not None)
 
-    def _on_exit(self, ref: Ref, place: Place) -> tuple[Action, ...]:
+    def _on_exit(self, ref: Ref, place: Place) -> tuple[LaunchAction, ...]:
         value = self.objects.field(ref, "on_exit")
         if value is not None and self.objects.is_callable(value):
             return (OnEvent(place=place, event="process-exit", function=value, target=ref),)

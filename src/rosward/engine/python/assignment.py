@@ -34,6 +34,7 @@ from rosward.engine.python.removal import remove
 from rosward.models.python.attribute_tables import TABLE, give_table, store_in_table
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE
 from rosward.models.python.std.records import FROZEN
+from rosward.models.ros import message_fields
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -102,7 +103,7 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
     if setter is not None:
         return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
     if obj.kind == "instance" and _has_no_place(machine, obj.cls, name):
-        said = Const(f"'{obj.cls.name}' object has no attribute '{name}'")  # type: ignore[attr-defined]
+        said = Const(f"'{obj.cls.name.rpartition('.')[2]}' object has no attribute '{name}'")  # type: ignore[attr-defined]
         if machine.die("AttributeError", f"no slot {name}", (said,), sure=True) is UNBOUND:
             return False
     if name == "__class__" and obj.kind == "instance":
@@ -111,6 +112,8 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
     if name == TABLE and obj.kind == "instance":
         give_table(machine, ref, value if not weak else join(machine.load_attr(ref, name), value))
         return True
+    if obj.cls.__class__ is External:
+        value = message_fields.assigned(machine, obj.cls, name, value)
     keep(machine, ref, name, value, weak=weak)
     return True
 
@@ -130,7 +133,8 @@ def keep(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool) -> N
         one_of_several = weak or obj.many
         absent = marked(obj.partial, name) if old is None and one_of_several else obj.partial
         changed = obj.with_attr(name, value)
-        if name in absent and (weak or old is None):
+        # An object of the program without the attribute would fail. A message has its default there: the mark stays.
+        if name in absent and (weak or old is None or (obj.many and obj.cls.__class__ is External)):
             changed.partial = absent
         machine.put(ref.address, changed)
 
@@ -141,14 +145,14 @@ def _change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
     if cls.__class__ is not Class or weak or obj.many:
         machine.report("RW203", "an object may be given another class")
         return
-    machine.instantiated.add(cls.place)
+    machine.trace.instantiated.add(cls.place)
     machine.put(ref.address, obj.replace(cls=cls))
 
 
 def _has_no_place(machine: Engine, cls: Value, name: str) -> bool:
-    """Whether all classes of an object say by `__slots__` which attributes it has, and this is none of them."""
+    """Whether all classes of an object say by `__slots__` which attributes it has, or it is a message, and this is none of them."""
     if cls.__class__ is not Class:
-        return False
+        return message_fields.has_field(machine, cls, name) is False
     for base in cls.mro:
         if base == _OBJECT:
             continue

@@ -43,6 +43,7 @@ from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE, may_hide
 from rosward.models.python.contents import KINDS
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
+from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
 
 if TYPE_CHECKING:
@@ -89,6 +90,9 @@ def load(machine: Engine, value: Value, name: str) -> Value:
 
 
 def _of_external(machine: Engine, value: External, name: str) -> Value:
+    known = message_fields.constant(machine, value, name)
+    if known is not None:
+        return known
     if name in INTERFACE_NAMES and is_interface(value):
         return Const(interface_name(value.name, name))
     if name in machine.library.facts.node_methods and "." in value.name and not is_interface(value):
@@ -133,7 +137,7 @@ def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
     ):
         return BoundMethod(value, Native(f"{value.hint}.{name}"))
     if any(r.cause is not Cause.MESSAGE for r in value.reasons):  # what a message holds is plain data
-        machine.asked.add(("", "", name))
+        machine.trace.asked.add(("", "", name))
     reasons = tuple(
         r._replace(subject=f"{r.subject}.{name}") if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
         for r in value.reasons
@@ -248,6 +252,8 @@ def plain_attribute(machine: Engine, ref: Ref, name: str) -> Value:
     if own is not None and own is not UNBOUND:
         if sure:
             return own
+        if cls.__class__ is External:
+            return message_fields.load_field(machine, ref, name, own) or own
         if in_class is not None:
             return join(own, bind(machine, in_class, ref, cls))
         fallback = lookup(machine, cls, "__getattr__") if name in obj.partial or TABLE in obj.attrs else None
@@ -285,8 +291,10 @@ def _computed(machine: Engine, ref: Ref, name: str, read: Callable[[], Value]) -
 def _missing(machine: Engine, ref: Ref, cls: Value, name: str) -> Value:
     """An attribute that no class we know has."""
     if cls.__class__ is External:
-        cause = Cause.MESSAGE if is_interface(cls) else Cause.CALL
-        return machine.unknown(cause, f"{cls.name}.{name}")
+        if is_interface(cls):
+            field = message_fields.load_field(machine, ref, name, None)
+            return message_fields.missing(machine, machine.obj(ref), name) if field is None else field
+        return machine.unknown(Cause.CALL, f"{cls.name}.{name}")
     if cls.__class__ is not Class:
         return machine.unknown(Cause.ERROR, f"no attribute {name}")
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]

@@ -6,28 +6,18 @@ def f(a, b=1, *c, d=2, **e)      f(0, d=3)  ->  registers a=0, b=1, c=(), d=3, e
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Const, Function, Native, Tuple, Unknown, Value
+from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
     from rosward.ir.program import Code
-
-LOOSE: Final = "*"
-"""The keyword under which a call passes arguments of unknown number and name, joined."""
-ORDER: Final = "*…"
-"""The keyword beside it, where they are positional: a tuple of what joins those of unknown number, and those behind them in order."""
-ANY: Final = "?"
-"""The keyword that says: whatever parameters are left get an unknown value (a call from code that is not known)."""
-
-
-MAYBE: Final = "~"
-"""The prefix of a keyword that may not be there: its value is joined with the parameter's default."""
 
 
 class BadCallError(Exception):

@@ -33,11 +33,13 @@ from rosward.domain.values import (
 )
 from rosward.engine import activation, declared
 from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import LIBRARY, note, note_call
+from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
+from rosward.engine.catcher import LIBRARY
 from rosward.engine.escape import escape, name_of
 from rosward.engine.python import assignment, attributes, classes, native_calls, object_methods
-from rosward.engine.python.binding import ANY, LOOSE, MAYBE, ORDER, BadCallError, bind_arguments
+from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
+from rosward.engine.throwing import note, note_call
 from rosward.ir.ops import Argument
 from rosward.models.python.contents import bare
 from rosward.models.python.exceptions import is_exception
@@ -110,7 +112,8 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) 
     """function(*args, **keywords); UNBOUND where it never returns."""
     cls = function.__class__
     if cls is Function:
-        return call_function(machine, function, args, keywords)  # type: ignore[arg-type]
+        language = machine.languages[function.code.language]  # type: ignore[attr-defined]
+        return language.call_function(machine, function, args, keywords)  # type: ignore[arg-type]
     if cls is BoundMethod:
         return call(machine, function.function, (function.receiver, *args), keywords)  # type: ignore[attr-defined]
     if cls is Class:
@@ -131,7 +134,7 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) 
     if cls is Unknown:
         note_call(machine)
         if lost_behaviour(function):
-            machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
+            machine.report("RW201", "too many alternatives for what is called here: none of them is analysed")
         escape(machine, (*args, *keywords.values()), name_of(function), function)
         return Unknown(function.reasons)  # type: ignore[attr-defined]
     escape(machine, (*args, *keywords.values()), name_of(function))

@@ -56,7 +56,7 @@ def _combinations(machine: Engine, written: list[Value]) -> list[Value]:
     for base in written:
         alternatives = _alternatives(base)
         if len(found) * len(alternatives) > _MAX_COMBINATIONS:
-            machine.report("RW206", "a class with too many alternatives of bases: only the first is followed")
+            machine.report("RW206", "a class with too many alternative bases: only the first is analysed")
             alternatives = alternatives[:1]
         found = [(*bases, each) for bases in found for each in alternatives]
     plain = Native("builtins.object")
@@ -233,7 +233,7 @@ def new_instance(
     machine: Engine, cls: Class, args: tuple[Value, ...] | None = None, keywords: dict[str, Value] = NO_KEYWORDS
 ) -> Ref:
     """An object of a class, before `__init__`; an exception has its arguments by then."""
-    machine.instantiated.add(cls.place)
+    machine.trace.instantiated.add(cls.place)
     if args is not None and builtin_base(cls) is not None:
         return machine.allocate(Obj("instance", cls, attrs={"args": Tuple(args)}), cls.address)
     ref = machine.allocate(Obj("instance", cls), cls.address)
@@ -258,7 +258,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
     if maker is not None and maker.__class__ in (Function, Descriptor):
         function = maker.getter if maker.__class__ is Descriptor else maker
         made = machine.call(function, (cls, *args), keywords)
-        machine.instantiated.add(cls.place)
+        machine.trace.instantiated.add(cls.place)
         initialised: list[Value] = []
         for option in options(made):
             if option.__class__ is Ref and machine.obj(option).kind == "instance" and _has(machine, option, cls):
@@ -271,7 +271,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
                 _framework(machine, cls, option)
         return join_all(initialised)
     if abstract.refused(machine, cls):
-        machine.instantiated.add(cls.place)
+        machine.trace.instantiated.add(cls.place)
         return UNBOUND
     base, initialiser = builtin_base(cls), attributes.lookup(machine, cls, "__init__")
     # OSError leaves it to an `__init__` to give it its arguments
@@ -321,10 +321,10 @@ def _framework(machine: Engine, cls: Class, ref: Ref) -> None:
     outside = [b for b in cls.mro if b.__class__ in (External, Unknown)]
     if not outside:
         return
-    machine.handed.setdefault(ref, machine.place)
+    machine.trace.handed.setdefault(ref, machine.place)
     for name, method in own_methods(machine, cls, ref):
         if not name.startswith("__"):
-            machine.schedule_book.add(machine, method, None, BY_BASE)
+            machine.schedule(method, None, BY_BASE)
 
 
 def exception_object(

@@ -14,10 +14,11 @@ from rosward.domain.choice import join, options
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
-from rosward.engine.catcher import Catcher, throw, unseen
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.exceptions import APART, Rest, leave_unseen
 from rosward.engine.python.raised import class_of
+from rosward.engine.throwing import throw, unseen
 from rosward.ir import ops
 from rosward.models.python.plain import FILE_HINT
 

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.values import UNBOUND, Class, External, Native, Tuple, Unknown, Value
-from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots, note, throw, unseen
+from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.groups import handle_groups
 from rosward.engine.python.raised import chain, made, may_catch
+from rosward.engine.throwing import note, throw, unseen
 from rosward.ir import ops
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ Where it is not known at which of several points a generator stands (a timer adv
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, widen
 from rosward.domain.heap import Obj
@@ -19,12 +19,13 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
 from rosward.engine import activation, declared
 from rosward.engine.budget import LimitReachedError
-from rosward.engine.catcher import Catcher, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Yielded
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
-from rosward.engine.python.stepping import Action, Stepped
+from rosward.engine.stepped import NEXT, Resumption, Running, Stepped
+from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     code = function.code
     caller = machine.frames[-1] if machine.frames else None
     lineage = next((f.yielded.lineage for f in reversed(machine.frames) if f.yielded is not None), ())
-    shared = lineage.count(code.key) >= (1 if machine.coarse else machine.budget.recursion)
+    shared = lineage.count(code.key) >= (1 if machine.precision.coarse else machine.budget.recursion)
     if shared:  # made inside one another without end: all of them are one
         context = machine.context("summary", code.key)
     else:
@@ -54,27 +55,7 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     return machine.allocate(record, (code.key, function.cells))
 
 
-@final
-class Running:
-    """A generator that is being advanced, and what this gave so far: for calls that are nested too deep, and ask for it again."""
-
-    __slots__ = ("asked", "before", "state", "stepped")
-
-    def __init__(self, before: State) -> None:
-        self.before = before
-        self.asked = False
-        self.stepped = Stepped(UNBOUND, None, UNBOUND)
-        self.state: State | None = None  # behind the item
-
-    @property
-    def seen(self) -> tuple[object, ...]:
-        """What must not change any more."""
-        item, ended, value = self.stepped
-        states = [s.version if s is not None else -1 for s in (self.before, self.state, ended)]
-        return (item, value, *states)
-
-
-def advance(machine: Engine, ref: Ref, action: Action) -> Stepped:
+def advance(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
     """Resume a generator; the machine is left in the state behind its next `yield`."""
     running = machine.advancing.get(ref.address)
     if running is not None:
@@ -104,11 +85,11 @@ def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
 
 
 def _widening(machine: Engine) -> Merge:
-    reason = Reason(Cause.LIMIT, "generators nested too deep", machine.place)
+    reason = Reason(Cause.LIMIT, "generators nested too deeply", machine.place)
     return lambda old, new: widen(old, new, reason)
 
 
-def _until_stable(machine: Engine, ref: Ref, action: Action, running: Running) -> Stepped:
+def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Running) -> Stepped:
     """One step. Of generators that are nested too deep to be told apart it may ask for itself: solved by iteration from below."""
     for number in range(machine.budget.fixpoint * 2):
         merge = join if number < machine.budget.widen_after else _widening(machine)
@@ -135,14 +116,14 @@ def _until_stable(machine: Engine, ref: Ref, action: Action, running: Running) -
             break
         machine.state = running.before.copy()
     else:
-        machine.report("RW201", "generators inside generators did not come to rest; what they do may be missing")
+        machine.report("RW201", "nested generators did not converge; what they do may be missing")
     item, ended, value = running.stepped
     if running.state is not None:
         machine.state = running.state.copy()
     return Stepped(item, None if ended is None else ended.copy(), value)
 
 
-def _once(machine: Engine, ref: Ref, action: Action) -> Stepped:
+def _once(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
     """Go on from each point, from the same state; what comes out is joined."""
     record = machine.obj(ref)
     suspension = record.payload
@@ -199,7 +180,7 @@ def _with(machine: Engine, ref: Ref, suspension: Suspension) -> Obj:
 
 
 def _run_from(
-    machine: Engine, point: Point, values: tuple[Value, ...], action: Action, result: Yielded, *, uncertain: bool
+    machine: Engine, point: Point, values: tuple[Value, ...], action: Resumption, result: Yielded, *, uncertain: bool
 ) -> tuple[Value, State] | None:
     """Run a body on from a point, to its next yields; the value that it returns, and the state there, where it comes to its end."""
     function, context, cells, path = point
@@ -211,7 +192,7 @@ def _run_from(
             thrown_in(machine, action.value)
             return None
         return NONE, machine.state
-    machine.entered.add(code.key)
+    machine.trace.entered.add(code.key)
     machine.choosing = False
     registers = list(values[: code.registers])
     registers += [UNBOUND] * (code.registers - len(registers))
@@ -242,7 +223,7 @@ def close(machine: Engine, ref: Ref) -> None:
     machine.catchers = [*outer, catcher]
     wanted = Native("builtins.GeneratorExit")
     try:
-        item, ended, _ = advance(machine, ref, Action("close", machine.call(wanted, ())))
+        item, ended, _ = advance(machine, ref, Resumption("close", machine.call(wanted, ())))
     finally:
         machine.catchers = outer
     if outer and catcher.level:
@@ -269,7 +250,7 @@ def _over(machine: Engine, ref: Ref) -> Suspension:
     return suspension.at({}, ended=True)
 
 
-def _run_coroutine(machine: Engine, suspension: Suspension, action: Action = stepping.NEXT) -> Stepped:
+def _run_coroutine(machine: Engine, suspension: Suspension, action: Resumption = NEXT) -> Stepped:
     """A coroutine runs to its end where it is awaited. It is not marked as done: a task that awaits it runs again, as callbacks do."""
     before = machine.state
     if action.kind == "close":

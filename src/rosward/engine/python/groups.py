@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Native, Ref, Tuple, Value
-from rosward.engine.catcher import Catcher, throw
+from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot, join_into
+from rosward.engine.throwing import throw
 from rosward.ir import ops
 from rosward.models.python.exception_groups import Parts, made, split, wrapped
 

@@ -79,7 +79,7 @@ def _uncalled(machine: Engine, cls: Class) -> Iterator[Function]:
             function = value.getter if isinstance(value, Descriptor) and value.kind == "property" else value
             if not isinstance(function, Function) or is_model(function):
                 continue
-            run = function.code.key in machine.entered
+            run = function.code.key in machine.trace.entered
             special = name.startswith("__") and name.endswith("__") and name not in AT_MAKING
             if (special and not (run and name in FOLLOWED)) or (
                 not special and not run and _is_declared(machine, cls.mro[number + 1 :], name)

@@ -61,7 +61,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
         source = stepping.made(machine, frame.registers[op.iterable], asynchronous=op.is_async)
     else:
         source = begun.source
-    machine.begin_loop(op, frame)
+    machine.precision.begin_loop(op, frame)
     if source is UNBOUND:
         alive = False
     elif stepping.steps(machine, source, asynchronous=op.is_async):
@@ -70,7 +70,7 @@ def for_each(machine: Engine, op: ops.ForEach, frame: Frame, begun: Begun | None
     else:
         found = iterate(machine, source) if begun is None else begun.ahead
         alive = _over_items(machine, op, frame, context, source, found, begun)
-    machine.end_loop(op, frame)
+    machine.precision.end_loop(op, frame)
     frame.context = context
     for left in (frame.exits.broken, frame.exits.returned):
         if left is not None and left is not returned:
@@ -117,13 +117,13 @@ def _over_items(
             rest = _any_of(found)
             known = ()
             rest = UNBOUND if rest is None else rest
-    if machine.coarse or len(known) > budget.unroll or machine.turns + len(known) > budget.turns:
+    if machine.precision.coarse or len(known) > budget.unroll or machine.precision.turns + len(known) > budget.turns:
         rest = _any_of(Items(known, rest))
         known = ()
     while rest is None or number - offset < len(known):
         if live is not None:  # as the list stands now: a turn may have changed it
             record = machine.obj(live)
-            if record.items is None or number >= budget.unroll or machine.turns >= budget.turns:
+            if record.items is None or number >= budget.unroll or machine.precision.turns >= budget.turns:
                 rest = element(record)
                 break
             known, offset = record.items, 0
@@ -136,7 +136,7 @@ def _over_items(
             write_series(machine, drained, left_over.without(1))
         if number - offset >= len(known):
             break
-        machine.turns += 1
+        machine.precision.turns += 1
         ahead = Items(() if live is not None else known[number - offset + 1 :], rest)
         _enter_turn(machine, op, frame, context, number, source, ahead)
         frame.registers[op.item] = known[number - offset]
@@ -145,7 +145,7 @@ def _over_items(
             return False
         number += 1
         machine.check_time()
-        if machine.coarse:
+        if machine.precision.coarse:
             now = known if live is None else machine.obj(live).items
             left = Items((now or ())[number - offset :], rest)
             if now is not None and _any_of(left) is None:
@@ -214,7 +214,12 @@ def _over_iterator(
             return False
         number, any_number = begun.turn + 1, begun.turn == ANY_TURN or frame.uncertain > 0
     most = machine.budget.unroll if stepping.is_generator(machine, iterator) else machine.budget.unroll_while
-    while not any_number and number < most and machine.turns < machine.budget.turns and not machine.coarse:
+    while (
+        not any_number
+        and number < most
+        and machine.precision.turns < machine.budget.turns
+        and not machine.precision.coarse
+    ):
         _enter_turn(machine, op, frame, context, number, iterator, nothing)
         before = machine.snapshot(frame)
         item, ended, _ = stepping.step(machine, iterator, asynchronous=op.is_async)
@@ -232,7 +237,7 @@ def _over_iterator(
         if machine.state.version == before.state.version:
             break
         number += 1
-        machine.turns += 1
+        machine.precision.turns += 1
         machine.check_time()
     _enter_turn(machine, op, frame, context, ANY_TURN, iterator, nothing)
 

@@ -14,11 +14,11 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.catcher import note_import
-from rosward.engine.found import Found
+from rosward.engine.found import FoundModule
 from rosward.engine.frame import Frame
 from rosward.engine.python import import_path
 from rosward.engine.python.relative_imports import Relative, main_package, relative
+from rosward.engine.throwing import note_import
 from rosward.ir import ops
 from rosward.models.failures import fail
 
@@ -134,7 +134,7 @@ def load_for(machine: Engine, name: str, importer: ModuleValue | None, level: in
 
 
 def _load_found(
-    machine: Engine, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: Found | None
+    machine: Engine, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: FoundModule | None
 ) -> Value:
     """The module that an import of a name leads to."""
     if found is None and not level and name.startswith("_rosward"):  # a program's own, and not among the sources
@@ -159,13 +159,13 @@ def _load_found(
             return UNBOUND
         if parent.__class__ is External and not found.guess:  # a namespace package of folders alone
             parent = ModuleValue(machine.place_key(("module", above)), ".".join(parts[:-1]), "")
-            run_module(machine, parent, parent.name)
+            machine.run_module(parent, parent.name)
     address = machine.place_key(("module", found.key))
     if address in machine.state.heap:
         address = import_path.imported(machine, whole, found, address)
     module = ModuleValue(address, whole, found.file)
     if address not in machine.state.heap:
-        if not run_module(machine, module, whole):
+        if not machine.run_module(module, whole):
             return UNBOUND
         given = None if level else import_path.registered(machine, whole)
         if given is not None:
@@ -187,7 +187,7 @@ def run_packages(machine: Engine, module: ModuleValue) -> bool:
             continue
         address = machine.place_key(("module", found.key))
         package = ModuleValue(address, name, found.file)
-        if address not in machine.state.heap and not run_module(machine, package, name):
+        if address not in machine.state.heap and not machine.run_module(package, name):
             return False
     return True
 
@@ -203,7 +203,7 @@ def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -
     package = name if module.file.endswith(("__init__.py", "__init__.pyi")) else name.rpartition(".")[0]
     attrs: dict[str, Value] = {
         "__name__": Const(name),
-        "__file__": machine.library.file_value(machine, module),
+        "__file__": machine.library.file_value(module),
         "__package__": join_all(main_package(machine, module.file)) if name == "__main__" else Const(package),
         "__doc__": machine.unknown(Cause.OPERATION, "doc", "str"),
     }
@@ -221,7 +221,7 @@ def run_module(machine: Engine, module: ModuleValue, name: str, turn: int = 0) -
     frame = Frame(code, [UNBOUND] * code.registers, (), module, context, not ours)
     frame.cells = tuple(machine.new_cells(code, context))
     frames, machine.frames = machine.frames, [frame]
-    machine.entered.add(code.key)
+    machine.trace.entered.add(code.key)
     try:
         return machine.run(code.ops, frame)
     finally:
@@ -267,7 +267,7 @@ def load_below(machine: Engine, module: ModuleValue, name: str) -> Value | None:
         return machine.library.load_model(found)
     address = machine.place_key(("module", found.key))
     value = ModuleValue(address, f"{module.name}.{name}", found.file)
-    if address not in machine.state.heap and not run_module(machine, value, value.name):
+    if address not in machine.state.heap and not machine.run_module(value, value.name):
         return UNBOUND
     return value
 
@@ -304,6 +304,11 @@ def load_global(machine: Engine, module: ModuleValue, name: str, *, quiet: bool 
     if quiet:
         return machine.unknown(Cause.ERROR, name)
     return machine.unknown(Cause.ERROR, f"name {name} is not defined")
+
+
+def load_quietly(machine: Engine, module: ModuleValue, name: str) -> Value:
+    """A name in an annotation of a model, which need not be defined."""
+    return load_global(machine, module, name, quiet=True)
 
 
 def store_global(machine: Engine, module: ModuleValue, name: str, value: Value) -> None:

@@ -15,8 +15,8 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Choice, Ref, Value
 from rosward.engine.alternatives import each_apart
+from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.python import contents
-from rosward.engine.python.binding import ANY, LOOSE, MAYBE, ORDER
 from rosward.models.native import NativeCall, NativeFunction, perform
 from rosward.models.python.containers.lists import ITERATOR, write_series
 from rosward.models.python.contents import KINDS

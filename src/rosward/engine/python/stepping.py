@@ -7,15 +7,17 @@ list(words)       one after the other while it surely gives an item, then any nu
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, widen
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unknown, Value
-from rosward.engine.catcher import Catcher, rethrow
+from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
+from rosward.engine.stepped import NEXT, Resumption, Stepped
+from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
@@ -26,24 +28,6 @@ STEP: Final = {
     True: ("__aiter__", "__anext__", "StopAsyncIteration"),
 }
 _ITERATOR: Final = "iterator"
-
-
-class Action(NamedTuple):
-    """How a suspended generator is resumed: `next`, `send` a value, `throw` an exception, or `close`."""
-
-    kind: str
-    value: Value
-
-
-NEXT: Final = Action("next", NONE)
-
-
-class Stepped(NamedTuple):
-    """One step: the item (UNBOUND: surely none), where it ends instead (None: surely not), and the value of StopIteration there."""
-
-    item: Value
-    ended: State | None = None
-    value: Value = NONE
 
 
 def made(machine: Engine, source: Value, *, asynchronous: bool = False) -> Value:
@@ -93,7 +77,7 @@ def iterator_of(machine: Engine, source: Value, *, asynchronous: bool = False) -
     )
 
 
-def step(machine: Engine, iterator: Value, action: Action = NEXT, *, asynchronous: bool = False) -> Stepped:
+def step(machine: Engine, iterator: Value, action: Resumption = NEXT, *, asynchronous: bool = False) -> Stepped:
     """Advance an iterator."""
     if isinstance(iterator, Choice):
         return _step_each(machine, iterator, action, asynchronous=asynchronous)
@@ -113,7 +97,7 @@ def step(machine: Engine, iterator: Value, action: Action = NEXT, *, asynchronou
     return Stepped(item, machine.state.copy())
 
 
-def _step_each(machine: Engine, iterators: Choice, action: Action, *, asynchronous: bool) -> Stepped:
+def _step_each(machine: Engine, iterators: Choice, action: Resumption, *, asynchronous: bool) -> Stepped:
     """One of several iterators, each from the same state."""
     before = machine.state
     after: State | None = None
@@ -137,7 +121,7 @@ def _step_each(machine: Engine, iterators: Choice, action: Action, *, asynchrono
 _METHODS: Final = {"send": "send", "throw": "throw", "close": "close"}
 
 
-def _step_object(machine: Engine, iterator: Ref, action: Action, *, asynchronous: bool) -> Stepped:
+def _step_object(machine: Engine, iterator: Ref, action: Resumption, *, asynchronous: bool) -> Stepped:
     """`__next__` of an object of the program (or `send`, `throw`), and the StopIteration that it raises."""
     _, name, stop = STEP[asynchronous]
     frame = machine.frames[-1]
@@ -179,7 +163,7 @@ def stop_value(machine: Engine, exception: Value, state: State) -> Value:
 def next_of(
     machine: Engine,
     iterator: Value,
-    action: Action = NEXT,
+    action: Resumption = NEXT,
     default: Value | None = None,
     *,
     asynchronous: bool = False,
@@ -209,7 +193,7 @@ def drain(machine: Engine, iterator: Value, *, asynchronous: bool = False) -> tu
     known: list[Value] = []
     most = machine.budget.unroll_while if not is_generator(machine, iterator) else machine.budget.unroll
     try:
-        while len(known) < most and not machine.coarse:
+        while len(known) < most and not machine.precision.coarse:
             frame.context = machine.context(context, frame.code.key, frame.op.number, "next", len(known))
             before = machine.state.copy()
             item, ended, value = step(machine, iterator, asynchronous=asynchronous)
@@ -260,6 +244,6 @@ def _drain_rest(machine: Engine, iterator: Value, *, asynchronous: bool) -> tupl
         if seen == (head.version, rest, value):
             break
     else:
-        machine.report("RW201", "an iterator did not come to rest; what it does later may be missing")
+        machine.report("RW201", "an iterator did not converge; what it does later may be missing")
     machine.state = head if end is None else end
     return rest, value

@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.choice import join
 from rosward.domain.state import join_states
-from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, YIELD, Path, Point, Step, join_values
+from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, PathStep, Point, join_values
 from rosward.domain.values import NONE, UNBOUND, Tuple, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
+from rosward.engine.stepped import NEXT, Resumption
+from rosward.engine.ways import Way, find_ways
 from rosward.ir import ops
 from rosward.models.native import Items
 
@@ -22,26 +24,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
     from rosward.ir.program import Code
 
-Way = tuple[tuple[int, str, ops.Op], ...]
-"""How blocks lead to a yield: the index in each, the part that leads on, and the operation."""
-
-_PARTS: Final[dict[type[ops.Op], tuple[tuple[str, str], ...]]] = {
-    ops.If: (("then", "then"), ("orelse", "orelse")),
-    ops.While: (("condition", "condition"), ("turn", "body"), ("orelse", "orelse")),
-    ops.ForEach: ((EACH, "body"), ("orelse", "orelse")),
-    ops.With: (("body", "body"),),
-    ops.Try: (("body", "body"), ("orelse", "orelse"), ("final", "final")),
-}
 _TURNING: Final = frozenset({"condition", "turn", EACH})
-
-
-def parts(op: ops.Op) -> list[tuple[str, ops.Block]]:
-    """The blocks of an operation, each under the name of its part."""
-    found = [(part, getattr(op, field)) for part, field in _PARTS.get(op.__class__, ())]
-    if isinstance(op, ops.Try):
-        for number, handler in enumerate(op.handlers):
-            found += [(f"handler {number}", handler.body), (f"match {number}", handler.match)]
-    return found
 
 
 def ways(machine: Engine, code: Code) -> dict[int, Way]:
@@ -49,16 +32,8 @@ def ways(machine: Engine, code: Code) -> dict[int, Way]:
     found = machine.ways.get(code.key)
     if found is None:
         found = machine.ways[code.key] = {}
-        _find(code.ops, (), found)
+        find_ways(code.ops, (), found)
     return found
-
-
-def _find(block: ops.Block, before: Way, found: dict[int, Way]) -> None:
-    for index, op in enumerate(block):
-        if isinstance(op, ops.Yield):
-            found[op.number] = (*before, (index, YIELD if op.many else "", op))
-        for part, inner in parts(op):
-            _find(inner, (*before, (index, part, op)), found)
 
 
 def yield_(machine: Engine, op: ops.Yield, frame: Frame) -> bool | None:
@@ -74,12 +49,12 @@ def yield_(machine: Engine, op: ops.Yield, frame: Frame) -> bool | None:
     if stepping.steps(machine, source):
         iterator = stepping.iterator_of(machine, source)
         first = NO_TURN if stepping.is_generator(machine, iterator) else 0
-        return delegate(machine, op, frame, iterator, first, stepping.NEXT)
+        return delegate(machine, op, frame, iterator, first, NEXT)
     return give(machine, op, frame, source, machine.iterate(source), 0)
 
 
 def delegate(
-    machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: stepping.Action
+    machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: Resumption
 ) -> bool | None:
     """`yield from` an iterator that is advanced: its next item; behind its end this call goes on. A generator counts its turns itself."""
     context = frame.context
@@ -147,14 +122,14 @@ def _suspend(
 
 def _here(way: Way, frame: Frame, turn: int) -> tuple[Path, list[Any]]:
     """The path of the way that led to a yield now, and what the loops on it keep."""
-    path: list[Step] = []
+    path: list[PathStep] = []
     kept: list[Value] = []
     for index, part, op in way:
         if part in _TURNING:
             number, *values = frame.turns[op.number]
-            path.append(Step(index, part, number))
+            path.append(PathStep(index, part, number))
             kept.extend(values)
         else:
-            path.append(Step(index, part))
+            path.append(PathStep(index, part))
     path[-1] = path[-1]._replace(turn=turn)
     return tuple(path), kept

@@ -8,7 +8,9 @@ std_srvs.srv.SetBool.Request   SetBool_Request, of module std_srvs.srv._set_bool
 from __future__ import annotations
 
 import re
-from typing import Final
+from typing import Final, NamedTuple
+
+from rosward.source.definitions import PARTS
 
 INTERFACE_NAMES: Final = frozenset({"__name__", "__qualname__", "__module__"})
 _WORD: Final = re.compile(r"(.)([A-Z][a-z]+)")
@@ -24,3 +26,31 @@ def interface_name(dotted: str, attribute: str) -> str:
 
 
 _SPLIT: Final = r"\1_\2"
+
+
+class MessageName(NamedTuple):
+    """Which message a class is: of a package and kind, by its name, and the part of a service or action (`Request`), else ''."""
+
+    package: str
+    kind: str
+    name: str
+    part: str
+
+    @property
+    def dotted(self) -> str:
+        """The name under which programs import it."""
+        inner = f"{self.name}.{self.part}" if self.part else self.name
+        return f"{self.package}.{self.kind}.{inner}"
+
+
+def message_name(dotted: str) -> MessageName | None:
+    """The message behind a dotted name, however a program has come to it; None for anything else."""
+    package, _, rest = dotted.partition(".")
+    kind, *inner = rest.split(".")
+    inner = [name for name in inner if not name.startswith("_")]
+    if kind not in PARTS or not inner or not inner[0][:1].isupper():
+        return None
+    if len(inner) == 1:
+        name, _, part = inner[0].rpartition("_") if kind != "msg" else (inner[0], "", "")
+        inner = [name, part]
+    return MessageName(package, kind, inner[0], inner[1]) if len(inner) == 2 and inner[1] in PARTS[kind] else None

@@ -13,19 +13,24 @@ from typing import Final
 
 from rosward.findings import Severity
 from rosward.one_cause import OneCause, alike, more_of
+from rosward.outputs.writing import Scan
 from rosward.safe import printable
 from rosward.suppression.judge import Judged
 
-__all__ = ["github_commands"]
+__all__ = ["github_commands", "text"]
 
 _COMMANDS: Final = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
 
 
+def text(scan: Scan) -> str:
+    """The document of the format `github`."""
+    return github_commands(scan.findings)
+
+
 def github_commands(findings: Iterable[Judged]) -> str:
     """The commands, errors first: GitHub shows ten of each kind for a step."""
-    order = list(_COMMANDS)
     groups = alike((j for j in findings if not j.known), lambda j: j.finding)
-    return "".join(_command(*group) for group in sorted(groups, key=lambda g: order.index(g[0].finding.rule.severity)))
+    return "".join(_command(*group) for group in sorted(groups, key=lambda g: g[0].finding.rule.severity.rank))
 
 
 def _command(judged: Judged, *also: Judged) -> str:

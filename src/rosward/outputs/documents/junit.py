@@ -12,10 +12,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rosward.findings import RULES, Severity
+from rosward.outputs.writing import Scan
 from rosward.safe import printable, xml_attribute, xml_text
 from rosward.suppression.judge import Judged
 
-__all__ = ["junit_xml"]
+__all__ = ["junit_xml", "text"]
+
+
+def text(scan: Scan) -> str:
+    """The document of the format `junit`."""
+    return junit_xml(scan.findings)
 
 
 def junit_xml(findings: Sequence[Judged]) -> str:

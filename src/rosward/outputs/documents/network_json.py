@@ -9,19 +9,25 @@ Keys have a fixed order, lists are sorted, and nothing depends on machine, time 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Final
 
 from rosward._version import __version__
 from rosward.network.asked import Asked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.writing import File, Material
 from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Parameter
 from rosward.source.location import Place
 
-__all__ = ["SCHEMA_VERSION", "network_json"]
+__all__ = ["SCHEMA_VERSION", "files", "network_json"]
 
 SCHEMA_VERSION: Final = 2
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `json`."""
+    yield "network.json", network_json(material.network)
 
 
 def network_json(network: Network) -> str:

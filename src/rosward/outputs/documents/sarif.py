@@ -19,14 +19,20 @@ from rosward._version import __version__
 from rosward.findings import RULES, Rule
 from rosward.one_cause import OneCause, alike, more_of
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.writing import Scan
 from rosward.safe import encodable
 from rosward.suppression.judge import Judged, RelatedPlace
 
-__all__ = ["sarif_json"]
+__all__ = ["sarif_json", "text"]
 
 _SCHEMA: Final = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _ROOT: Final = "SRCROOT"
-_FINGERPRINT: Final = "roswardFinding/v1"
+_FINGERPRINT: Final = "roswardFinding/v2"
+
+
+def text(scan: Scan) -> str:
+    """The document of the format `sarif`."""
+    return sarif_json(scan.findings, baseline=scan.baseline, documentation=scan.documentation)
 
 
 def sarif_json(findings: Sequence[Judged], *, baseline: bool = False, documentation: str | None = None) -> str:

@@ -5,7 +5,7 @@
 
 Nodes are ellipses, topics boxes, services hexagons, actions tabbed folders; each has a colour that stays apart from the
 others for colour-blind eyes. Namespaces of nodes are clusters, and a name in a cluster is written without the
-namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not wholly known. What
+namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not completely known. What
 nearly everyone talks to (`/tf`) would pull all of the drawing into one knot: it gets a double outline and is drawn
 beside each of its nodes. What only the client library makes is hidden unless asked for. `class` attributes let a page
 restyle the drawing. A dashed outline in the colour of nodes is a node that is assumed: nothing starts it. A node of
@@ -20,9 +20,10 @@ from typing import Final, NamedTuple
 from rosward.network.graph import Network
 from rosward.outputs.graphs.dot_language import HEADER, LOOKS, TOWARDS_NODE, UNKNOWN, Drawing, label_of, quoted
 from rosward.outputs.graphs.layers import steps_between_layers
+from rosward.outputs.writing import File, Material
 from rosward.ros.entities import Entity, Interface, Node, Resolution
 
-__all__ = ["drawing", "graph_dot"]
+__all__ = ["drawing", "files", "graph_dot"]
 
 
 _DOUBT: Final = "#c44200"
@@ -51,6 +52,11 @@ class _Vertex(NamedTuple):
     """What is said of a node of unknown interface."""
 
 
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `dot`."""
+    yield "graph.dot", graph_dot(material.network, system=material.system, types=material.types)
+
+
 def graph_dot(network: Network, system: bool = False, types: bool = False) -> str:
     """The graph as DOT. `system` shows what the client library makes as well, `types` the interface types."""
     return drawing(network, system, types).text
@@ -71,7 +77,7 @@ def drawing(network: Network, system: bool = False, types: bool = False, links: 
     return Drawing("\n".join(lines) + "\n", len(vertices), len(edges), steps)
 
 
-class _End(NamedTuple):
+class _DrawnEnd(NamedTuple):
     """An entity that is drawn, the node that it is of, and the key of the shape that both meet at."""
 
     node: Node
@@ -80,7 +86,7 @@ class _End(NamedTuple):
     hub: bool
 
 
-def _ends(network: Network, system: bool) -> list[_End]:
+def _ends(network: Network, system: bool) -> list[_DrawnEnd]:
     shown = [(node, entity) for node in network.nodes for entity in node.entities if system or not entity.system]
     users: dict[str, set[str]] = {}
     for node, entity in shown:
@@ -89,11 +95,11 @@ def _ends(network: Network, system: bool) -> list[_End]:
     for node, entity in shown:
         key = _meeting_key(node, entity)
         hub = len(users[key]) > _HUB
-        ends.append(_End(node, entity, f"{key} at {node.shown}" if hub else key, hub))
+        ends.append(_DrawnEnd(node, entity, f"{key} at {node.shown}" if hub else key, hub))
     return ends
 
 
-def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vertex]:
+def _vertices(network: Network, ends: Iterable[_DrawnEnd], links: bool) -> list[_Vertex]:
     drawn: dict[str, _Vertex] = {}
     for number, node in enumerate(network.nodes):
         link = f"#node-{number}" if links else None
@@ -126,7 +132,7 @@ def _unknown(node: Node) -> str:
     return "C++, unknown" if any("C++" in reason for reason in node.lacks) else "unknown"
 
 
-def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
+def _edges(ends: Iterable[_DrawnEnd]) -> dict[tuple[str, str], tuple[str, bool]]:
     """From tail and head to the look and whether the edge is there in some executions only."""
     edges: dict[tuple[str, str], tuple[str, bool]] = {}
     for node, entity, key, _ in ends:
@@ -148,7 +154,7 @@ def _meeting_key(node: Node, entity: Entity) -> str:
     )
 
 
-def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]:
+def _cluster(space: str, parent: str, tree: _NamespaceTree, types: bool) -> Iterator[str]:
     """The shapes of one namespace, and the clusters of those right below it."""
     inside = [_vertex(vertex, space, types) for vertex in tree.vertices.get(space, ())]
     for one in tree.spaces.get(space, ()):
@@ -163,16 +169,16 @@ def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]
     yield "}"
 
 
-class _Tree(NamedTuple):
+class _NamespaceTree(NamedTuple):
     """By namespace: the shapes right in it, and the namespaces right below it."""
 
     vertices: dict[str, list[_Vertex]]
     spaces: dict[str, list[str]]
 
 
-def _tree(network: Network, vertices: Iterable[_Vertex]) -> _Tree:
+def _tree(network: Network, vertices: Iterable[_Vertex]) -> _NamespaceTree:
     spaces = {node.namespace for node in network.nodes} | {"/"}
-    tree = _Tree({}, {})
+    tree = _NamespaceTree({}, {})
     for vertex in vertices:
         tree.vertices.setdefault(_innermost(vertex.home, spaces), []).append(vertex)
     for space in sorted(spaces - {"/"}):

@@ -5,7 +5,7 @@
 
 Nodes are rounded, topics boxes, services hexagons, actions slanted, in the colours of `dot.py`; namespaces of nodes are subgraphs. A dashed
 edge exists in some executions only, a dashed outline is a node that is assumed,
-and a red one a name that is not wholly known. A node of unknown interface is grey. Shapes have numbers for their identity and
+and a red one a name that is not completely known. A node of unknown interface is grey. Shapes have numbers for their identity and
 names stand in quoted labels as entities, so that no name is read as part of the drawing. Viewers refuse a text of more than 50 000
 characters or 500 edges: what is more than that is left out, and the drawing says so.
 """
@@ -16,10 +16,11 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.network.graph import Network
+from rosward.outputs.writing import File, Material
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Resolution
 from rosward.safe import encodable, printable
 
-__all__ = ["fenced", "graph_mermaid"]
+__all__ = ["fenced", "files", "graph_mermaid"]
 
 _MOST_EDGES: Final = 400
 _MOST_NODES: Final = 150
@@ -53,6 +54,13 @@ class _Key(NamedTuple):
     look: str
     name: str
     of: str = ""
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `mermaid`."""
+    flowchart = graph_mermaid(material.network, system=material.system)
+    yield "graph.mmd", flowchart
+    yield "graph.md", fenced(flowchart)
 
 
 def graph_mermaid(network: Network, system: bool = False) -> str:
@@ -95,7 +103,7 @@ def _told(nodes: int, edges: int) -> Iterator[str]:
     if nodes or edges:
         parts = [f"{nodes} nodes"] if nodes else []
         parts += [f"{edges} edges"] if edges else []
-        yield f'  cut["left out of this drawing: {" and ".join(parts)}"]'
+        yield f'  cut["omitted from this drawing: {" and ".join(parts)}"]'
 
 
 def _edges(nodes: Iterable[Node], *, system: bool) -> dict[tuple[_Key, _Key], bool]:

@@ -15,7 +15,7 @@ import re
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
 from typing import Final
@@ -24,9 +24,10 @@ from rosward.network.graph import Network
 from rosward.outputs.graphs.dot import drawing
 from rosward.outputs.graphs.dot_language import UNKNOWN, Drawing
 from rosward.outputs.graphs.dot_summary import summaries
+from rosward.outputs.writing import File, Material
 from rosward.safe import xml_text
 
-__all__ = ["graph_svg"]
+__all__ = ["files", "graph_svg"]
 
 _PROGRAM: Final = "graphviz-pure"
 _INSTEAD: Final = "dot"
@@ -47,6 +48,11 @@ _HATCH: Final = (
     '<rect width="7" height="7" fill="#f4f4f1"/><rect width="2" height="7" fill="#dcdcd6"/></pattern></defs>'
 )
 _PROLOGUE: Final = re.compile(r"\A.*?(?=<svg\b)", re.DOTALL)
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `svg`."""
+    yield "graph.svg", graph_svg(material.network, system=material.system, types=material.types)
 
 
 def graph_svg(network: Network, system: bool = False, types: bool = False, *, links: bool = False) -> str:
@@ -118,7 +124,7 @@ def _message(reason: str, drawn: Drawing) -> str:
     lines = [
         reason + ".",
         f"It has {drawn.vertices} nodes, topics, services and actions, and {drawn.edges} edges.",
-        "graph.dot holds the whole of it; network.json and the tables of the report say the same in words.",
+        "graph.dot has the complete graph; network.json and the tables of the report have the same content as text.",
     ]
     texts = "".join(f'<text x="20" y="{40 + 24 * number}">{xml_text(line)}</text>' for number, line in enumerate(lines))
     return (

@@ -20,10 +20,11 @@ from rosward.enclaves.grants import NOT_WIDENED, Enclave, Profile, enclave_named
 from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
+from rosward.outputs.writing import File, Material, of_enclaves
 from rosward.ros.entities import EntityKind
 from rosward.safe import xml_attribute, xml_text
 
-__all__ = ["NOT_AFTER", "NOT_BEFORE", "permissions", "permissions_xml"]
+__all__ = ["NOT_AFTER", "NOT_BEFORE", "files", "permissions", "permissions_xml"]
 
 NOT_BEFORE: Final = "2020-01-01T00:00:00"
 NOT_AFTER: Final = "2049-12-31T23:59:59"
@@ -32,6 +33,12 @@ NOT_AFTER: Final = "2049-12-31T23:59:59"
 _SCHEMA: Final = "http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_permissions.xsd"
 _ACTION_SERVICES: Final = ("cancel_goal", "get_result", "send_goal")
 _ACTION_TOPICS: Final = ("feedback", "status")
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `permissions`."""
+    documents = permissions(material.network, unknown=material.unknown, widened=material.widened)
+    yield from of_enclaves("permissions", documents, "permissions.xml")
 
 
 def permissions_xml(

@@ -22,26 +22,16 @@ from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Omission, Profi
 from rosward.enclaves.widened import Widened, Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.ros.entities import Entity, EntityKind, Interface, Resolution
+from rosward.policies.elements import ELEMENTS
+from rosward.ros.entities import Entity, Interface
 from rosward.safe import xml_attribute, xml_comment, xml_text
 
-__all__ = ["VERBS", "Line", "policies", "policy_lines", "policy_xml"]
-
-_ELEMENTS: Final = (
-    (EntityKind.ACTION_CLIENT, "actions", "call", "action"),
-    (EntityKind.ACTION_SERVER, "actions", "execute", "action"),
-    (EntityKind.SERVICE_SERVER, "services", "reply", "service"),
-    (EntityKind.SERVICE_CLIENT, "services", "request", "service"),
-    (EntityKind.PUBLISHER, "topics", "publish", "topic"),
-    (EntityKind.SUBSCRIPTION, "topics", "subscribe", "topic"),
-)
-VERBS: Final = {kind: attribute for kind, _, attribute, _ in _ELEMENTS}
-"""What a policy calls the right to have an endpoint of a kind."""
+__all__ = ["Line", "policies", "policy_lines", "policy_xml"]
 
 _MOST_PLACES: Final = 5
 _HEADER: Final = (
     "Written by rosward from the source of the system.",
-    "Behind each rule stands where it comes from; a rule with nothing behind it is needed by the client library.",
+    "The comment after each rule says where it comes from; a rule without a comment is needed by the client library.",
 )
 
 
@@ -109,7 +99,7 @@ def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
     yield Line(f"        <profile {attributes}>")
     for note in notes:
         yield Line(f"          {xml_comment(note)}")
-    for kind, element, attribute, child in _ELEMENTS:
+    for kind, (element, attribute, child) in ELEMENTS.items():
         grants = [grant for grant in profile.grants if grant.kind is kind]
         if grants:
             yield Line(f'          <{element} {attribute}="ALLOW">')
@@ -124,19 +114,19 @@ def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
 def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
     for node in profile.nodes:
         if node.label is not None:
-            yield f"The node of {node.label}, whose name is not known"
+            yield f"The node of {node.label}, whose name is unknown"
         if node.interface is Interface.UNKNOWN:
-            yield f"Of unknown interface, so it may do no more than every node does: {'; '.join(node.lacks)}"
+            yield f"Unknown interface, so only what every node needs is allowed: {'; '.join(node.lacks)}"
     if enclave.path != enclave.found:
         yield (
-            f"The enclave was found as {enclave.found}, which no enclave can be called: "
+            f"The enclave was determined as {enclave.found}, which is not a valid enclave name: "
             f"start the node with ROS_SECURITY_ENCLAVE_OVERRIDE={enclave.path} in its environment"
         )
     for process in sorted({node.process for node in profile.nodes if node.assumed}):
-        yield f"Assumed: nothing in the sources makes {process}"
+        yield f"Assumed: nothing in the sources creates {process}"
     if len(profile.nodes) > 1:
         places = ", ".join(str(node.defined_at) for node in profile.nodes)
-        yield f"{len(profile.nodes)} nodes have this full name, and share this profile: {places}"
+        yield f"{len(profile.nodes)} nodes have this full name and share this profile: {places}"
     for omission in profile.omissions:
         yield _omission(omission)
 
@@ -160,9 +150,9 @@ def _origin(grant: Grant) -> str:
         parts.append("by " + ", ".join(vias))
     if all(entity.conditional for entity in own):
         parts.append("conditional")
-    if any(entity.resolution in (Resolution.PATTERN, Resolution.UNKNOWN) for entity in own):
+    if not all(entity.resolution.whole for entity in own):
         parts.append(
-            "partly known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
+            "partially known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
         )
     return ", ".join(part for part in parts if part)
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+from collections.abc import Iterator
 from importlib import resources
 from typing import Final
 
@@ -25,13 +26,20 @@ from rosward.network.graph import Network
 from rosward.outputs.graphs.svg import graph_svg
 from rosward.outputs.report.document import Background, report_document
 from rosward.outputs.report.packed import packed
+from rosward.outputs.writing import File, Material
 from rosward.safe import encodable, printable
 
-__all__ = ["document_text", "report_html"]
+__all__ = ["document_text", "files", "report_html"]
 
 _TEMPLATE: Final = "report.html.j2"
 _LARGEST_FALLBACK: Final = 300_000
 _NOTHING: Final = Background()
+
+
+def files(material: Material) -> Iterator[File]:
+    """The files of the format `html`."""
+    background = (material.background or _NOTHING)._replace(widened=material.widened)
+    yield "report.html", report_html(material.network, background, material.unknown)
 
 
 def report_html(network: Network, background: Background = _NOTHING, unknown: UnknownNames = "deny") -> str:

@@ -13,7 +13,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, NamedTuple, Protocol, final
 
-from rosward.source.cmake.text import Argument
+from rosward.source.cmake.text import CMakeArgument
 from rosward.source.cmake.variables import HOLE, Variables
 
 _FALSE: Final = frozenset({"", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
@@ -54,7 +54,7 @@ class _Word(NamedTuple):
     quoted: bool
 
 
-def holds(arguments: Sequence[Argument], variables: Variables, around: Surroundings) -> bool | None:
+def holds(arguments: Sequence[CMakeArgument], variables: Variables, around: Surroundings) -> bool | None:
     """Whether the condition holds; None where nobody can say."""
     words: list[_Word] = []
     for argument in arguments:

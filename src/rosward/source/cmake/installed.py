@@ -2,7 +2,7 @@
 """Which scripts and Python packages does a CMakeLists.txt install?
 
     install(PROGRAMS scripts/talker.py DESTINATION lib/${PROJECT_NAME} RENAME talker)
-    ->  Script("talker", "scripts/talker.py", line=1)
+    ->  InstalledScript("talker", "scripts/talker.py", line=1)
 
 Every branch of an `if` is taken, since the answer to "what could this package install?" should not miss a script. Files outside
 the package are neither read nor listed.
@@ -23,7 +23,7 @@ from rosward.source.cmake.text import Command
 from rosward.source.entry_points import EntryPoint, read_setup_cfg
 from rosward.source.location import Place
 from rosward.source.text import place_name
-from rosward.source.workspace import Generated
+from rosward.source.workspace import GeneratedModule
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,7 +40,7 @@ _INSTALL_FOLDERS: Final = MappingProxyType(
 )
 
 
-class Script(NamedTuple):
+class InstalledScript(NamedTuple):
     """A file, by its path, that is installed as the executable `name`."""
 
     name: str
@@ -51,14 +51,14 @@ class Script(NamedTuple):
 class CMakeProject(NamedTuple):
     """What is installed as executables and in the share folder, the folders of Python packages, and what could not be read."""
 
-    scripts: tuple[Script, ...] = ()
+    scripts: tuple[InstalledScript, ...] = ()
     python_roots: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
     shared: tuple[Shared, ...] = ()
     all_shared: bool = True
     targets: tuple[CMakeTarget, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
-    generated: tuple[Generated, ...] = ()
+    generated: tuple[GeneratedModule, ...] = ()
 
 
 def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERYWHERE) -> CMakeProject:
@@ -99,20 +99,20 @@ class _Reader:
             "ament_python_install_package": self._python_package,
             **dict.fromkeys(targets, self._target),
         }
-        self.scripts: list[Script] = []
+        self.scripts: list[InstalledScript] = []
         self.shared: list[Shared] = []
         self.all_shared = True
         self.targets = Targets(package)
         self.python_roots: list[str] = []
         self.entry_points: list[EntryPoint] = []
-        self.generated: list[Generated] = []
+        self.generated: list[GeneratedModule] = []
 
     def run(self) -> list[Finding]:
         """Read the description; what is wrong with it."""
         self._interpreter.read(self._top, 0)
         findings = self._interpreter.findings
         if self._interpreter.files.exhausted:
-            message = "The folders that the build description names hold too many files: not all were looked at."
+            message = "The folders named by the build description contain too many files. Not all were examined."
             findings.append(Finding("RW008", message, Place(place_name(self._top, self._root))))
         return findings
 
@@ -133,7 +133,7 @@ class _Reader:
             interpreter = self._interpreter
             source = os.path.normpath(os.path.join(interpreter.folder, arguments[1]))  # noqa: PTH118
             made = interpreter.variables.get("PROJECT_NAME"), arguments[0], source, "".join(arguments[2:3])
-            self.generated.append(Generated(*made, interpreter.place(command)))
+            self.generated.append(GeneratedModule(*made, interpreter.place(command)))
 
     def _install(self, arguments: list[str], command: Command) -> None:
         what, *rest = arguments
@@ -159,9 +159,9 @@ class _Reader:
                 full = self._interpreter.inside(path)
                 name = next(iter(options.get("RENAME", [])), "") or os.path.basename(path)  # noqa: PTH119
                 if full is None:  # outside, or made by the build
-                    self._interpreter.doubt(f"The program {path!r} is not within the package.", command)
+                    self._interpreter.doubt(f"The program {path!r} is outside the package.", command)
                 else:
-                    self.scripts.append(Script(name, full, place))
+                    self.scripts.append(InstalledScript(name, full, place))
 
     def _install_folders(
         self, paths: list[str], options: dict[str, list[str]], place: Place, *, all_of_them: bool
@@ -176,7 +176,7 @@ class _Reader:
                 found = self._interpreter.files.below(
                     start, matching=matching, unwanted=unwanted, executable=not all_of_them
                 )
-                self.scripts += [Script(name, full, place) for name, full in found]
+                self.scripts += [InstalledScript(name, full, place) for name, full in found]
 
     def _share(self, what: str, path: str, into: str, options: dict[str, list[str]], command: Command) -> None:
         full = self._interpreter.inside(path)

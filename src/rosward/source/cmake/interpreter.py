@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Final, NamedTuple, Protocol, TypeAlias, final
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.blocks import Block, Step, blocks
 from rosward.source.cmake.conditions import Surroundings, holds
@@ -31,9 +32,7 @@ from rosward.source.cmake.variables import HOLE, Variables
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 
-_FILE_LIMIT: Final = 1_000_000
 _STEP_LIMIT: Final = 50_000
-_DEPTH_LIMIT: Final = 20
 _NESTING_LIMIT: Final = 60
 _WRITES_FIRST: Final = frozenset(
     {
@@ -128,20 +127,20 @@ class Interpreter:
     def _steps_of(self, folder: str, name: str, file: str) -> list[Step]:
         path = os.path.join(folder, name)  # noqa: PTH118
         if self._boundary.leads_out(path):
-            self.findings.append(Finding("RW012", "The link leads out of the sources: it is not read.", Place(file)))
+            self.findings.append(Finding("RW012", "The link leads out of the sources. It was not read.", Place(file)))
             return []
-        data = read_bytes(path, file, _FILE_LIMIT)
+        data = read_bytes(path, file, limits.CMAKE_FILE)
         if isinstance(data, Finding):
             self.findings.append(Finding("RW008", data.message, data.place))
             return []
         commands, problem = parse_cmake(data.decode("utf-8-sig", "replace").replace(HOLE, "\ufffd"))
         if problem is not None:
-            message = f"{problem[0]} What follows in this file is not read."
+            message = f"{problem[0]} The rest of this file was not read."
             self.findings.append(Finding("RW008", message, Place(file, problem[1])))
         steps, too_deep = blocks(commands, _NESTING_LIMIT)
         if too_deep is not None:
             self.findings.append(
-                Finding("RW008", "This block is nested too deeply to be read.", Place(file, too_deep.line))
+                Finding("RW008", "This block is nested too deeply. It was not read.", Place(file, too_deep.line))
             )
         return steps
 
@@ -150,8 +149,8 @@ class Interpreter:
         for step in steps:
             command = step.opening if isinstance(step, Block) else step
             self._steps += 1
-            if self._steps > _STEP_LIMIT or depth > _DEPTH_LIMIT or self.files.exhausted:
-                self.doubt("This project is too large to read its build description whole.", command)
+            if self._steps > _STEP_LIMIT or depth > limits.CMAKE_DEPTH or self.files.exhausted:
+                self.doubt("The build description of this project is too large to be read completely.", command)
                 self._steps = _STEP_LIMIT + 1
                 return "return"
             if isinstance(step, Block):

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Iterable
 from typing import Final, final
 
-from rosward.source.cmake.text import Argument
+from rosward.source.cmake.text import CMakeArgument
 
 HOLE: Final = "\0"
 """Stands in a value for what is not known; no text of a description holds one (`text.py` reads none)."""
@@ -79,7 +79,7 @@ class Variables:
         self._spent(len(value) // 1000)
         self.values[name] = value if len(value) <= _VALUE_LIMIT else ""
 
-    def expand(self, arguments: Iterable[Argument]) -> list[str]:
+    def expand(self, arguments: Iterable[CMakeArgument]) -> list[str]:
         """The arguments with variables put in; what is not quoted falls apart at its semicolons."""
         result: list[str] = []
         for argument in arguments:

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How precisely is a process followed, and when is that given up, so that what computes much comes to rest?
+
+Loops have turns and steps of their own, callbacks steps of their own. Where they are spent, precision is given up (`coarse`): loops are joined
+at once, calls of one function share a context. `budget.py` says how much each may take.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, final
+
+from rosward.engine.budget import Budget, LimitReachedError
+
+if TYPE_CHECKING:
+    from rosward.effects.log import Execution
+    from rosward.engine.frame import Frame, Snapshot
+    from rosward.ir.ops import Op
+    from rosward.ir.program import OpKey
+
+
+@final
+class Precision:
+    """The steps and turns that were spent, and what that means for those to come."""
+
+    __slots__ = (
+        "_always_coarse",
+        "_begun",
+        "_coarse_limit",
+        "_heavy",
+        "_in_callbacks",
+        "budget",
+        "coarse",
+        "deadline",
+        "fixpoints",
+        "heads",
+        "loop_limit",
+        "loops",
+        "spent",
+        "step_limit",
+        "steps",
+        "turns",
+    )
+
+    def __init__(self, budget: Budget) -> None:
+        self.budget = budget
+        self.steps = 0
+        self.step_limit = budget.steps
+        self.coarse = False  # precision is given up: too many steps were spent
+        self.loop_limit = int(
+            budget.steps * budget.coarse
+        )  # behind it precision is given up, until the outermost loop ends
+        self.deadline = time.thread_time() + budget.seconds
+        self.fixpoints = 0  # how many loops are being followed to a fixpoint
+        self.loops = 0  # how many loops are running
+        self.turns = 0  # turns followed one by one since the outermost of them began
+        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
+        self.spent = 0  # steps of all callbacks, but for those that are running
+        self._begun = 0  # how many steps there were when these began
+        self._in_callbacks = False
+        self._always_coarse = False  # the callback that is running took too many steps when it ran before
+        self._coarse_limit = self.loop_limit  # the same, outside of all loops
+        self._heavy: set[OpKey] = set()  # the outermost loops that took too many steps
+
+    def spend(self, steps: int, where: Execution) -> None:
+        """Something takes as long as this many steps; raises where there are fewer left."""
+        self.steps += steps
+        if self.steps > self.step_limit:
+            raise LimitReachedError(f"more than {self.step_limit} steps", where.place)
+
+    def check_time(self, where: Execution) -> None:
+        """Raise where the process has used up its time."""
+        if time.thread_time() > self.deadline:
+            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", where.place)
+
+    # Loops
+
+    def begin_loop(self, op: Op, frame: Frame) -> None:
+        """A loop begins: an outermost one has turns and steps of its own, before precision is given up."""
+        if not self.loops:
+            self.turns = 0
+            self.loop_limit = min(self._coarse_limit, self.steps + self.budget.loop_steps)
+            self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
+        self.loops += 1
+
+    def end_loop(self, op: Op, frame: Frame) -> None:
+        """A loop has ended."""
+        self.loops -= 1
+        if not self.loops:
+            if self.coarse and not self._always_coarse:
+                self._heavy.add((frame.code.key, op.number))
+                self._always_coarse = self._in_callbacks  # until the callback ends
+            if not self._in_callbacks:  # what follows in the main body has its part of what is left
+                left = int((self.step_limit - self.steps) * self.budget.coarse)
+                self._coarse_limit = max(self._coarse_limit, self.steps + left)
+            self.loop_limit = self._coarse_limit
+            self.coarse = self._always_coarse or self.steps > self._coarse_limit
+
+    # Callbacks
+
+    @contextmanager
+    def callbacks(self) -> Iterator[None]:
+        """Callbacks run within: they are in no loop of the main body, which keeps the steps that it has left."""
+        loops, fixpoints, coarse = self.loops, self.fixpoints, self.coarse
+        limits = self.step_limit, self._coarse_limit, self.loop_limit
+        self.loops = self.fixpoints = 0
+        self._in_callbacks, self._begun = True, self.steps
+        try:
+            yield
+        finally:
+            spent = self.steps - self._begun
+            self.spent += spent
+            self._in_callbacks = False
+            self.loops, self.fixpoints, self.coarse = loops, fixpoints, coarse
+            self.step_limit, self._coarse_limit, self.loop_limit = (limit + spent for limit in limits)
+
+    @property
+    def spent_in_callbacks(self) -> int:
+        """The steps of all callbacks, while they run."""
+        return self.spent + self.steps - self._begun
+
+    def begin_callback(self, *, coarse: bool) -> int:
+        """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for."""
+        self.loops = self.fixpoints = 0
+        self.step_limit = self.steps + self.budget.entry_steps
+        self.coarse = self._always_coarse = coarse
+        self._coarse_limit = self.loop_limit = self.steps + self.budget.entry_coarse
+        return len(self._heavy)
+
+    def end_callback(self, heavy: int) -> bool:
+        """A callback has ended: whether it took too many steps to be followed as precisely again."""
+        self._always_coarse = False
+        return self.coarse or len(self._heavy) > heavy

@@ -1,0 +1,397 @@
+# SPDX-License-Identifier: Apache-2.0
+"""May Python itself raise an exception in an operation, for the operands that it has?
+
+self.topic = 'a'          no: an object of a class of the program, without properties and slots
+self.limit / count        yes, where count is not known
+check(self)               what check does says so itself, operation by operation
+
+The answer is a level (see `catcher.py`), 0 where it surely does not fail. What fails for sure, or for some alternatives, is told by the model
+of the operation; a call of code that is not known tells it itself.
+"""
+
+from __future__ import annotations
+
+import builtins
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.domain.values import (
+    NONE,
+    UNBOUND,
+    BoundMethod,
+    Choice,
+    Class,
+    Const,
+    External,
+    Function,
+    ModuleValue,
+    Native,
+    Partial,
+    Ref,
+    Text,
+    TooManyPartsError,
+    Tuple,
+    Value,
+)
+from rosward.engine.python import attributes
+from rosward.engine.throwing import note
+from rosward.ir import ops
+from rosward.models.python.exceptions import member_of
+
+if TYPE_CHECKING:
+    from rosward.engine.frame import Frame
+    from rosward.engine.machine import Engine
+
+NEVER: Final = frozenset(
+    {
+        ops.Const,
+        ops.Move,
+        ops.StoreGlobal,
+        ops.StoreCell,
+        ops.StoreName,
+        ops.MakeFunction,
+        ops.MakeClass,
+        ops.Build,
+        ops.NewCell,
+        ops.Assume,
+        ops.Yield,  # notes itself
+        ops.Return,
+        ops.Raise,
+        ops.Break,
+        ops.Continue,
+        ops.If,
+        ops.While,
+        ops.Try,
+        ops.With,
+        ops.Import,
+    }
+)
+"""Operations that never fail, or tell it themselves."""
+_PLAIN: Final = (Const, Text, Tuple, Ref, Class, Native, Function, BoundMethod, Partial)
+_SAFE_BUILTINS: Final = frozenset(
+    [
+        "print",
+        "len",
+        "str",
+        "repr",
+        "bool",
+        "isinstance",
+        "issubclass",
+        "callable",
+        "type",
+        "id",
+        "list",
+        "tuple",
+        "dict",
+        "set",
+        "frozenset",
+        "range",
+        "enumerate",
+        "zip",
+        "super",
+        "object",
+        "hasattr",
+        "sorted",
+        "reversed",
+        "map",
+        "filter",
+        "vars",
+        "dir",
+        "locals",
+        "globals",
+        "property",
+        "staticmethod",
+        "classmethod",
+    ]
+)
+_NUMBERS: Final = frozenset(
+    [
+        "int",
+        "float",
+        "complex",
+        "bool",
+        "bytes",
+        "abs",
+        "min",
+        "max",
+        "sum",
+        "round",
+        "chr",
+        "ord",
+        "hex",
+        "oct",
+        "bin",
+        "divmod",
+        "pow",
+        "hash",
+    ]
+)
+_EVALUATED: Final = frozenset({"", "builtins", "str", "int", "float", "bytes", "list", "dict", "set", "tuple"})
+_SAFE_TYPES: Final = frozenset({"str", "list", "dict", "set", "tuple", "object", "BaseException", "BaseExceptionGroup"})
+_UNSAFE_METHODS: Final = frozenset({"pop", "popitem", "remove", "index", "format", "format_map", "encode", "update"})
+_SAFE_INTRINSICS: Final = frozenset(
+    [
+        "slice",
+        "append",
+        "set_add",
+        "dict_set",
+        "annotate",
+        "is_sequence",
+        "is_mapping",
+        "length_is",
+        "length_at_least",
+        "match_args",
+        "exception",
+        "doc",
+        "isinstance",
+        "hasattr",
+    ]
+)
+
+
+def run_noting(machine: Engine, block: ops.Block, frame: Frame) -> bool:
+    """Interpret a block inside a try: from each operation that may fail the state may reach the handlers."""
+    table = machine.language.table
+    for op in block:
+        cls = op.__class__
+        if cls not in NEVER:
+            level = may_fail(machine, op, frame)
+            if level:
+                note(machine, level)
+        try:
+            if table[cls](machine, op, frame) is False:
+                return False
+        except TooManyPartsError:
+            machine.give_up_value(op, frame)
+    return True
+
+
+def may_fail(machine: Engine, op: ops.Op, frame: Frame) -> int:
+    """What Python itself may raise in an operation, before it is interpreted."""
+    judge = _JUDGES.get(op.__class__)
+    return 1 if judge is None or judge(machine, op, frame) else 0
+
+
+def _load_global(machine: Engine, op: ops.LoadGlobal, frame: Frame) -> bool:
+    record = machine.at(frame.module.address)
+    found = record.attrs.get(op.name, UNBOUND)
+    return (found is UNBOUND or op.name in record.partial) and not hasattr(builtins, op.name)
+
+
+def _load_cell(machine: Engine, op: ops.LoadCell, frame: Frame) -> bool:
+    return machine.at(frame.cells[op.cell]).attrs.get("value", UNBOUND) is UNBOUND
+
+
+def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
+    return not _has(machine, frame.registers[op.obj], op.name)
+
+
+def _has(machine: Engine, value: Value, name: str) -> bool:
+    """Whether a value surely has an attribute."""
+    cls = value.__class__
+    if cls is Ref:
+        obj = machine.obj(value)  # type: ignore[arg-type]
+        if obj.kind != "instance":
+            return True
+        own = obj.attrs.get(name, UNBOUND)
+        if own is not UNBOUND and not obj.many and name not in obj.partial:
+            return True
+        return attributes.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
+    if cls is ModuleValue:
+        record = machine.at(value.address)  # type: ignore[attr-defined]
+        return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
+    if cls is Class:
+        return attributes.lookup(machine, value, name) is not None or name.startswith("__")
+    if cls is Choice:
+        return all(_has(machine, o, name) for o in value.options)  # type: ignore[attr-defined]
+    if cls is Const:
+        return hasattr(value.value, name)  # type: ignore[attr-defined]
+    return cls in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
+
+
+def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
+    target = frame.registers[op.obj]
+    if op.narrowing or target.__class__ in (Class, ModuleValue, Function):
+        return False
+    if target.__class__ is not Ref:
+        return True
+    cls = machine.obj(target).cls
+    if cls.__class__ is not Class:
+        return not attributes.is_builtin_exception(cls)
+    return (
+        attributes.lookup(machine, cls, "__slots__") is not None or attributes.lookup(machine, cls, op.name) is not None
+    )
+
+
+def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool:
+    value, index = frame.registers[op.obj], frame.registers[op.index]
+    if index.__class__ is not Const:
+        return True
+    if value.__class__ in (Tuple, Class) or (value.__class__ is Const and isinstance(value.value, str)):
+        return False  # where it fails, the operation says so
+    if value.__class__ is not Ref:
+        return True
+    obj = machine.obj(value)
+    if obj.many:
+        return True
+    if obj.kind == "dict":
+        return obj.rest is not None or index in obj.maybe
+    return obj.kind != "list" or obj.items is None
+
+
+def _store_item(machine: Engine, op: ops.StoreItem, frame: Frame) -> bool:
+    value, index = frame.registers[op.obj], frame.registers[op.index]
+    return not (value.__class__ is Ref and machine.obj(value).kind == "dict" and index.__class__ in (Const, Text))
+
+
+def _delete(machine: Engine, op: ops.Delete, frame: Frame) -> bool:
+    del machine
+    return op.kind != "local" or frame.registers[op.obj] is UNBOUND
+
+
+def _plain(*values: Value) -> bool:
+    """Whether values are known ones, without alternatives."""
+    return all(v.__class__ in (Const, Text, Tuple) for v in values)
+
+
+def _binary(_machine: Engine, op: ops.Binary, frame: Frame) -> bool:
+    return not _plain(frame.registers[op.left], frame.registers[op.right])
+
+
+def _unary(_machine: Engine, op: ops.Unary, frame: Frame) -> bool:
+    return op.operator != "not" and not _plain(frame.registers[op.src])
+
+
+def _compare(_machine: Engine, op: ops.Compare, frame: Frame) -> bool:
+    if op.operator in ("is", "is-not", "==", "!="):
+        return False
+    right = frame.registers[op.right]
+    if op.operator in ("in", "not-in"):
+        return right.__class__ not in (Tuple, Ref, Text) and not (right.__class__ is Const and right != NONE)
+    return not _plain(frame.registers[op.left], right)
+
+
+def _format(_machine: Engine, op: ops.Format, frame: Frame) -> bool:
+    return any(
+        not isinstance(part, str) and part[2] != ops.NO_REGISTER and not _plain(frame.registers[part[0]])
+        for part in op.parts
+    )
+
+
+def _unpack(machine: Engine, op: ops.Unpack, frame: Frame) -> bool:
+    value = frame.registers[op.src]
+    if value.__class__ is Ref and machine.obj(value).kind == "list":
+        items = machine.obj(value).items
+        return items is None or len(items) != len(op.dsts) or op.star != ops.NO_REGISTER
+    return not (value.__class__ is Tuple and len(value.items) == len(op.dsts) and op.star == ops.NO_REGISTER)
+
+
+def _intrinsic(_machine: Engine, op: ops.Intrinsic, _frame: Frame) -> bool:
+    return op.name not in _SAFE_INTRINSICS
+
+
+def _for_each(machine: Engine, op: ops.ForEach, frame: Frame) -> bool:
+    value = frame.registers[op.iterable]
+    if value.__class__ is Ref:
+        return machine.obj(value).kind not in ("list", "set", "dict", "generator")
+    return value.__class__ is not Tuple and not _plain(value) and value.__class__.__name__ != "Range"
+
+
+def _call(machine: Engine, op: ops.Call, frame: Frame) -> bool:
+    given: list[Value] = []
+    for argument in op.arguments:
+        value = frame.registers[argument.register]
+        if argument.kind in ("star", "doublestar"):
+            if not _is_exact(machine, value):
+                return True
+            given.extend(value.items if value.__class__ is Tuple else _elements(machine, value))
+        else:
+            given.append(value)
+    return _callee(machine, frame.registers[op.func], given)
+
+
+def _elements(machine: Engine, value: Value) -> list[Value]:
+    obj = machine.obj(value)  # type: ignore[arg-type]
+    return [*(obj.items or ()), *obj.entries.values()]
+
+
+def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
+    """Whether a call may fail by itself. A function of the program says so where it is interpreted."""
+    cls = function.__class__
+    if cls is BoundMethod:
+        return _callee(machine, function.function, [function.receiver, *arguments])  # type: ignore[attr-defined]
+    if cls is Partial:
+        return _callee(machine, function.function, [*function.arguments, *arguments])  # type: ignore[attr-defined]
+    if cls is Function:
+        return False
+    if cls is Class:
+        return any(b.__class__ not in (Class, Native) for b in function.mro)  # type: ignore[attr-defined]
+    if cls is Choice:
+        return any(_callee(machine, o, arguments) for o in function.options)  # type: ignore[attr-defined]
+    if cls is Native:
+        return _native(machine, function.name, arguments)  # type: ignore[attr-defined]
+    if cls is External:
+        return not function.name.startswith("_rosward.")  # type: ignore[attr-defined]
+    return cls is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None  # type: ignore[arg-type]
+
+
+def _known(machine: Engine, value: Value) -> bool:
+    """Whether all that a builtin asks of a value is known."""
+    if value.__class__ is Tuple:
+        return all(_known(machine, v) for v in value.items)
+    return _is_exact(machine, value) if value.__class__ is Ref else value.__class__ is Const
+
+
+def _is_exact(machine: Engine, value: Value) -> bool:
+    """Whether a value is a tuple, or a list, set or dict of which all elements are known."""
+    if value.__class__ is not Ref:
+        return value.__class__ is Tuple
+    obj = machine.obj(value)
+    if obj.kind not in ("list", "dict", "set") or obj.many:
+        return False
+    return obj.items is not None and obj.rest is None and not obj.maybe
+
+
+def _is_generator(machine: Engine, arguments: list[Value]) -> bool:
+    first = arguments[0] if arguments else NONE
+    return first.__class__ is Ref and machine.obj(first).kind == "generator"
+
+
+def _native(machine: Engine, name: str, arguments: list[Value]) -> bool:
+    head, _, method = name.rpartition(".")
+    if head == "generator" or (method == "next" and _is_generator(machine, arguments)):
+        return False  # what it raises is followed
+    if (
+        head in _EVALUATED
+        and (method in _NUMBERS or head not in ("", "builtins"))
+        and all(_known(machine, a) for a in arguments)
+    ):
+        return False  # where it fails, it says so
+    if head in ("", "builtins") and attributes.is_builtin_exception(Native(f"builtins.{method}")):
+        return False
+    if head in ("", "builtins"):
+        safe = method in _SAFE_BUILTINS
+    else:
+        safe = head in _SAFE_TYPES and method not in _UNSAFE_METHODS
+    return not safe or any(
+        a.__class__ not in _PLAIN and method not in ("print", "str", "repr", "isinstance") for a in arguments
+    )
+
+
+_JUDGES: Final[dict[type[ops.Op], Callable[[Any, Any, Any], bool]]] = {
+    ops.LoadGlobal: _load_global,
+    ops.LoadCell: _load_cell,
+    ops.LoadAttr: _load_attr,
+    ops.StoreAttr: _store_attr,
+    ops.LoadItem: _load_item,
+    ops.StoreItem: _store_item,
+    ops.Delete: _delete,
+    ops.Binary: _binary,
+    ops.Unary: _unary,
+    ops.Compare: _compare,
+    ops.Format: _format,
+    ops.Unpack: _unpack,
+    ops.Intrinsic: _intrinsic,
+    ops.ForEach: _for_each,
+    ops.Call: _call,
+}

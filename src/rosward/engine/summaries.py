@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is remembered of calls: what each gave, and one summary for all calls of a recursion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, final
+
+from rosward.domain.values import UNBOUND, Value
+
+if TYPE_CHECKING:
+    from rosward.domain.state import State
+    from rosward.engine.catcher import Catcher
+
+
+@final
+class Summary:
+    """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
+
+    __slots__ = ("after", "before", "catcher", "registers", "value")
+
+    def __init__(self, registers: list[Value], before: State) -> None:
+        self.registers = registers
+        self.before = before
+        self.value: Value = UNBOUND
+        self.after: State | None = None
+        self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
+
+    @property
+    def seen(self) -> tuple[object, ...]:
+        """What must not change any more."""
+        after = self.after.version if self.after is not None else -1
+        return (tuple(self.registers), self.before.version, self.value, after)
+
+
+@final
+class Summaries:
+    """What one process remembers of its calls."""
+
+    __slots__ = ("finished", "large", "memo", "provisional", "running")
+
+    def __init__(self) -> None:
+        self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
+        self.running: dict[object, Summary] = {}  # of recursions that are being solved
+        self.finished: dict[object, Summary] = {}  # of recursions and large functions; in coarse mode only
+        self.provisional = 0  # how often an unfinished summary of a recursion was read
+        self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops

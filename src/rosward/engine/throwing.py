@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""An exception is raised, or may be: which running `try` or `with` is told, and what where there is none?"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Unknown, Value
+from rosward.engine.catcher import ANYTHING, LIBRARY, OPERATION, Catcher
+from rosward.models.failures import tell_uncaught
+from rosward.models.python.plain import EXCEPTION_HINT
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+
+def note(machine: Engine, level: int = OPERATION) -> None:
+    """An exception that is not known may be raised here: tell the innermost try."""
+    if machine.catchers:
+        machine.noted = max(machine.noted, level)
+        machine.catchers[-1].note(machine, level)
+
+
+def note_call(machine: Engine) -> None:
+    """Unknown code runs here: it may raise what it likes, and an import in it may fail."""
+    if machine.catchers:
+        note(machine, ANYTHING if machine.trace.handed or machine.schedule_book.by_library else LIBRARY)
+        machine.catchers[-1].importing = True
+
+
+def note_import(machine: Engine) -> None:
+    """An ImportError may be raised here: of a module that is not among the sources."""
+    if machine.catchers:
+        note(machine, LIBRARY)
+        machine.catchers[-1].importing = True
+
+
+def unseen(machine: Engine) -> Unknown:
+    """An exception that Python or a library may have raised, as the program sees it."""
+    return machine.unknown(Cause.LIVE, "exception", EXCEPTION_HINT)
+
+
+def is_unseen(exception: Value) -> bool:
+    """Whether a value is such an exception. Where it is raised again, that does not count as an end of the program."""
+    return exception.__class__ is Unknown and exception.hint == EXCEPTION_HINT
+
+
+def throw(machine: Engine, exception: Value) -> None:
+    """An exception is raised here. Where it surely is, the path ends behind; else it goes on."""
+    machine.raised += 1
+    known = [o for o in options(exception) if not is_unseen(o)]
+    if len(known) < len(options(exception)):
+        note(machine, LIBRARY)
+    if not known:
+        return
+    exception = join_all(known)
+    if machine.catchers:
+        machine.catchers[-1].arrive(machine, exception, machine.state)
+    else:
+        tell_uncaught(machine, exception)
+        machine.log.ends_early(machine)
+        machine.uncaught(exception)
+
+
+def rethrow(machine: Engine, inner: Catcher) -> None:
+    """What leaves a call by exceptions reaches the `try` around it; the machine's state is left as it is."""
+    if machine.catchers and inner.level:
+        machine.catchers[-1].take_over(machine, inner)
+        machine.noted = max(machine.noted, inner.level)
+    here = machine.state
+    for exception, snapshot in inner.arrivals.items():
+        machine.state = snapshot.state.copy()
+        throw(machine, exception)
+    machine.state = here

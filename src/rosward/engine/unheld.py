@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which messages does nothing hold any more, when the callbacks run once more?
+
+def on_timer(self):
+    msg = String()           the message of the last time is gone: here is one new message, not one of several
+    self.pub.publish(msg)
+def on_scan(self, msg):
+    self.last = msg          held: the next one that arrives is another one beside it
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.memory import SHIFT
+from rosward.domain.suspended import Suspension
+from rosward.domain.values import (
+    BoundMethod,
+    Choice,
+    Const,
+    Descriptor,
+    External,
+    Function,
+    Native,
+    Partial,
+    Ref,
+    Super,
+    Text,
+    Tuple,
+    Unknown,
+    Value,
+)
+
+if TYPE_CHECKING:
+    from rosward.engine.frame import Frame
+    from rosward.engine.machine import Engine
+    from rosward.engine.scheduled import Scheduled
+
+ARRIVING: Final = ("message", "service")
+"""Events with which new messages arrive as arguments."""
+_LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
+
+
+def unheld_messages(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame]) -> set[int]:
+    """The addresses of messages that nothing refers to: no other object, no frame of the main body, no callback but the one that gets them."""
+    if machine.advancing:
+        return set()  # generators that are running hold values elsewhere
+    held: set[int] = set()
+    inside: dict[int, list[Ref]] = {}  # what messages themselves hold
+    for address, obj in machine.state.heap.items():
+        found = list(_held_by(obj))
+        if obj.kind == "instance" and obj.cls.__class__ is External:
+            inside[address] = found
+        else:
+            held.update(r.address for r in found)
+    if not inside:
+        return set()
+    arriving: Counter[int] = Counter()
+    for entry in entries:
+        for ref in _refs((entry.callback, *(entry.args or ()))):
+            arriving[ref.address] += 1 if entry.event in ARRIVING else 2
+        held.update(r.address for obj in _only_there(machine, entry) for r in _held_by(obj))
+    held.update(address for address, count in arriving.items() if count > 1)
+    for frame in frames:
+        held.update(r.address for r in _refs(frame.registers))
+        held.update(r.address for r in _refs((frame.exits.value,)))
+    held.update(r.address for r in _refs(machine.trace.handed))
+    work = [address for address in inside if address in held]
+    while work:
+        for ref in inside[work.pop()]:
+            if ref.address in inside and ref.address not in held:
+                held.add(ref.address)
+                work.append(ref.address)
+    return inside.keys() - held
+
+
+def _only_there(machine: Engine, entry: Scheduled) -> Iterator[Obj]:
+    """The objects that a callback finds as they were when it was registered: those that are not here."""
+    ours = machine.state.heap.pages
+    for number, page in entry.state.heap.pages.items():
+        if ours.get(number) is not page:
+            for offset, obj in enumerate(page):
+                if obj is not None and machine.state.heap.get((number << SHIFT) + offset) is None:
+                    yield obj
+
+
+def _held_by(obj: Obj) -> Iterator[Ref]:
+    """What an object refers to."""
+    yield from _refs(obj.attrs.values())
+    if obj.kind == "instance":
+        return
+    if obj.items:
+        yield from _refs(obj.items)
+    if obj.rest is not None:
+        yield from _refs((obj.rest,))
+    if obj.entries:
+        yield from _refs(obj.entries)
+        yield from _refs(obj.entries.values())
+    if obj.rest_key is not None:
+        yield from _refs((obj.rest_key,))
+    if obj.ends is not None:
+        yield from _refs((*obj.ends.head, *obj.ends.tail))
+    if obj.payload.__class__ is Alternatives:
+        yield from _refs(value for value, _ in obj.payload.elements)
+    if isinstance(obj.payload, Ref):
+        yield obj.payload
+    if isinstance(obj.payload, Suspension):
+        for point, values in obj.payload.points.items():
+            yield from _refs((point.function, *values))
+
+
+def _refs(values: Iterable[Value]) -> Iterator[Ref]:
+    """The references in values."""
+    for value in values:
+        cls = value.__class__
+        if cls in _LEAVES:
+            continue
+        if cls is Ref:
+            yield value  # type: ignore[misc]
+        elif isinstance(value, Choice):
+            yield from _refs(value.options)
+        elif isinstance(value, Tuple):
+            yield from _refs(value.items)
+        elif isinstance(value, BoundMethod):
+            yield from _refs((value.receiver, value.function))
+        elif isinstance(value, Partial):
+            yield from _refs((value.function, *value.arguments, *(v for _, v in value.keywords)))
+        elif isinstance(value, Function):
+            yield from _refs((*value.defaults, *(v for _, v in value.kwdefaults)))
+        elif isinstance(value, Super):
+            yield from _refs((value.receiver,))
+        elif isinstance(value, Descriptor):
+            yield from _refs(v for v in (value.getter, value.setter, value.deleter) if v is not None)
+
+
+def arrive(machine: Engine, entry: Scheduled) -> None:
+    """Messages arrive with which a callback is called: new ones, or further ones beside those that are still held."""
+    for argument in entry.args or ():
+        if argument.__class__ is not Ref or entry.event not in ARRIVING:
+            continue
+        new = entry.state.heap.get(argument.address)
+        if new is not None and new.cls.__class__ is External:
+            machine.place_anew(argument.address, new.replace(many=False))
