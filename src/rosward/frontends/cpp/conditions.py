@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final, final
+from typing import Final, Protocol, final
 
 from rosward.frontends.cpp.macros import Expansion, Macros, TooMuchError
 from rosward.frontends.cpp.tokens import is_name, tokens
@@ -42,20 +42,17 @@ _OPERATIONS: Final[Mapping[str, Callable[[int, int], int | None]]] = {
 }
 
 
-class Asked:
+class Asked(Protocol):
     """What conditions ask beside macros."""
 
     def defined(self, name: str) -> bool | None:
         """Whether a name that no definition was seen of is defined."""
-        raise NotImplementedError
 
     def has_include(self, name: str, *, quoted: bool) -> bool | None:
         """Whether a header is there."""
-        raise NotImplementedError
 
     def call(self, name: str, arguments: Sequence[str]) -> bool | None:
         """Whether a version macro of a library holds."""
-        raise NotImplementedError
 
 
 def is_defined(name: str, macros: Macros, asked: Asked) -> bool | None:

@@ -4,23 +4,21 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Final, final
+from typing import Final, Protocol, final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.branches import Directive, begins_here, branch_ends, code_of, is_whole
-from rosward.frontends.cpp.conditions import holds, is_defined
+from rosward.frontends.cpp.conditions import Asked, holds, is_defined
 from rosward.frontends.cpp.file_text import SourceLines
 from rosward.frontends.cpp.known import macro_prefix
 from rosward.frontends.cpp.macros import Expansion, Macro, Macros, TooMuchError, definition
 from rosward.frontends.cpp.prepared import Choice, Prepared
 from rosward.frontends.cpp.registrations import registrations as registered_classes
+from rosward.frontends.cpp.store import FileStore
 from rosward.frontends.cpp.suited import suited
 from rosward.frontends.cpp.tokens import NAME, open_brackets, tokens
 from rosward.frontends.cpp.unknown import without_unknown
 from rosward.source.location import Place
-
-if TYPE_CHECKING:
-    from rosward.frontends.cpp.unit import Unit
 
 DEPTH: Final = 60
 """How deeply files may include each other, and conditions stand in each other."""
@@ -31,11 +29,27 @@ _INCLUDE: Final = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
 _CONDITIONS: Final = frozenset({"if", "ifdef", "ifndef"})
 
 
+class UnitView(Asked, Protocol):
+    """The unit that a file is read for."""
+
+    store: FileStore
+    includes: tuple[str, ...]
+    macros: Macros
+    active: set[str]
+    once: set[str]
+    prefixes: set[str]
+    budget: int
+    here: str
+
+    def visit(self, path: str, depth: int) -> frozenset[str]:
+        """Prepare a file that is included at file scope; the names in it and in what it includes."""
+
+
 @final
 class Reading:
     """One file in the course of being prepared."""
 
-    def __init__(self, unit: Unit, path: str, source: SourceLines, depth: int) -> None:
+    def __init__(self, unit: UnitView, path: str, source: SourceLines, depth: int) -> None:
         self._unit = unit
         self._path = path
         self._source = source
@@ -180,7 +194,7 @@ class Reading:
             self._tell("RW206", "Which file is included here is not known.", directive.line)
             return
         name = found[1] or found[2]
-        path = unit.preprocessor.find(name, self._path, unit.includes, found[1] is not None)
+        path = unit.store.find(name, self._path, unit.includes, found[1] is not None)
         if path is None:
             self._external[name] = None
             unit.prefixes.add(macro_prefix(name))
@@ -201,7 +215,7 @@ class Reading:
     def _in_place(self, path: str, directive: Directive) -> None:
         """The text of a file that is included within brackets, in the line of the directive."""
         unit = self._unit
-        source = unit.preprocessor.source(path)
+        source = unit.store.source(path)
         if isinstance(source, Finding) or self._depth > DEPTH or path in unit.active or path in unit.once:
             return
         unit.active.add(path)

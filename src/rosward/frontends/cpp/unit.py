@@ -7,30 +7,27 @@ src/main.cpp  includes  demo/driver.hpp  includes  demo/topics.hpp     ->   topi
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, final
+from typing import Final, final
 
 from rosward.findings import Finding
-from rosward.frontends.cpp.conditions import Asked
 from rosward.frontends.cpp.file_text import Result
 from rosward.frontends.cpp.known import DEPENDS, HEADERS, NOT_DEFINED, VERSIONS, macro_prefix
 from rosward.frontends.cpp.macros import Macros
 from rosward.frontends.cpp.prepared import Prepared
 from rosward.frontends.cpp.reading import DEPTH, Reading
+from rosward.frontends.cpp.store import FileStore
 from rosward.source.location import Place
-
-if TYPE_CHECKING:
-    from rosward.frontends.cpp.preprocess import Preprocessor
 
 _BUDGET: Final = 2_000_000
 """How many tokens macros may make in one unit, and what else takes long."""
 
 
 @final
-class Unit(Asked):
+class Unit:
     """A translation unit in the course of being prepared."""
 
-    def __init__(self, preprocessor: Preprocessor, includes: tuple[str, ...], macros: Macros) -> None:
-        self.preprocessor = preprocessor
+    def __init__(self, store: FileStore, includes: tuple[str, ...], macros: Macros) -> None:
+        self.store = store
         self.includes = includes
         self.macros = macros
         self.order: dict[str, Prepared] = {}
@@ -43,7 +40,7 @@ class Unit(Asked):
 
     def visit(self, path: str, depth: int) -> frozenset[str]:
         """Prepare a file that is included at file scope; the names in it and in what it includes."""
-        source = self.preprocessor.source(path)
+        source = self.store.source(path)
         if isinstance(source, Finding):
             self.findings.append(source)
             return frozenset()
@@ -57,14 +54,14 @@ class Unit(Asked):
             self.once.add(path)
         before = self.here
         self.active.add(path)
-        result = self.preprocessor.known(path, self.macros)
+        result = self.store.known(path, self.macros)
         if result is None:
             reading = Reading(self, path, source, depth)
             seen = dict(self.macros)
-            prepared = self.preprocessor.one(reading.prepared())
+            prepared = self.store.one(reading.prepared())
             names = frozenset().union(source.names, *reading.inner)
-            result = Result(prepared, names, self.preprocessor.looked_at(seen, names), reading.changes)
-            self.preprocessor.keep(path, result)
+            result = Result(prepared, names, self.store.looked_at(seen, names), reading.changes)
+            self.store.keep(path, result)
         else:
             self.prefixes.update(map(macro_prefix, result.prepared.external))
             for inner in result.prepared.includes:
@@ -89,13 +86,13 @@ class Unit(Asked):
 
     def has_include(self, name: str, *, quoted: bool) -> bool | None:
         """A header of the workspace or of the standard library is there; nobody knows about others."""
-        if name in HEADERS or self.preprocessor.find(name, self.here, self.includes, quoted) is not None:
+        if name in HEADERS or self.store.find(name, self.here, self.includes, quoted) is not None:
             return True
         return None
 
     def call(self, name: str, arguments: Sequence[str]) -> bool | None:
         """`RCLCPP_VERSION_GTE(28, 0, 0)` by the distro."""
-        version = VERSIONS.get(name, {}).get(self.preprocessor.distro)
+        version = VERSIONS.get(name, {}).get(self.store.distro)
         if version is None or not all(a.isdigit() for a in arguments):
             return None
         return version >= tuple(int(a[:9]) for a in arguments)
