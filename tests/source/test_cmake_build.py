@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from rosward.source.cmake.build import read_build
+from rosward.source.cmake.compile_commands import read_compile_commands
 from rosward.source.cmake.conditions import truth
 from rosward.source.cmake.generators import Meant, meant
 from rosward.source.cmake.programs import Builds, Program, Unit
@@ -148,6 +150,24 @@ def test_one_source_in_two_programs(tmp_path: Path) -> None:
     left, right = Builds.of(read(tmp_path, files)).programs("demo")
     units: set[Unit] = {*left.units, *right.units}
     assert sorted(Path(unit.path).name for unit in units) == ["a.cpp", "a.cpp", "b.cpp"]
+
+
+@pytest.mark.parametrize("where", ["compile_commands.json", "build/demo/compile_commands.json"])
+def test_what_a_build_has_left_says_more_than_the_description(tmp_path: Path, where: str) -> None:
+    command = f'c++ -DSIDE=\\"left\\" -D "A=1 2" -DB -UB -Iinc -isystem /x -o CMakeFiles/talker.dir/src/a.cpp.o -c {tmp_path}/src/a.cpp'
+    entry = {"directory": str(tmp_path), "command": command, "file": f"{tmp_path}/src/a.cpp"}
+    files = {**FILES, "package.xml": manifest("demo", "ament_cmake"), where: json.dumps([entry, 1, {}, {"file": 2}])}
+    text = "add_executable(talker src/a.cpp)\ntarget_compile_definitions(talker PRIVATE OTHER)\nadd_executable(other src/a.cpp)"
+    talker, other = Builds.of(read(tmp_path, {**files, "CMakeLists.txt": text})).programs("demo")
+    assert [(d.name, d.value) for d in talker.units[0].definitions] == [("SIDE", '"left"'), ("A", "1 2")]
+    assert talker.units[0].includes[-2:] == (str(tmp_path / "inc"), "/x")
+    assert other.units[0].definitions == ()
+
+
+@pytest.mark.parametrize("text", ["", "[", "{}", "[" * 100_000, '[{"file": "a", "command": "' + "'" * 50_001 + '"}]'])
+def test_broken_compile_commands_say_nothing(tmp_path: Path, text: str) -> None:
+    write(tmp_path, {"compile_commands.json": text})
+    assert all(not compiled.definitions for compiled in read_compile_commands([str(tmp_path)]).values())
 
 
 def test_libraries_in_a_circle(tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from typing import Final, NamedTuple, final
 
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.build import read_build
+from rosward.source.cmake.compile_commands import CompileCommands, read_compile_commands
 from rosward.source.cmake.making import SOURCE_SUFFIXES
 from rosward.source.cmake.targets import Build, Built, Definition, Made
 from rosward.source.cmake.text import parse_cmake
@@ -62,7 +63,7 @@ class Program(NamedTuple):
 class Builds:
     """What the packages of a workspace build, each read when it is asked for."""
 
-    __slots__ = ("_boundary", "_builds", "_closures", "_environment", "_functions", "_packages", "_root")
+    __slots__ = ("_boundary", "_builds", "_closures", "_compiled", "_environment", "_functions", "_packages", "_root")
 
     def __init__(
         self, packages: Iterable[Package], root: Path, boundary: Boundary, environment: Mapping[str, str]
@@ -75,6 +76,7 @@ class Builds:
         self._environment = environment
         self._builds: dict[str, Build | None] = {}
         self._functions: dict[str, dict[str, str]] = {}
+        self._compiled: CompileCommands | None = None
         self._closures: dict[tuple[str, str], tuple[tuple[str, ...], tuple[Definition, ...]]] = {}
 
     @classmethod
@@ -148,11 +150,23 @@ class Builds:
         missing: dict[str, None] = {}
         for owner, reached in self._reached(build, target, elsewhere):
             usage = self._usage(owner, reached)
-            units |= {Unit(source, *usage): None for source in reached.sources}
+            units |= {self._unit(source, reached.name, *usage): None for source in reached.sources}
             missing |= dict.fromkeys(reached.missing)
         return Program(
             build.package, name, place, tuple(units), "", "", tuple(elsewhere), tuple(missing), target.installed, target.sure
         )  # fmt: skip
+
+    def _unit(self, source: str, target: str, includes: tuple[str, ...], definitions: tuple[Definition, ...]) -> Unit:
+        """A source of a target; where a build has left how it compiled it, with the macros of that."""
+        if self._compiled is None:
+            root = os.fspath(self._root)
+            builds = [f"{root}{os.sep}build{os.sep}{name}" for name in self._packages]
+            folders = [root, *builds, *(os.fspath(package.path) for package in self._packages.values())]
+            self._compiled = read_compile_commands(dict.fromkeys(folders), self._boundary)
+        compiled = self._compiled.get((source, target))
+        if compiled is None:
+            return Unit(source, includes, definitions)
+        return Unit(source, tuple(dict.fromkeys([*includes, *compiled.includes])), compiled.definitions)
 
     def _reached(
         self, build: Build, target: Built, elsewhere: dict[str, None], *, handed: bool = False
