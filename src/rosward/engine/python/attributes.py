@@ -52,40 +52,39 @@ if TYPE_CHECKING:
 
 def load(machine: Engine, value: Value, name: str) -> Value:
     """value.name; UNBOUND where the path ends here."""
-    cls = value.__class__
-    if cls is Ref:
-        return _of_object(machine, value, name)  # type: ignore[arg-type]
-    if cls is ModuleValue:
+    if value.__class__ is Ref:
+        return _of_object(machine, value, name)
+    if value.__class__ is ModuleValue:
         if name == "__dict__":
-            return table_of(machine, value.address)  # type: ignore[attr-defined]
-        return modules.attribute(machine, value, name)  # type: ignore[arg-type]
-    if cls is Class:
-        return _of_class(machine, value, name)  # type: ignore[arg-type]
-    if cls is External:
-        return _of_external(machine, value, name)  # type: ignore[arg-type]
-    if cls is Choice:
-        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))  # type: ignore[attr-defined]
-    if cls is Unknown:
-        return _of_unknown(machine, value, name)  # type: ignore[arg-type]
-    if cls is Super:
-        return _of_super(machine, value, name)  # type: ignore[arg-type]
-    if cls is Function:
-        return _of_function(machine, value, name)  # type: ignore[arg-type]
-    if cls is BoundMethod:
+            return table_of(machine, value.address)
+        return modules.attribute(machine, value, name)
+    if value.__class__ is Class:
+        return _of_class(machine, value, name)
+    if value.__class__ is External:
+        return _of_external(machine, value, name)
+    if value.__class__ is Choice:
+        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))
+    if value.__class__ is Unknown:
+        return _of_unknown(machine, value, name)
+    if value.__class__ is Super:
+        return _of_super(machine, value, name)
+    if value.__class__ is Function:
+        return _of_function(machine, value, name)
+    if value.__class__ is BoundMethod:
         if name in ("__self__", "__func__"):
-            return value.receiver if name == "__self__" else value.function  # type: ignore[attr-defined,no-any-return]
-        return load(machine, value.function, name)  # type: ignore[attr-defined]
-    if cls is Native:
+            return value.receiver if name == "__self__" else value.function
+        return load(machine, value.function, name)
+    if value.__class__ is Native:
         if name in ("__name__", "__qualname__"):
-            return Const(value.name.rpartition(".")[2])  # type: ignore[attr-defined]
-        base = value.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+            return Const(value.name.rpartition(".")[2])
+        base = value.name.removeprefix("builtins.")
         if is_exception(base):
             return _of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
-    if cls is Descriptor:
+    if value.__class__ is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
-    if cls is Partial and name in ("func", "args"):
-        return value.function if name == "func" else Tuple(value.arguments)  # type: ignore[attr-defined]
+    if value.__class__ is Partial and name in ("func", "args"):
+        return value.function if name == "func" else Tuple(value.arguments)
     return _of_builtin(machine, value, name)
 
 
@@ -203,21 +202,20 @@ def method(machine: Engine, value: Value, name: str) -> Value | None:
 
 def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
     """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
-    kind = found.__class__
-    if kind is Function or kind is Native:
+    if found.__class__ is Function or found.__class__ is Native:
         return BoundMethod(receiver, found)
-    if kind is Descriptor:
-        if found.kind == "staticmethod":  # type: ignore[attr-defined]
-            return found.getter  # type: ignore[attr-defined,no-any-return]
-        if found.kind == "classmethod":  # type: ignore[attr-defined]
-            return BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
-        return machine.call(found.getter, (receiver,))  # type: ignore[attr-defined]
-    if kind is Choice:
-        return join_all(bind(machine, o, receiver, cls) for o in found.options)  # type: ignore[attr-defined]
-    if kind is Partial and found.function.__class__ is Native:  # type: ignore[attr-defined]
+    if found.__class__ is Descriptor:
+        if found.kind == "staticmethod":
+            return found.getter
+        if found.kind == "classmethod":
+            return BoundMethod(cls, found.getter)
+        return machine.call(found.getter, (receiver,))
+    if found.__class__ is Choice:
+        return join_all(bind(machine, o, receiver, cls) for o in found.options)
+    if found.__class__ is Partial and found.function.__class__ is Native:
         return BoundMethod(receiver, found)
-    if kind is Ref:
-        obj = machine.obj(found)  # type: ignore[arg-type]
+    if found.__class__ is Ref:
+        obj = machine.obj(found)
         getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
         if getter is not None:
             return machine.call(getter, (found, receiver, cls))

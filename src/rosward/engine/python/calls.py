@@ -110,33 +110,32 @@ def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:
 
 def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) -> Value:
     """function(*args, **keywords); UNBOUND where it never returns."""
-    cls = function.__class__
-    if cls is Function:
-        language = machine.languages[function.code.language]  # type: ignore[attr-defined]
-        return language.call_function(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is BoundMethod:
-        return call(machine, function.function, (function.receiver, *args), keywords)  # type: ignore[attr-defined]
-    if cls is Class:
-        return classes.instantiate(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is Native:
-        return call_native(machine, function.name, args, keywords)  # type: ignore[attr-defined]
-    if cls is Partial:
-        merged = {**dict(function.keywords), **keywords} if function.keywords else keywords  # type: ignore[attr-defined]
-        return call(machine, function.function, (*function.arguments, *args), merged)  # type: ignore[attr-defined]
-    if cls is Choice:
-        return _call_choice(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is External:
-        return _call_external(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is Ref:
-        return _call_object(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is Descriptor:
-        return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
-    if cls is Unknown:
+    if function.__class__ is Function:
+        language = machine.languages[function.code.language]
+        return language.call_function(machine, function, args, keywords)
+    if function.__class__ is BoundMethod:
+        return call(machine, function.function, (function.receiver, *args), keywords)
+    if function.__class__ is Class:
+        return classes.instantiate(machine, function, args, keywords)
+    if function.__class__ is Native:
+        return call_native(machine, function.name, args, keywords)
+    if function.__class__ is Partial:
+        merged = {**dict(function.keywords), **keywords} if function.keywords else keywords
+        return call(machine, function.function, (*function.arguments, *args), merged)
+    if function.__class__ is Choice:
+        return _call_choice(machine, function, args, keywords)
+    if function.__class__ is External:
+        return _call_external(machine, function, args, keywords)
+    if function.__class__ is Ref:
+        return _call_object(machine, function, args, keywords)
+    if function.__class__ is Descriptor:
+        return call(machine, function.getter, args, keywords)
+    if function.__class__ is Unknown:
         note_call(machine)
         if lost_behaviour(function):
             machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
         escape(machine, (*args, *keywords.values()), name_of(function), function)
-        return Unknown(function.reasons)  # type: ignore[attr-defined]
+        return Unknown(function.reasons)
     escape(machine, (*args, *keywords.values()), name_of(function))
     return machine.unknown(Cause.ERROR, "call of something that is not callable")
 

@@ -230,16 +230,15 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
 
 def truth(machine: Engine, value: Value) -> bool | None:
     """The truth of a value; None where both are possible."""
-    cls = value.__class__
-    if cls is Const:
-        return bool(value.value) if _settled(value) else None  # type: ignore[attr-defined]
-    if cls in _CALLABLE:
+    if value.__class__ is Const:
+        return bool(value.value) if _settled(value) else None
+    if value.__class__ in _CALLABLE:
         return True
-    if cls is Choice:
-        answers = {truth(machine, o) for o in value.options}  # type: ignore[attr-defined]
+    if value.__class__ is Choice:
+        answers = {truth(machine, o) for o in value.options}
         return answers.pop() if len(answers) == 1 else None
-    if cls is Ref:
-        obj: Obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj: Obj = machine.obj(value)
         if obj.kind == "instance":
             for name in ("__bool__", "__len__"):
                 method = special(machine, value, name)

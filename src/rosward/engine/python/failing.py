@@ -188,25 +188,24 @@ def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
 
 def _has(machine: Engine, value: Value, name: str) -> bool:
     """Whether a value surely has an attribute."""
-    cls = value.__class__
-    if cls is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         if obj.kind != "instance":
             return True
         own = obj.attrs.get(name, UNBOUND)
         if own is not UNBOUND and not obj.many and name not in obj.partial:
             return True
         return attributes.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
-    if cls is ModuleValue:
-        record = machine.at(value.address)  # type: ignore[attr-defined]
+    if value.__class__ is ModuleValue:
+        record = machine.at(value.address)
         return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
-    if cls is Class:
+    if value.__class__ is Class:
         return attributes.lookup(machine, value, name) is not None or name.startswith("__")
-    if cls is Choice:
-        return all(_has(machine, o, name) for o in value.options)  # type: ignore[attr-defined]
-    if cls is Const:
-        return hasattr(value.value, name)  # type: ignore[attr-defined]
-    return cls in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
+    if value.__class__ is Choice:
+        return all(_has(machine, o, name) for o in value.options)
+    if value.__class__ is Const:
+        return hasattr(value.value, name)
+    return value.__class__ in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
 
 
 def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
@@ -317,22 +316,21 @@ def _elements(machine: Engine, value: Value) -> list[Value]:
 
 def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
     """Whether a call may fail by itself. A function of the program says so where it is interpreted."""
-    cls = function.__class__
-    if cls is BoundMethod:
-        return _callee(machine, function.function, [function.receiver, *arguments])  # type: ignore[attr-defined]
-    if cls is Partial:
-        return _callee(machine, function.function, [*function.arguments, *arguments])  # type: ignore[attr-defined]
-    if cls is Function:
+    if function.__class__ is BoundMethod:
+        return _callee(machine, function.function, [function.receiver, *arguments])
+    if function.__class__ is Partial:
+        return _callee(machine, function.function, [*function.arguments, *arguments])
+    if function.__class__ is Function:
         return False
-    if cls is Class:
-        return any(b.__class__ not in (Class, Native) for b in function.mro)  # type: ignore[attr-defined]
-    if cls is Choice:
-        return any(_callee(machine, o, arguments) for o in function.options)  # type: ignore[attr-defined]
-    if cls is Native:
-        return _native(machine, function.name, arguments)  # type: ignore[attr-defined]
-    if cls is External:
-        return not function.name.startswith("_rosward.")  # type: ignore[attr-defined]
-    return cls is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None  # type: ignore[arg-type]
+    if function.__class__ is Class:
+        return any(b.__class__ not in (Class, Native) for b in function.mro)
+    if function.__class__ is Choice:
+        return any(_callee(machine, o, arguments) for o in function.options)
+    if function.__class__ is Native:
+        return _native(machine, function.name, arguments)
+    if function.__class__ is External:
+        return not function.name.startswith("_rosward.")
+    return function.__class__ is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None
 
 
 def _known(machine: Engine, value: Value) -> bool:

@@ -76,23 +76,22 @@ _KINDS: Final[dict[type, tuple[str, ...]]] = {
 
 def type_of(machine: Engine, value: Value) -> Value | None:
     """The class of a value; None where it is not known."""
-    kind = value.__class__
-    if kind is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         # a generator, a coroutine, what `iter` gives, a view of a dict
         return None if obj.kind == "generator" or obj.payload in (ITERATOR, VIEW) else obj.cls
-    if kind in (Const, Text, Tuple):
+    if value.__class__ in (Const, Text, Tuple):
         return Native(f"builtins.{attributes.type_name(value)}")
-    if kind is Unknown and value.hint and value.hint not in LOOSE_HINTS:  # type: ignore[attr-defined]
-        return Native(f"builtins.{value.hint}")  # type: ignore[attr-defined]
-    if kind is Class:
+    if value.__class__ is Unknown and value.hint and value.hint not in LOOSE_HINTS:
+        return Native(f"builtins.{value.hint}")
+    if value.__class__ is Class:
         return metaclass_of(machine, value)
-    if kind is Native:
-        found = getattr(builtins, value.name.removeprefix("builtins."), None)  # type: ignore[attr-defined]
+    if value.__class__ is Native:
+        found = getattr(builtins, value.name.removeprefix("builtins."), None)
         return Native("builtins.type") if isinstance(found, type) else None
-    if kind in (Function, BoundMethod, Partial):
+    if value.__class__ in (Function, BoundMethod, Partial):
         return Native("builtins.function")
-    if kind is ModuleValue:
+    if value.__class__ is ModuleValue:
         return Native("builtins.module")
     return None
 

@@ -69,19 +69,18 @@ def _build_dict(machine: Engine, op: ops.Build, registers: list[Value]) -> Value
 
 def load(machine: Engine, value: Value, index: Value) -> Value:
     """value[index]."""
-    cls = value.__class__
-    if cls is Choice:
-        several = [o for o in value.options if o != NONE] or list(value.options)  # type: ignore[attr-defined]
+    if value.__class__ is Choice:
+        several = [o for o in value.options if o != NONE] or list(value.options)
         return each_apart(machine, several, lambda option: load(machine, option, index))
-    if cls is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         if obj.kind == "instance":
             method = attributes.method(machine, value, "__getitem__")
             if method is not None:
                 return calls.call(machine, method, (index,), {})
             return machine.unknown(Cause.OPERATION, "[]")
-    if cls is Class:
-        if classes.is_enum(machine, value):  # type: ignore[arg-type]
+    if value.__class__ is Class:
+        if classes.is_enum(machine, value):
             return machine.call(Native("enum.item"), (value, index))
         of_class = metaclasses.method(machine, value, "__getitem__")
         if of_class is not None:
@@ -92,7 +91,7 @@ def load(machine: Engine, value: Value, index: Value) -> Value:
             if method is None
             else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})
         )
-    if cls in (External, Native, Function):
+    if value.__class__ in (External, Native, Function):
         return value  # a generic alias such as list[int]
     return operators.load_item(machine, value, index)
 
