@@ -15,7 +15,7 @@ import json
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from rosward.cli.shared import MODES
 from rosward.findings import RULES
@@ -55,13 +55,14 @@ def offer(parser: argparse.ArgumentParser) -> None:
         "params": FilesCompleter(("yaml", "yml")),
         "POLICY_FILE_PATH": FilesCompleter(("xml",)),
     }
+    action: Any  # argcomplete has actions with a `completer`, argparse does not
     for action in _actions(parser):
         if action.choices is None and action.dest in by_dest:
-            action.completer = by_dest[action.dest]  # type: ignore[attr-defined]
+            action.completer = by_dest[action.dest]
         elif action.metavar == "DIR":
-            action.completer = DirectoriesCompleter()  # type: ignore[attr-defined]
+            action.completer = DirectoriesCompleter()
         elif action.dest == "format" and action.metavar == "LIST":
-            action.completer = _formats  # type: ignore[attr-defined]
+            action.completer = _formats
 
 
 def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:

@@ -169,13 +169,13 @@ class _Record(Value):
     __slots__ = ()
 
     def __eq__(self, other: object) -> bool:
-        return self.__class__ is other.__class__ and tuple.__eq__(self, other)  # type: ignore[operator]
+        return self.__class__ is other.__class__ and tuple.__eq__(self, other)  # type: ignore[operator]  # it is mixed into tuples
 
     def __ne__(self, other: object) -> bool:
         return not self == other
 
     def __hash__(self) -> int:
-        return tuple.__hash__(self) ^ hash(self.__class__)  # type: ignore[arg-type]
+        return tuple.__hash__(self) ^ hash(self.__class__)  # type: ignore[arg-type]  # as above
 
 
 MAX_PARTS: Final = 20_000
@@ -187,9 +187,8 @@ class TooManyPartsError(Exception):
 
 def parts_of(value: Value) -> int:
     """How many values are in a value, itself among them, each as often as it occurs."""
-    cls = value.__class__
-    if cls is Tuple:
-        return value.parts  # type: ignore[attr-defined,no-any-return]
+    if value.__class__ is Tuple:
+        return value.parts
     if isinstance(value, Choice):
         return sum(parts_of(o) for o in value.options)
     if isinstance(value, Partial):

@@ -118,8 +118,8 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
         cls = value.__class__
         if cls in _LEAVES:
             continue
-        if cls is Ref:
-            yield value  # type: ignore[misc]
+        if value.__class__ is Ref:
+            yield value
         elif isinstance(value, Choice):
             yield from _refs(value.options)
         elif isinstance(value, Tuple):

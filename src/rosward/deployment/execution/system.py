@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Final, final
 
 from rosward.deployment import tree
@@ -79,7 +80,7 @@ class System:
             self._agenda.see(action)
             verdict = decide(action.condition, self.scene)
             if verdict.true:
-                self._by(verdict, lambda way, a=action: self._execute(a, way), at)  # type: ignore[misc]
+                self._by(verdict, partial(self._execute, action), at)
             else:
                 self._agenda.see_inside(action)
 
@@ -125,7 +126,7 @@ class System:
             message = f"Whether this is part of the launch description depends on {action.why}. Both ways are taken."
             self.scene.findings.tell("RW316", message, action.place)
             for each in action.actions:
-                self._by(Verdict(why=action.why), lambda way, a=each: self.walk((a,), way), inner)  # type: ignore[misc]
+                self._by(Verdict(why=action.why), partial(self.walk, (each,)), inner)
         elif isinstance(action, (tree.Timer, tree.OnEvent)):
             self._wait(action, inner)
         elif isinstance(action, tree.Opaque):
@@ -238,7 +239,7 @@ class System:
         paths = options(self.scene.text(action.path))
         for path in paths:
             verdict = Verdict(why="which launch file is meant") if len(paths) > 1 else Verdict(false=False)
-            self._by(verdict, lambda way, p=path: self._include_file(action, p, way), inner)  # type: ignore[misc]
+            self._by(verdict, partial(self._include_file, action, path), inner)
 
     def _include_file(self, action: tree.Include, path: Value, at: At) -> None:
         """The current launch file changes before the arguments are performed, and does not change back."""
@@ -259,7 +260,7 @@ class System:
     def _loop(self, action: tree.ForEach, at: At) -> None:
         outer = self.scene.turn
         for turn in turns(action, self.scene):
-            self._by(turn.verdict, lambda way, t=turn: self._turn(action, t, way), at)  # type: ignore[misc]
+            self._by(turn.verdict, partial(self._turn, action, turn), at)
         self.scene.turn = outer
 
     def _turn(self, action: tree.ForEach, turn: Turn, at: At) -> None:

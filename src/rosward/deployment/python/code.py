@@ -169,7 +169,8 @@ class LaunchPython:
                 self._tell("RW320", "perform() raises an exception", self._objects.place(value))
         else:
             found = NONE if value == NONE else self._context.perform(value)
-        return _as_text(found) if _as_text(found) is not None else self._machine.unknown(Cause.CALL, "perform", "str")  # type: ignore[return-value]
+        text = _as_text(found)
+        return self._machine.unknown(Cause.CALL, "perform", "str") if text is None else text
 
     def test(self, condition: Value, performer: Performer) -> Value:
         """`condition.evaluate(context)` of a class of the analysed sources, or a call of a function: a bool."""

@@ -216,5 +216,8 @@ def _plain_array(items: list[Value]) -> ParameterData:
     """A list without substitutions: numbers become float together."""
     kinds = {type(o.value) if isinstance(o, Const) else str for i in items for o in options(i)}
     if kinds == {int, float}:
-        items = [Const(float(i.value), i.origins) if isinstance(i, Const) else i for i in items]  # type: ignore[arg-type]
+        items = [
+            Const(float(i.value), i.origins) if isinstance(i, Const) and isinstance(i.value, (int, float)) else i
+            for i in items
+        ]
     return Literal(Tuple(tuple(items)))

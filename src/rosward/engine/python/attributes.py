@@ -115,13 +115,13 @@ def type_name(value: Value) -> str:
 
 def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
     kind = type_name(value)
-    if kind == "slice" and name in ("start", "stop", "step"):
-        return value[("start", "stop", "step").index(name)]  # type: ignore[index,no-any-return]
+    if isinstance(value, Slice) and name in ("start", "stop", "step"):
+        return value[("start", "stop", "step").index(name)]
     if name == "__class__":
         return Native(f"builtins.{kind}")
-    if value == NONE:
+    if isinstance(value, Const) and value == NONE:
         said = Const(f"'NoneType' object has no attribute '{name}'")
-        return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)  # type: ignore[attr-defined]
+        return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)
     if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
         return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
     return BoundMethod(value, Native(f"{kind}.{name}"))
@@ -156,7 +156,9 @@ def _of_nodes(machine: Engine, receiver: Value, name: str) -> Value | None:
 def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
     """The attribute of a class along its mro, as it stands there; None where no known class has it."""
     if cls.__class__ is not Class:
-        return _of_native_class(machine, cls.name, name) if is_builtin_exception(cls) else None  # type: ignore[attr-defined]
+        return (
+            _of_native_class(machine, cls.name, name) if isinstance(cls, Native) and is_builtin_exception(cls) else None
+        )
     perhaps: Value = UNBOUND
     for base in cls.mro:
         if base.__class__ is Class:

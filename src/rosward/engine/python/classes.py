@@ -294,8 +294,8 @@ def _hidden(constructor: Value | None) -> bool:
     )
 
 
-def _has(machine: Engine, ref: Value, cls: Class) -> bool:
-    found = machine.obj(ref).cls  # type: ignore[arg-type]
+def _has(machine: Engine, ref: Ref, cls: Class) -> bool:
+    found = machine.obj(ref).cls
     return found.__class__ is Class and cls in found.mro
 
 

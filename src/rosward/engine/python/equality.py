@@ -254,8 +254,8 @@ def truth(machine: Engine, value: Value) -> bool | None:
     return operators.truth(machine, value)
 
 
-def _settled(value: Value) -> bool:
-    return all(o.settled for o in value.origins)  # type: ignore[attr-defined]
+def _settled(value: Const) -> bool:
+    return all(o.settled for o in value.origins)
 
 
 def has_unknown_base(cls: Class) -> bool:
@@ -280,12 +280,10 @@ def may(machine: Engine, value: Value, test: str, other: Value | None, sense: bo
     return answer is None or answer is sense
 
 
-def _equal_constants(left: Value, right: Value) -> bool | None:
+def _equal_constants(left: Const, right: Const) -> bool | None:
     if not (_settled(left) and _settled(right)):
         return None
-    return bool(left.value == right.value) and (  # type: ignore[attr-defined]
-        left.value is not None or right.value is None  # type: ignore[attr-defined]
-    )
+    return bool(left.value == right.value) and (left.value is not None or right.value is None)
 
 
 def either(left: Value, right: Value) -> Value:

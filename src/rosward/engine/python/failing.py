@@ -310,7 +310,9 @@ def _call(machine: Engine, op: ops.Call, frame: Frame) -> bool:
 
 
 def _elements(machine: Engine, value: Value) -> list[Value]:
-    obj = machine.obj(value)  # type: ignore[arg-type]
+    if not isinstance(value, Ref):
+        return []
+    obj = machine.obj(value)
     return [*(obj.items or ()), *obj.entries.values()]
 
 

@@ -171,9 +171,9 @@ def _any(answers: list[bool | None]) -> bool | None:
 
 def _nominal(cls: Value, wanted: Value) -> bool | None:
     """By the bases that are written."""
-    if cls.__class__ is Native:
+    if cls.__class__ is not Class:
         return False  # of a class of Python only another one is a base
-    mro: tuple[Value, ...] = cls.mro  # type: ignore[attr-defined]
+    mro = cls.mro
     if wanted in mro:
         return True
     theirs = _python_class(wanted.name) if wanted.__class__ is Native else None

@@ -55,7 +55,8 @@ def prepare(machine: Engine, meta: Value, name: str, bases: Value, keywords: dic
     found: dict[str, Value] = {}
     for option in options(made):
         if isinstance(option, Ref) and machine.obj(option).kind == "dict":
-            found.update({k.value: v for k, v in machine.obj(option).entries.items() if isinstance(k, Const)})  # type: ignore[misc]
+            entries = machine.obj(option).entries.items()
+            found.update({k.value: v for k, v in entries if isinstance(k, Const) and isinstance(k.value, str)})
     return found
 
 

@@ -125,7 +125,7 @@ def place_of(obj: Obj) -> Place:
     found = options(obj.attrs.get(PLACE, NONE))[0]
     if isinstance(found, Tuple):
         file, line, column = (i.value if isinstance(i, Const) else 0 for i in found.items)
-        return Place(str(file), int(line or 0), int(column or 0))  # type: ignore[arg-type]
+        return Place(str(file), *(number if isinstance(number, int) else 0 for number in (line, column)))
     return Place("", 0)
 
 

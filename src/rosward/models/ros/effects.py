@@ -88,15 +88,20 @@ def perform(machine: Machine, spec: Tuple, named: dict[str, Value]) -> None:
     if kind == "spins":
         machine.spin()
     elif kind == "creates":
-        wanted = {text_of(p.items[0]): text_of(p.items[1]) for p in spec.items[2].items}  # type: ignore[attr-defined]
+        pairs = (_items(pair) for pair in _items(spec.items[2]))
+        wanted = {text_of(role): text_of(parameter) for role, parameter in pairs}
         given = {role: named.get(wanted.get(role, "")) for role in ("name", "type", "qos", "callback")}
         node = named.get(wanted.get("node", "self"))
         create(machine, text_of(spec.items[1]), node, given["name"], given["type"], given["callback"], given["qos"])
     elif kind == "calls":
         callback = named.get(text_of(spec.items[1]))
         if callback is not None and callback != NONE:
-            args = tuple(_argument(machine, text_of(a), named) for a in spec.items[3].items)  # type: ignore[attr-defined]
+            args = tuple(_argument(machine, text_of(a), named) for a in _items(spec.items[3]))
             machine.schedule(callback, args, text_of(spec.items[2]))
+
+
+def _items(value: Value) -> tuple[Value, ...]:
+    return value.items if isinstance(value, Tuple) else ()
 
 
 def _argument(machine: Machine, wanted: str, named: dict[str, Value]) -> Value:
@@ -191,11 +196,13 @@ def _why(value: Value) -> str:
 
 def _used_as_node(machine: Machine, ref: Value) -> bool:
     """An instance of a class with a base that is not known may be a node; then it is taken to be one."""
-    obj = machine.obj(ref)  # type: ignore[arg-type]
+    if not isinstance(ref, Ref):
+        return False
+    obj = machine.obj(ref)
     cls = obj.cls
     outside = [b for b in cls.mro if isinstance(b, (External, Unknown))] if isinstance(cls, Class) else []
     if obj.kind == "instance" and outside:
-        machine.log.assumed_node(machine, ref, outside[0])  # type: ignore[arg-type]
+        machine.log.assumed_node(machine, ref, outside[0])
         return True
     return False
 

@@ -93,7 +93,7 @@ def missing(machine: Machine, obj: Obj, name: str) -> Value:
     """What a message holds under a name of which nothing is known: not a field, or one of an interface without a definition."""
     if isinstance(obj.payload, Unknown):
         return about(obj.payload, name)
-    return machine.unknown(Cause.MESSAGE, f"{obj.cls.name}.{name}")  # type: ignore[attr-defined]
+    return machine.unknown(Cause.MESSAGE, f"{_name(obj)}.{name}")
 
 
 def about(message: Unknown, name: str, hint: str = "") -> Unknown:
@@ -158,7 +158,7 @@ def opened(machine: Machine, obj: Obj) -> Obj:
     """A message that code which is not known has had in its hands: any field may hold something else."""
     if isinstance(obj.payload, Unknown) or definition_of(machine, obj.cls) is None:
         return obj
-    return obj.replace(payload=machine.unknown(Cause.MESSAGE, obj.cls.name))  # type: ignore[attr-defined]
+    return obj.replace(payload=machine.unknown(Cause.MESSAGE, _name(obj)))
 
 
 def filled(machine: Machine, ref: Ref) -> None:
@@ -175,3 +175,9 @@ def arrived(machine: Machine, cls: External, unknown: Unknown, site: str) -> Val
     if named is None or definition_of(machine, cls) is None:
         return unknown
     return machine.allocate(Obj("instance", External(named.dotted), many=True, payload=unknown), site)
+
+
+def _name(obj: Obj) -> str:
+    """The dotted name of the class of a message."""
+    assert isinstance(obj.cls, External)
+    return obj.cls.name

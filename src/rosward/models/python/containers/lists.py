@@ -8,7 +8,7 @@ names.pop(unknown)                          any of the elements; each place then
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final
+from typing import Any, Final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.heap import Obj, fields_of
@@ -217,14 +217,14 @@ def order(machine: Machine, items: Items, key: Value | None, reverse: Value | No
     if len(known) < 2:
         return items
     decided = False if reverse is None else machine.truth(reverse)
-    ranks = [comparable(machine, k) for k in keys]
+    ranks: list[Any] = [comparable(machine, k) for k in keys]  # Python says which of them it can order
     if any(k is NOT_PLAIN for k in ranks) or decided is None:
         placed = None if decided is None else _by_asking(machine, keys, reverse=decided)
         if placed is not None:
             return Items(tuple(known[n] for n in placed))
         return Items((join_all(known),) * len(known))
     try:
-        ranked = sorted(range(len(known)), key=lambda n: ranks[n], reverse=decided)  # type: ignore[arg-type,return-value]
+        ranked = sorted(range(len(known)), key=lambda n: ranks[n], reverse=decided)
     except TypeError as error:
         raise Raised("TypeError", str(error)) from error
     source = origins(*keys) if any(origins(k) for k in keys) else NO_ORIGINS

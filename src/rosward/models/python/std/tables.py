@@ -80,7 +80,7 @@ def _sections(call: NativeCall) -> Value:
         found = [value(parser.default_section, name, held) for name, held in parser.defaults().items()]
         for section in parser.sections():
             found.append(Tuple((Const(section), NONE, NONE)))
-            found += [value(section, name, held) for name, held in parser._sections[section].items()]  # type: ignore[attr-defined]
+            found += [value(section, name, held) for name, held in parser._sections[section].items()]  # type: ignore[attr-defined]  # nothing public leaves out the default section
         return Tuple(tuple(found)) if len(found) <= _MOST else NONE
 
     return lift(one, text)
