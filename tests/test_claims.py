@@ -38,7 +38,7 @@ CLAIMS: Final = {
     "RW107": (L, N),  # nobody can say more
     **dict.fromkeys(("RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW210", "RW212", "RW299"), (M, E)),
     "RW205": (K, N),  # surely not run
-    "RW209": (F, W),
+    **dict.fromkeys(("RW209", "RW213"), (F, W)),
     "RW211": (K, N),
     **dict.fromkeys(("RW301", "RW303", "RW304", "RW306", "RW308", "RW309"), (F, W)),
     "RW302": (L, W),

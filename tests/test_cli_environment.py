@@ -13,7 +13,7 @@ import pytest
 
 import rosward
 from rosward.cli import main
-from rosward.server.places import RefusedError
+from rosward.server.places import UploadRefusedError
 from rosward.server.settings import read_settings
 from rosward.source.discover import discover
 from rosward.source.surroundings import surroundings
@@ -105,7 +105,7 @@ def test_the_page_takes_it() -> None:
     assert (settings.env, settings.words()) == ((("A", "1"),), "jazzy, A=1")
     assert read_settings(settings.document()) == settings
     for wrong in ({"A B": "1"}, {"A": 1}, ["A"], {"ROS_DISTRO": "humble"}):
-        with pytest.raises(RefusedError):
+        with pytest.raises(UploadRefusedError):
             read_settings({"env": wrong})
 
 

@@ -174,6 +174,12 @@ _TABLE: Final = (
         "Something unknown may call it: make known what it is called on, or what it is called by.",
     ),
     Rule(
+        "RW213",
+        "message of the wrong type",
+        _W,
+        "The client library raises TypeError here: send the type that the entity was created with.",
+    ),
+    Rule(
         "RW299",
         "internal error",
         _E,

@@ -234,7 +234,9 @@ def _network(
     findings.update((*conflicts, *too_large))
     if not nodes:
         findings.add(Finding("RW007", "No node was found in what was read.", Place("", 0)))
-    counts = _Counts(read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed}))
+    counts = _ReadCounts(
+        read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed})
+    )
     distro = read.distro.value
     network = steps(
         lambda: connect(distro, nodes, findings, **counts._asdict(), unknown=unknown, net=read.budget.net),
@@ -246,7 +248,7 @@ def _network(
     return with_findings(network, steps.findings)
 
 
-class _Counts(NamedTuple):
+class _ReadCounts(NamedTuple):
     """How much was read."""
 
     files: int

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.cli import main
-from rosward.declaring.sketch import Seen, Sketch, is_usable
+from rosward.declaring.sketch import SeenEndpoint, Sketch, is_usable
 from rosward.declaring.source import sketch_of_source
 from rosward.declaring.write import declaration, with_declaration
 from rosward.deployment.declared.read import read_package
@@ -213,7 +213,7 @@ def test_it_can_be_printed(capsys: pytest.CaptureFixture[str]) -> None:
 
 texts = st.text(max_size=20)
 seen = st.builds(
-    Seen,
+    SeenEndpoint,
     st.sampled_from(list(ENTITY_LISTS)),
     st.one_of(texts, st.sampled_from(("/scan", "~/x", "a/b"))),
     st.one_of(texts, st.sampled_from(("std_msgs/msg/String", "std_srvs/srv/Trigger", "a/action/B", "a/srv/B_Event"))),

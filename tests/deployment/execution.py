@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.performer import Performer
 from rosward.deployment.started import Started, StartKind
-from rosward.deployment.tree import Action, Description, Substitution, Template
+from rosward.deployment.tree import Description, LaunchAction, Substitution, Template
 from rosward.domain.choice import options
 from rosward.domain.text import parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
@@ -26,7 +26,7 @@ from rosward.source.location import Place
 HERE = Place("demo/launch/main.launch.py", 1)
 UNKNOWN = Unknown((Reason(Cause.CALL, "gethostname()", HERE),), "str")
 
-Function = Callable[[Performer, Mapping[str, Value]], Sequence[Action]]
+Function = Callable[[Performer, Mapping[str, Value]], Sequence[LaunchAction]]
 
 
 def text(value: str) -> Template:
@@ -76,7 +76,7 @@ class Files:
 class Code:
     """Python launch files: what they say is given as records, functions by name."""
 
-    def __init__(self, files: Mapping[str, Sequence[Action]], functions: Mapping[str, Function]) -> None:
+    def __init__(self, files: Mapping[str, Sequence[LaunchAction]], functions: Mapping[str, Function]) -> None:
         self.files = files
         self.functions = functions
         self.findings: list[Finding] = []
@@ -92,7 +92,7 @@ class Code:
         performer: Performer,
         *,
         context: bool,  # noqa: ARG002
-    ) -> tuple[Action, ...]:
+    ) -> tuple[LaunchAction, ...]:
         if isinstance(function, Partial):
             function = function.function
         assert isinstance(function, Const)
@@ -113,10 +113,10 @@ class Run:
 
     def __init__(
         self,
-        main: str | Sequence[Action],
+        main: str | Sequence[LaunchAction],
         files: Mapping[str, str] | None = None,
         functions: Mapping[str, Function] | None = None,
-        python: Mapping[str, Sequence[Action]] | None = None,
+        python: Mapping[str, Sequence[LaunchAction]] | None = None,
         distro: Distro = Distro.JAZZY,
         limit: int = 20_000,
         **arguments: str,

@@ -13,9 +13,9 @@ from textwrap import dedent, wrap
 from rosward.deployment.markup.xml import read_xml
 from rosward.deployment.markup.yaml_file import read_yaml
 from rosward.deployment.tree import (
-    Action,
     Component,
     Condition,
+    LaunchAction,
     Literal,
     NodeKind,
     ParameterFile,
@@ -39,7 +39,7 @@ def yaml(text: str) -> str:
     return told(description.actions, [f"{f.code} {f.place.line}: {f.message}" for f in findings])
 
 
-def told(actions: tuple[Action, ...], findings: list[str]) -> str:
+def told(actions: tuple[LaunchAction, ...], findings: list[str]) -> str:
     """All lines."""
     return "\n".join([*(line for each in actions for line in lines(each, "")), *findings])
 
@@ -49,10 +49,10 @@ def expected(text: str) -> str:
     return dedent(text).strip()
 
 
-def lines(action: Action | Component, indent: str) -> Iterator[str]:
+def lines(action: LaunchAction | Component, indent: str) -> Iterator[str]:
     """One action, and below it those inside."""
     words = [f"{indent}{action.place.line}: {type(action).__name__}"]
-    below: list[Action | Component] = []
+    below: list[LaunchAction | Component] = []
     given: list[str] = []
     inner = indent + "    "
     for field in fields(action):
@@ -60,7 +60,7 @@ def lines(action: Action | Component, indent: str) -> Iterator[str]:
         default = None if field.default is MISSING else field.default
         if field.name == "place" or value in (default, ()):
             continue
-        if isinstance(value, tuple) and isinstance(value[0], (Action, Component)):
+        if isinstance(value, tuple) and isinstance(value[0], (LaunchAction, Component)):
             below += value
         elif isinstance(value, tuple) and isinstance(value[0], (ParameterTable, ParameterFile)):
             given += [f"{inner}{word}" for each in value for word in parameters(each)]

@@ -15,14 +15,14 @@ from textwrap import dedent
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment.python.code import LaunchPython
 from rosward.deployment.tree import (
-    Action,
     Condition,
     Description,
+    LaunchAction,
     Literal,
     OnEvent,
     Opaque,
+    ParameterArgument,
     ParameterFile,
-    ParameterRule,
     ParameterTable,
     Several,
     Substitution,
@@ -132,11 +132,11 @@ class Files:
         lines = self.lines(self.read(launch, file).actions, launch, "")
         return "\n".join([*lines, *(f"{f.code}: {f.message}" for f in self.python.findings)])
 
-    def lines(self, actions: Sequence[Action], launch: Launch, indent: str) -> Iterator[str]:
+    def lines(self, actions: Sequence[LaunchAction], launch: Launch, indent: str) -> Iterator[str]:
         """Actions as lines; below a function stands what it gives."""
         for action in actions:
             yield indent + " ".join([type(action).__name__, *_fields(action)])
-            inner: list[Action] = []
+            inner: list[LaunchAction] = []
             for name in ("actions", "body", "on_exit", "components"):
                 inner += getattr(action, name, ())
             if isinstance(action, Opaque):
@@ -147,7 +147,7 @@ class Files:
             yield from self.lines(inner, launch, indent + "  ")
 
 
-def _fields(action: Action) -> Iterator[str]:
+def _fields(action: LaunchAction) -> Iterator[str]:
     """What an action is given, without what it has anyway."""
     for field in fields(action):
         value = getattr(action, field.name)
@@ -171,7 +171,7 @@ def shown(value: object) -> str:
             return "{" + ", ".join(f"{shown(name)}: {shown(data)}" for name, data in entries) + "}"
         case ParameterFile(path, _, substitutions):
             return f"file {shown(path)}{' with substitutions' if substitutions else ''}"
-        case ParameterRule(name, data):
+        case ParameterArgument(name, data):
             return f"-p {shown(name)}:={shown(data)}"
         case Literal(data):
             return constant(data)

@@ -8,7 +8,7 @@ import itertools
 import pytest
 
 from rosward.deployment.declared.effects import MODELS, Declarations, declared
-from rosward.deployment.declared.shapes import Package
+from rosward.deployment.declared.shapes import PackageDeclaration
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Configuration
@@ -339,7 +339,7 @@ def test_every_declaration_is_well_formed_and_can_be_started(package: str) -> No
     known = Declarations()
     assert known.knows(package), list(known.findings)
     (shape,) = known._of(package)
-    assert isinstance(shape, Package)
+    assert isinstance(shape, PackageDeclaration)
     for distro, configuration in itertools.product(Distro, _starts()):
         for program in (*shape.executables.values(), *shape.components.values()):
             log = declared(program, configuration, HERE, known, distro)

@@ -124,7 +124,7 @@ class Trees:
             (
                 tree.ParameterTable(tuple((self.template(2), self.data()) for _ in range(2)), HERE),
                 tree.ParameterFile(self.template(), HERE, self.random.random() < 0.5),
-                tree.ParameterRule(self.template(2), self.data(), HERE),
+                tree.ParameterArgument(self.template(2), self.data(), HERE),
             )
         )
 
@@ -164,7 +164,7 @@ class Trees:
             components=(self.component(),) if self.random.random() < 0.3 else (),
         )
 
-    def action(self, depth: int = 0) -> tree.Action:
+    def action(self, depth: int = 0) -> tree.LaunchAction:
         given: dict[str, Any] = {"place": HERE, "condition": self.condition()}
         template = self.template
         what, how = self.random.choice(SCOPES)
@@ -198,7 +198,7 @@ class Trees:
                     value=template(),
                     **given,
                 ),
-                lambda: tree.Scope(what=what, how=how, configurations=self.pairs(), **given),
+                lambda: tree.ScopeChange(what=what, how=how, configurations=self.pairs(), **given),
                 lambda: tree.PushNamespace(namespace=template(), **given),
                 lambda: tree.SetRemap(source=template(), target=template(), **given),
                 lambda: tree.SetParameter(
@@ -219,10 +219,10 @@ class Trees:
             )
         )()
 
-    def inner(self, depth: int) -> tuple[tree.Action, ...]:
+    def inner(self, depth: int) -> tuple[tree.LaunchAction, ...]:
         return self.actions(depth + 1) if depth < 3 else ()
 
-    def actions(self, depth: int = 0) -> tuple[tree.Action, ...]:
+    def actions(self, depth: int = 0) -> tuple[tree.LaunchAction, ...]:
         return tuple(self.action(depth) for _ in range(self.random.randrange(1, 4 if depth else 12)))
 
 

@@ -22,7 +22,7 @@ def let(name: str, value: str) -> tree.SetConfiguration:
 
 
 def test_a_function_sees_and_changes_the_context() -> None:
-    def setup(performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def setup(performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.LaunchAction]:
         assert performer.text(var("x")) == Const("1")
         performer.set_configuration("y", Const("2"))
         return [tree.StartNode(place=HERE, executable=var("y"))]
@@ -32,7 +32,7 @@ def test_a_function_sees_and_changes_the_context() -> None:
 
 
 def test_a_handler_with_a_function() -> None:
-    def late(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def late(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.LaunchAction]:
         return [tree.StartNode(place=HERE, executable=var("x"))]
 
     handler = tree.OnEvent(place=HERE, event="process-start", function=Const("late"))
@@ -91,7 +91,7 @@ def test_a_timer_knows_its_launch_file_a_handler_does_not() -> None:
 def test_for_each(values: str) -> None:
     seen: list[str] = []
 
-    def body(_performer: Performer, kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def body(_performer: Performer, kwargs: Mapping[str, Value]) -> Sequence[tree.LaunchAction]:
         seen.append(", ".join(f"{k}={plain(v)}" for k, v in kwargs.items()))
         return [node("n")]
 
@@ -129,7 +129,7 @@ def test_a_file_that_includes_itself_twice_ends() -> None:
 
 
 def test_handlers_that_start_each_other_end() -> None:
-    def again(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def again(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.LaunchAction]:
         return [tree.OnEvent(place=HERE, event="process-exit", function=Const("again"))]
 
     run = Run([tree.OnEvent(place=HERE, event="process-exit", function=Const("again"))], functions={"again": again})
@@ -137,7 +137,7 @@ def test_handlers_that_start_each_other_end() -> None:
 
 
 def test_timers_that_start_each_other_end() -> None:
-    def again(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.Action]:
+    def again(_performer: Performer, _kwargs: Mapping[str, Value]) -> Sequence[tree.LaunchAction]:
         return [tree.Timer(place=HERE, period=text("1"), actions=(tree.Opaque(place=HERE, function=Const("again")),))]
 
     run = Run([tree.Opaque(place=HERE, function=Const("again"))], functions={"again": again})
@@ -145,7 +145,7 @@ def test_timers_that_start_each_other_end() -> None:
 
 
 def test_deep_groups_end() -> None:
-    inner: tree.Action = node("e")
+    inner: tree.LaunchAction = node("e")
     for _ in range(300):
         inner = tree.Group(place=HERE, actions=(inner,))
     assert Run([inner]).codes == ["RW201"]

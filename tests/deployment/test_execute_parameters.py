@@ -105,7 +105,7 @@ def test_a_global_parameter_is_printed_as_python_does() -> None:
 
 
 def test_a_parameter_description_is_written_as_yaml() -> None:
-    rule = tree.ParameterRule(text("x"), tree.Typed(text("5")), HERE)
+    rule = tree.ParameterArgument(text("x"), tree.Typed(text("5")), HERE)
     run = Run([tree.StartNode(place=HERE, executable=text("e"), parameters=(rule,))])
     assert [w.value for w in run.started[0].configuration.words[1:] if isinstance(w, Const)] == ["-p", "x:=5\n...\n"]
 

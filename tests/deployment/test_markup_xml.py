@@ -80,7 +80,7 @@ CASES = {
         4: SetConfiguration condition=unless[$(var <off> <false>)] name=twice value=$(var <mode>)$(var <mode>)
         5: SetConfiguration name=twice
         6: Include condition=if[true] path=$(dirname)/other.launch.py arguments=[[mode, fast], [id, 2]]
-        10: Scope what='configurations' how='reset' configurations=[[mode, $(var <mode>)]]
+        10: ScopeChange what='configurations' how='reset' configurations=[[mode, $(var <mode>)]]
         """,
     ),
     "groups, timers and loops": (
@@ -135,7 +135,7 @@ CASES = {
         6: Group scoped=False
             6: Environ condition=if[$(var <first>)] how='prepend' name=PATH value=/opt separator=:
             6: Environ condition=unless[$(var <first>)] how='append' name=PATH value=/opt separator=:
-        7: Scope what='environment' how='reset'
+        7: ScopeChange what='environment' how='reset'
         """,
     ),
     "what holds for the nodes that follow": (

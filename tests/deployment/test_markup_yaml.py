@@ -75,7 +75,7 @@ CASES = {
         """
         2: Group
             3: PushNamespace namespace=left
-            4: Scope what='environment' how='reset'
+            4: ScopeChange what='environment' how='reset'
         5: Group scoped=False configurations=[[a, b]]
             10: SetConfiguration name=a value=b
         11: Timer period=1.5
@@ -196,7 +196,7 @@ CASES = {
         3: StartNode package=demo executable=talker
         7: Group condition=if[true]
         8: SetConfiguration name=$(unknown <name>) value=$(unknown <value>)
-        10: Scope what='environment' how='reset'
+        10: ScopeChange what='environment' how='reset'
         12: SetConfiguration name=b value=c
         13: Unread why='No description of the tag <wait> is known.'
         RW320 2: Unexpected attribute 'nmae' of <node>.

@@ -24,8 +24,8 @@ ACTIONS = {
         """
         SetConfiguration name=a value=x
         SetConfiguration name=a
-        Scope what=configurations how=push
-        Scope what=configurations how=reset configurations=[[a, b]]
+        ScopeChange what=configurations how=push
+        ScopeChange what=configurations how=reset configurations=[[a, b]]
         """,
     ),
     "environment": (
@@ -36,7 +36,7 @@ ACTIONS = {
         Environ how=unset name=A
         Environ how=append name=P value=/x separator=:
         Environ how=prepend name=P value=/x separator=:
-        Scope what=environment how=pop
+        ScopeChange what=environment how=pop
         """,
     ),
     "process": (

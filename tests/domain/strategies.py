@@ -12,7 +12,7 @@ from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State
-from rosward.domain.suspended import ANY_TURN, EACH, YIELD, Point, Step, Suspension, add_points
+from rosward.domain.suspended import ANY_TURN, EACH, YIELD, PathStep, Point, Suspension, add_points
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import (
@@ -147,11 +147,11 @@ def _points(draw: st.DrawFn) -> tuple[Point, tuple[Value, ...]]:
     if where == "start":
         return Point(function, 0, (), ()), held
     if where == "plain":
-        return Point(function, 0, (), (Step(draw(st.integers(0, 2)), ""),)), held
+        return Point(function, 0, (), (PathStep(draw(st.integers(0, 2)), ""),)), held
     turn = draw(st.sampled_from((0, 1, ANY_TURN)))
     ahead = () if turn == ANY_TURN else tuple(draw(st.lists(values, max_size=2)))
     rest = draw(st.one_of(st.just(UNBOUND), values))
-    path = (Step(0, EACH, turn), Step(0, "")) if where == "loop" else (Step(1, YIELD, turn),)
+    path = (PathStep(0, EACH, turn), PathStep(0, "")) if where == "loop" else (PathStep(1, YIELD, turn),)
     return Point(function, 0, (), path), (*held, draw(references), Tuple(ahead), rest)
 
 

@@ -15,7 +15,7 @@ from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import State
-from rosward.domain.suspended import EACH, Point, Step, Suspension
+from rosward.domain.suspended import EACH, PathStep, Point, Suspension
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Tuple, Unknown, Value
 
 A, B = Const("a"), Const("b")
@@ -42,7 +42,7 @@ def _dict(*keys: Const, maybe: tuple[Const, ...] = (), rest: bool = False, key: 
 
 
 def _generator(turn: int | None, *ahead: Const, ended: bool = False) -> Obj:
-    path = () if turn is None else (Step(0, EACH, turn), Step(0, ""))
+    path = () if turn is None else (PathStep(0, EACH, turn), PathStep(0, ""))
     kept = () if turn is None else (NONE, Tuple(ahead), UNBOUND)
     point = Point(FUNCTIONS[0], 0, (), path)
     return Obj("generator", NONE, payload=Suspension({point: (NONE, NONE, *kept)}, ended=ended))

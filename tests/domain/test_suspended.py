@@ -10,13 +10,13 @@ from domain.strategies import FUNCTIONS, LOOP, suspensions
 from rosward.domain.choice import join, widen
 from rosward.domain.heap import Obj
 from rosward.domain.state import join_objects
-from rosward.domain.suspended import EACH, NO_TURN, Point, Step, Suspension, join_suspended
+from rosward.domain.suspended import EACH, NO_TURN, PathStep, Point, Suspension, join_suspended
 from rosward.domain.values import NONE, UNBOUND, Const, Tuple
 
 
 def test_covers_tells_apart() -> None:
     """The law is not empty: what lacks a point, a value, an item ahead or the end does not cover."""
-    point = Point(FUNCTIONS[0], 0, (), (Step(0, EACH, 0), Step(0, "")))
+    point = Point(FUNCTIONS[0], 0, (), (PathStep(0, EACH, 0), PathStep(0, "")))
     held = (Const(1), Const(2), NONE, Tuple((Const("a"),)), UNBOUND)
     one = Suspension({point: held})
     assert suspension_covers(one, one)
@@ -72,7 +72,7 @@ def test_too_many_turns_become_any_turn() -> None:
     """A generator that is advanced without end has finitely many points."""
     found = Suspension({})
     for turn in range(200):
-        point = Point(FUNCTIONS[0], 0, (), (Step(0, EACH, turn), Step(0, "", NO_TURN)))
+        point = Point(FUNCTIONS[0], 0, (), (PathStep(0, EACH, turn), PathStep(0, "", NO_TURN)))
         one = Suspension({point: (Const(turn), NONE, NONE, Tuple(()), Const("x"))})
         found = join_suspended(found, one)
         assert suspension_covers(found, one)

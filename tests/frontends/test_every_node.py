@@ -7,12 +7,12 @@ import ast
 
 import pytest
 
-from rosward.frontends import python_patterns
-from rosward.frontends.python_body import Body, Unit
-from rosward.frontends.python_expressions import BINARY, UNARY
-from rosward.frontends.python_module import EXPRESSIONS, STATEMENTS, lower_module
-from rosward.frontends.python_narrowing import COMPARE
-from rosward.frontends.python_symbols import collect
+from rosward.frontends.python import patterns
+from rosward.frontends.python.body import Body, Unit
+from rosward.frontends.python.expressions import BINARY, UNARY
+from rosward.frontends.python.module import EXPRESSIONS, STATEMENTS, lower_module
+from rosward.frontends.python.narrowing import COMPARE
+from rosward.frontends.python.symbols import collect
 from rosward.ir.text import code_text
 
 DEPRECATED = {"Num", "Str", "Bytes", "NameConstant", "Ellipsis", "Index", "ExtSlice", "Suite", "AugLoad", "AugStore"}
@@ -34,7 +34,7 @@ def test_expression(kind: type[ast.AST]) -> None:
 
 @pytest.mark.parametrize("kind", kinds(ast.pattern))
 def test_pattern(kind: type[ast.AST]) -> None:
-    assert kind in python_patterns.PATTERNS
+    assert kind in patterns.PATTERNS
 
 
 def test_operators() -> None:

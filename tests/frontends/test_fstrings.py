@@ -14,8 +14,8 @@ import pytest
 
 import rosward
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_fstrings import parse_with_fstrings
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.fstrings import parse_with_fstrings
+from rosward.frontends.python.module import lower_module
 
 BEFORE = "d = {'k': 'v', 'n': {'m': [1, 2]}}\nx = 'X'\nn = 3.14159\nw = 8\n"
 READ = [

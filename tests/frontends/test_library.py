@@ -15,7 +15,7 @@ from typing import Final
 import pytest
 
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
 from rosward.ir.check import check
 from rosward.ir.text import code_text
 

@@ -10,7 +10,7 @@ import warnings
 import pytest
 
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
 from rosward.ir import ops
 from rosward.ir.check import check
 from rosward.ir.program import Code, Module

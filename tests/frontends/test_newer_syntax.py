@@ -9,8 +9,8 @@ import sys
 import pytest
 
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_module import lower_module
-from rosward.frontends.python_newer import older
+from rosward.frontends.python.module import lower_module
+from rosward.frontends.python.newer import older
 
 NEWER = [
     ("type Pair = tuple[int, int]\nx = 1\n", "(    Pair)= tuple[int, int]"),

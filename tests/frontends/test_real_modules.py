@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from frontends.machine import run
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
 
 TEXT = "The quick  brown fox\n  jumps over the lazy dog. " * 4
 DATA = {"a": [1, 2.5, None, True, {"b": '\u00e9"', "c": []}]}

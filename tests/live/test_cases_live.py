@@ -35,6 +35,8 @@ NOT_RUN: Final = {
     "inputs: The content of a file": "reads a file outside of the project",
     "called_from_outside: A plugin of Webots": "Webots alone makes it",
     "called_from_outside: An environment that nothing makes": "nothing makes it",
+    "messages: Interfaces of the workspace": "its interfaces are not built",
+    "messages: What a message of the workspace does not have": "its interfaces are not built",
     "partial: A class whose parameters nobody gives": "nothing gives the arguments that it needs",
 }
 """Cases that cannot run here, and why; those that need a library of which there is no wheel are skipped with its name."""

@@ -191,7 +191,8 @@ class FakeMachine(FakeProcess):
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:  # noqa: ARG002
         self.escaped.extend(values)
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+    def schedule(self, callback: Value, args: Sequence[Value], event: str, *, answered: Value | None = None) -> None:
+        assert answered is None
         raise AssertionError((callback, args, event))
 
     def spin(self) -> None:

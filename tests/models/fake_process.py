@@ -36,6 +36,7 @@ class FakeProcess:
         self.schedule_book = NoCallbacks()
         self.asked: set[tuple[str, str, str]] = set()
         self.raised = 0
+        self.choosing = False
         self.via: str | None = None
         self.handled: Value = NONE
         self.environment: Mapping[str, Value | None] = {}

@@ -219,7 +219,8 @@ class FakeMachine(FakeProcess):
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:  # noqa: ARG002
         self.scheduled.extend(v for v in values if isinstance(v, Function) and library)
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
+    def schedule(self, callback: Value, args: Sequence[Value], event: str, *, answered: Value | None = None) -> None:
+        assert answered is None
         assert event, args
         self.scheduled.append(callback)
 

@@ -10,7 +10,7 @@ import pytest
 import rosward
 from rosward.engine.stub_files import STUBS
 from rosward.findings import Finding
-from rosward.models.facts import Facts, marked
+from rosward.models.facts import LibraryFacts, marked
 from rosward.models.ros.facts import OWN
 
 MINI_ROS = """
@@ -112,7 +112,7 @@ def test_what_is_written_down_is_what_the_marks_of_the_stubs_say() -> None:
 
 
 def test_what_marks_say(project: Path) -> None:
-    assert marked(project / "models") == Facts(
+    assert marked(project / "models") == LibraryFacts(
         node_classes=frozenset({"mini_ros.Component"}),
         node_methods=frozenset({"advertise", "every"}),
         creating=frozenset({"advertise"}),
@@ -151,7 +151,7 @@ def test_without_its_stub_nothing_is_known_of_it(project: Path) -> None:
 def test_what_cannot_be_read_says_nothing(tmp_path: Path, text: str) -> None:
     (tmp_path / "a.pyi").write_bytes(text.encode("utf-8", "surrogateescape"))
     (tmp_path / "b.pyi").write_text("@creator\ndef make(): ...\n")
-    assert marked(tmp_path) == Facts(creators=frozenset({("make", "b")}))
+    assert marked(tmp_path) == LibraryFacts(creators=frozenset({("make", "b")}))
 
 
 def test_marks_do_nothing_to_what_they_stand_on(project: Path) -> None:

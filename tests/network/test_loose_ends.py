@@ -10,7 +10,7 @@ from outputs.networks import entity, node, pub, sub
 
 from rosward.findings import Finding
 from rosward.network.connect import connect
-from rosward.network.holes import Names, may_be, may_meet
+from rosward.network.holes import NameIndex, may_be, may_meet
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.location import Place
@@ -135,4 +135,4 @@ def test_names_with_holes(one: str, other: str, meet: bool) -> None:
 def test_many_names_answer_as_each_of_them(names: list[str], asked: str) -> None:
     """But that a name without holes is not asked for itself: whoever asks knows that it is not there."""
     expected = any(may_meet(asked, name) for name in names if "*" in asked or "*" in name)
-    assert Names(names).meet(asked) is expected
+    assert NameIndex(names).meet(asked) is expected

@@ -24,7 +24,7 @@ from rosward import safe
 from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, SetParameter, Shown
+from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.documents.github import github_commands
 from rosward.outputs.documents.junit import junit_xml
 from rosward.outputs.documents.network_json import network_json
@@ -109,7 +109,7 @@ def systems_of(text: str) -> tuple[LaunchSystem, ...]:
     value, place = Shown(text, text), Place(text, 2)
     one = LaunchEntry(
         text, value, value, value, value, value, value, ((value, value),),
-        (SetParameter(text, text, value, text, place),), (value,), ((text, value),),
+        (GivenParameter(text, text, value, text, place),), (value,), ((text, value),),
         place, (Inclusion(place, text, 1),), text, True, (text,), text,
     )  # fmt: skip
     return (LaunchSystem(text, text, (one,)),)

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.findings import Finding
-from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, SetParameter, Shown
+from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
 from rosward.source.location import Place
 
@@ -33,7 +33,7 @@ ENTRIES = st.builds(
     remaps=st.lists(st.tuples(SHOWN, SHOWN), max_size=2).map(tuple),
     parameters=st.lists(
         st.builds(
-            SetParameter,
+            GivenParameter,
             kind=st.sampled_from(["global", "rule", "dict", "file"]),
             name=st.text(max_size=5),
             value=SHOWN,
@@ -80,6 +80,6 @@ def test_any_tree_is_printed(systems: list[LaunchSystem]) -> None:
 def test_every_field_is_in_the_schema() -> None:
     definitions = SCHEMA["$defs"]
     assert definitions["entry"]["required"] == list(LaunchEntry._fields)
-    assert definitions["parameter"]["required"] == list(SetParameter._fields)
+    assert definitions["parameter"]["required"] == list(GivenParameter._fields)
     assert definitions["inclusion"]["required"] == list(Inclusion._fields)
     assert definitions["system"]["required"] == list(LaunchSystem._fields)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from rosward.enclaves.widened import Widened
 from rosward.network.connect import connect
-from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, SetParameter, Shown
+from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.policies.policy import policies
 from rosward.outputs.report.document import Background, report_document
 from rosward.outputs.report.page import document_text
@@ -289,7 +289,7 @@ def test_what_launch_files_say_of_a_node() -> None:
         name=None,
         namespace=Shown("/left"),
         remaps=((Shown("scan"), Shown("/left/scan")),),
-        parameters=(SetParameter("dict", "topic", Shown("/left/scan"), "", Place("launch/robot.launch.py", 15)),),
+        parameters=(GivenParameter("dict", "topic", Shown("/left/scan"), "", Place("launch/robot.launch.py", 15)),),
         words=(),
         environment=(),
         place=start,

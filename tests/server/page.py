@@ -16,7 +16,7 @@ from typing import Any, Final, final
 from starlette.testclient import TestClient
 
 from rosward.server.app import application
-from rosward.server.job import End, Job, Step
+from rosward.server.job import Job, JobEnd, JobStep
 from rosward.server.limits import Limits
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
@@ -148,9 +148,9 @@ def opened(folder: Path, limits: Limits = DEFAULT, *, real: bool = False, names_
         yield Page(server, client, access)
 
 
-async def not_really(job: Job, tell: Callable[[Step], None]) -> End:
+async def not_really(job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
     """An analysis that finds one node in anything."""
-    tell(Step("reading", 0, 1))
+    tell(JobStep("reading", 0, 1))
     output = Path(job.output)
     (output / "policy.xml").write_text("<policy/>", encoding="utf-8")
     (output / "report.html").write_text("<p>report</p>", encoding="utf-8")
@@ -158,7 +158,7 @@ async def not_really(job: Job, tell: Callable[[Step], None]) -> End:
     (output / "network.json").write_text("{}", encoding="utf-8")
     summary = {"nodes": 1, "complete": True, "files": ["policy.xml", "report.html", "network.json"]}
     (output / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
-    return End("done")
+    return JobEnd("done")
 
 
 def packed(files: Mapping[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> bytes:

@@ -11,7 +11,7 @@ import pytest
 import rosward
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.server.examples import Example, examples, write_example
-from rosward.server.launch_files import Argument, launch_files
+from rosward.server.launch_files import OfferedArgument, launch_files
 from rosward.server.places import read_left_out
 
 SEEN = {
@@ -80,7 +80,7 @@ def test_the_launch_file_and_its_argument_can_be_chosen(tmp_path: Path) -> None:
     example = next(e for e in examples() if e.name == "robots")
     (file,) = launch_files(written(example, tmp_path), "jazzy")
     assert (file.file, file.package) == (example.settings.launch[0], "fleet_demo")
-    assert file.arguments == (Argument("robots", "left,right", (), "names, with commas between them"),)
+    assert file.arguments == (OfferedArgument("robots", "left,right", (), "names, with commas between them"),)
 
 
 def test_arguments_are_found_in_all_three_languages(tmp_path: Path) -> None:
@@ -93,8 +93,8 @@ def test_arguments_are_found_in_all_three_languages(tmp_path: Path) -> None:
     (tmp_path / "c.launch.py").write_text("def broken(:\n", encoding="utf-8")
     found = {file.file: file.arguments for file in launch_files(tmp_path, "jazzy")}
     assert found["a.launch.xml"][:2] == (
-        Argument("sim", "false", ("true", "false"), "Simulate"),
-        Argument("map", None, (), ""),
+        OfferedArgument("sim", "false", ("true", "false"), "Simulate"),
+        OfferedArgument("map", None, (), ""),
     )
-    assert found["b.launch.yaml"] == (Argument("speed", "1.0", (), ""),)
+    assert found["b.launch.yaml"] == (OfferedArgument("speed", "1.0", (), ""),)
     assert found["c.launch.py"] == ()

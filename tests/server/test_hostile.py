@@ -14,10 +14,10 @@ import pytest
 
 from rosward.server.analysis import analyse
 from rosward.server.app import application
-from rosward.server.job import End, Job, Step
+from rosward.server.job import Job, JobEnd, JobStep
 from rosward.server.jobs import Jobs
 from rosward.server.limits import Limits
-from rosward.server.results import ENDED, Results, Source
+from rosward.server.results import ENDED, AnalysedSource, Results
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server
 from rosward.server.settings import Settings
@@ -75,13 +75,13 @@ def test_streams_that_are_opened_at_once_are_counted(tmp_path: Path) -> None:
 
 
 def test_an_analysis_that_cannot_be_started_has_failed(tmp_path: Path) -> None:
-    async def run(_job: Job, _tell: Callable[[Step], None]) -> End:
+    async def run(_job: Job, _tell: Callable[[JobStep], None]) -> JobEnd:
         raise BlockingIOError(11, "Resource temporarily unavailable")
 
     async def story() -> str:
         results = Results(tmp_path, Limits(), lambda: None)
         jobs = Jobs(results, Limits(), run)
-        identifier = jobs.submit(Source("workspace", "/nowhere", "nowhere"), Settings()).id
+        identifier = jobs.submit(AnalysedSource("workspace", "/nowhere", "nowhere"), Settings()).id
         while results.all()[0].state not in ENDED:
             await asyncio.sleep(0.01)
         await jobs.close()

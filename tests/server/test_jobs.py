@@ -12,17 +12,17 @@ from pathlib import Path
 
 import pytest
 
-from rosward.server.job import End, Job, Step, read_job, read_line
+from rosward.server.job import Job, JobEnd, JobStep, read_job, read_line
 from rosward.server.jobs import Jobs
 from rosward.server.limits import Limits
-from rosward.server.places import RefusedError
-from rosward.server.results import Results, Source
+from rosward.server.places import UploadRefusedError
+from rosward.server.results import AnalysedSource, Results
 from rosward.server.settings import Settings
 from rosward.server.workers import run_job
 
 from .page import DEFAULT, TALKER
 
-SOURCE = Source("workspace", "/nowhere", "nowhere")
+SOURCE = AnalysedSource("workspace", "/nowhere", "nowhere")
 
 
 class Slow:
@@ -33,16 +33,16 @@ class Slow:
         self.most = 0
         self.go = asyncio.Event()
 
-    async def run(self, job: Job, tell: Callable[[Step], None]) -> End:
+    async def run(self, job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
         self.running += 1
         self.most = max(self.most, self.running)
-        tell(Step("reading", 1, 2))
+        tell(JobStep("reading", 1, 2))
         try:
             await self.go.wait()
         finally:
             self.running -= 1
         (Path(job.output) / "summary.json").write_text("{}", encoding="utf-8")
-        return End("done")
+        return JobEnd("done")
 
 
 async def until(state: Callable[[], bool]) -> None:
@@ -62,8 +62,8 @@ def test_two_run_and_the_others_wait(tmp_path: Path) -> None:
             jobs.submit(SOURCE, Settings())
         await until(lambda: slow.running == 2)
         assert sorted(r.state for r in results.all()) == ["running", "running", "waiting", "waiting"]
-        assert {r.step for r in results.all()} == {Step("reading", 1, 2), None}
-        with pytest.raises(RefusedError, match="waiting"):
+        assert {r.step for r in results.all()} == {JobStep("reading", 1, 2), None}
+        with pytest.raises(UploadRefusedError, match="waiting"):
             jobs.submit(SOURCE, Settings())
         slow.go.set()
         await until(lambda: all(r.state == "done" for r in results.all()))
@@ -94,7 +94,7 @@ def test_what_waits_and_what_runs_can_be_cancelled(tmp_path: Path) -> None:
 # The process
 
 
-def run(job: Job, tell: Callable[[Step], None] = lambda _: None) -> End:
+def run(job: Job, tell: Callable[[JobStep], None] = lambda _: None) -> JobEnd:
     Path(job.output).mkdir(parents=True, exist_ok=True)
     return asyncio.run(run_job(job, tell))
 
@@ -106,8 +106,8 @@ def job_of(tmp_path: Path, text: str = TALKER, limits: Limits = DEFAULT) -> Job:
 
 
 def test_it_tells_how_far_it_is_and_leaves_its_outputs(tmp_path: Path) -> None:
-    steps: list[Step] = []
-    assert run(job_of(tmp_path), steps.append) == End("done")
+    steps: list[JobStep] = []
+    assert run(job_of(tmp_path), steps.append) == JobEnd("done")
     assert list(dict.fromkeys(s.what for s in steps)) == ["reading", "analysing", "writing"]
     names = {p.name for p in (tmp_path / "result/out").iterdir()}
     assert names >= {
@@ -128,7 +128,7 @@ def test_too_little_memory_is_told(tmp_path: Path) -> None:
 
 
 def test_too_little_time_ends_it(tmp_path: Path) -> None:
-    assert run(job_of(tmp_path, limits=Limits(seconds=0.05))) == End("failed", "It took more than 0.05 seconds.")
+    assert run(job_of(tmp_path, limits=Limits(seconds=0.05))) == JobEnd("failed", "It took more than 0.05 seconds.")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
@@ -162,7 +162,7 @@ def test_a_module_of_the_current_folder_is_not_taken(tmp_path: Path, monkeypatch
     monkeypatch.chdir(tmp_path / "ws")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path / "ws"))
     monkeypatch.syspath_prepend(str(tmp_path / "ws"))
-    assert run(job) == End("done")
+    assert run(job) == JobEnd("done")
 
 
 def test_a_package_above_an_upload_is_not_looked_at(tmp_path: Path) -> None:
@@ -172,7 +172,7 @@ def test_a_package_above_an_upload_is_not_looked_at(tmp_path: Path) -> None:
     (folder / "tree").mkdir()
     (folder / "tree/talker.py").write_text(TALKER, encoding="utf-8")
     output = tmp_path / "result/out"
-    assert run(Job(str(folder / "tree"), str(output))) == End("done")
+    assert run(Job(str(folder / "tree"), str(output))) == JobEnd("done")
     assert "above" not in (output / "network.json").read_text(encoding="utf-8")
 
 
@@ -180,8 +180,8 @@ def test_a_job_and_its_lines_come_back_as_they_were() -> None:
     settings = Settings("humble", "wildcard", "node", True, ("a.launch.py",), False, (("x", "1"),))
     job = Job("/a", "/b", settings, "/c.zip", "/d.json", "/e.json", Limits(seconds=1.5))
     assert read_job(job.line()) == job
-    assert read_line(b'{"what": "reading", "done": 1, "all": 2}') == Step("reading", 1, 2)
-    assert read_line(b'{"end": "failed", "message": "x"}') == End("failed", "x")
+    assert read_line(b'{"what": "reading", "done": 1, "all": 2}') == JobStep("reading", 1, 2)
+    assert read_line(b'{"end": "failed", "message": "x"}') == JobEnd("failed", "x")
     assert [
         read_line(line) for line in (b"", b"x", b"[]", b"{}", b'{"what": 1}', b'{"what": "a", "done": "b", "all": 1}')
     ] == [None] * 6

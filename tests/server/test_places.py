@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from rosward.server.limits import Limits
-from rosward.server.places import Places, RefusedError, why_left_out
+from rosward.server.places import Places, UploadRefusedError, why_left_out
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_a_name_below_the_folder_is_taken(name: str, path: str) -> None:
     ],
 )
 def test_a_name_that_could_lead_elsewhere_is_refused(name: str) -> None:
-    with pytest.raises(RefusedError):
+    with pytest.raises(UploadRefusedError):
         Places(Limits()).add(name)
 
 
@@ -70,7 +70,7 @@ def test_a_name_that_could_lead_elsewhere_is_refused(name: str) -> None:
 def test_two_names_for_one_place_are_refused(first: str, second: str) -> None:
     places = Places(Limits())
     places.add(first)
-    with pytest.raises(RefusedError):
+    with pytest.raises(UploadRefusedError):
         places.add(second)
 
 
@@ -83,7 +83,7 @@ def test_the_number_of_files_is_bounded() -> None:
     places = Places(Limits(files=2))
     places.add("a")
     places.add("b")
-    with pytest.raises(RefusedError, match="more than 2 files"):
+    with pytest.raises(UploadRefusedError, match="more than 2 files"):
         places.add("c")
 
 

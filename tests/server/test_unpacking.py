@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from rosward.server.limits import Limits
-from rosward.server.places import LeftOut, RefusedError
+from rosward.server.places import LeftOut, UploadRefusedError
 from rosward.server.unpacking import unpack
 
 from .page import packed
@@ -30,7 +30,7 @@ def unpacked(data: bytes, tmp_path: Path, limits: Limits = SMALL) -> tuple[list[
 
 
 def refused(data: bytes, tmp_path: Path, why: str | None, limits: Limits = SMALL) -> None:
-    with pytest.raises(RefusedError, match=why):
+    with pytest.raises(UploadRefusedError, match=why):
         unpacked(data, tmp_path, limits)
     assert sorted(p.name for p in tmp_path.iterdir()) == ["tree", "upload.zip"]
 
@@ -193,7 +193,7 @@ def test_every_byte_changed_ends_in_files_or_a_refusal(tmp_path: Path) -> None:
         broken[place] ^= 0xFF
         try:
             unpacked(bytes(broken), folder)
-        except RefusedError:
+        except UploadRefusedError:
             continue
         finally:
             assert {p.name for p in folder.iterdir()} == {"tree", "upload.zip"}

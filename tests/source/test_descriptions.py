@@ -7,17 +7,17 @@ from pathlib import Path
 
 import pytest
 
-from rosward.source.entry_points import Declared, parse_entry_point, read_pyproject, read_setup_cfg
+from rosward.source.entry_points import PythonSide, parse_entry_point, read_pyproject, read_setup_cfg
 from rosward.source.setup_py import read_setup_py
 from source.trees import codes, manifest, names, read
 
 
-def described(tmp_path: Path, text: str | bytes) -> Declared:
+def described(tmp_path: Path, text: str | bytes) -> PythonSide:
     (tmp_path / "setup.py").write_bytes(text.encode() if isinstance(text, str) else text)
     return read_setup_py(str(tmp_path / "setup.py"), "setup.py")
 
 
-def commands(declared: Declared) -> list[str]:
+def commands(declared: PythonSide) -> list[str]:
     return [f"{e.name} = {e.module}:{e.function} @{e.place.line}" for e in declared.entry_points]
 
 

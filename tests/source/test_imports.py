@@ -9,17 +9,17 @@ from pathlib import Path
 import pytest
 
 from rosward.source.discover import discover
-from rosward.source.imports import ImportResolver, Resolution
+from rosward.source.imports import ImportResolver, ImportTarget
 from source.trees import file, manifest, python_package, read, setup, write
 
 
-def resolve(tmp_path: Path, files: Mapping[str, str], importer: str, name: str) -> Resolution | None:
+def resolve(tmp_path: Path, files: Mapping[str, str], importer: str, name: str) -> ImportTarget | None:
     workspace = read(tmp_path, files)
     level = len(name) - len(name.lstrip("."))
     return ImportResolver(workspace).resolve(name.lstrip("."), level, file(workspace, importer))
 
 
-def target(found: Resolution | None) -> str | None:
+def target(found: ImportTarget | None) -> str | None:
     """The file, with `?` before it for a guess; a namespace package as its name with `/`."""
     if found is None:
         return None

@@ -7,9 +7,9 @@ import ast
 
 import pytest
 
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
 from rosward.source.parameter_module import parameter_module
-from rosward.source.parameter_yaml import Check, Described, read_parameters
+from rosward.source.parameter_yaml import Check, DescribedParameter, read_parameters
 from rosward.source.yaml_nodes import LARGEST, Malformed
 
 ONE = "r:\n  a: {type: string, default_value: %s}\n"
@@ -26,9 +26,11 @@ def test_a_description_is_read_with_its_lines() -> None:
     assert library.name == "robot"
     assert library.groups == (("pid", 2),)
     assert library.parameters == (
-        Described("pid.rate", "double", 1.0, True, (Check("bounds", (0.0, 2.0)), Check("odd", (), own=True)), 3),
-        Described("id", "string", None, False, (Check("size_lt", (9,)),), 10),
-        Described("on", "bool_array", [True, False], False, (), 11),
+        DescribedParameter(
+            "pid.rate", "double", 1.0, True, (Check("bounds", (0.0, 2.0)), Check("odd", (), own=True)), 3
+        ),
+        DescribedParameter("id", "string", None, False, (Check("size_lt", (9,)),), 10),
+        DescribedParameter("on", "bool_array", [True, False], False, (), 11),
     )
 
 

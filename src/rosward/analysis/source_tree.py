@@ -7,14 +7,14 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final, final
 
-from rosward.engine.found import Found
+from rosward.engine.found import FoundModule
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
 from rosward.source.definitions import Definition
-from rosward.source.imports import ImportResolver, Resolution
+from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
@@ -118,7 +118,7 @@ class SourceTree:
             self.findings.add(Finding("RW008", message, Place(file, 1)))
             return None
 
-    def find(self, name: str, level: int, importer: str) -> Found | None:
+    def find(self, name: str, level: int, importer: str) -> FoundModule | None:
         """The module of a name as written in the file `importer`."""
         source = self._files.get(importer)
         if source is None:
@@ -128,26 +128,26 @@ class SourceTree:
             return self._launch_file(name, source) if importer in self._launch and level == 0 else None
         return self._found(found)
 
-    def _found(self, found: Resolution) -> Found | None:
+    def _found(self, found: ImportTarget) -> FoundModule | None:
         """A file that is imported under another name than its own is a module apart from that of its own name.
 
         A module that the build makes is there only if what it is made of is understood.
         """
         if found.file is None:
-            return Found(found.name, found.name, "", guess=found.guess)
+            return FoundModule(found.name, found.name, "", guess=found.guess)
         file = found.file.relative
         self._files.setdefault(file, found.file)
         if file in self._generated and self.module(file) is None:
             return None
         key = file if found.name == found.file.module else f"{found.name} in {file}"
-        return Found(found.name, key, file, guess=found.guess)
+        return FoundModule(found.name, key, file, guess=found.guess)
 
-    def in_folder(self, folder: str, name: str) -> Found | None:
+    def in_folder(self, folder: str, name: str) -> FoundModule | None:
         """The module of a name, imported from a folder below that of all sources."""
         found = self._resolver.in_folder(folder, name)
         return None if found is None else self._found(found)
 
-    def named(self, name: str) -> tuple[tuple[str, Found], ...]:
+    def named(self, name: str) -> tuple[tuple[str, FoundModule], ...]:
         """All files that a name may mean, each with the folder from which it would be imported."""
         named = [(folder, self._found(found)) for folder, found in self._resolver.named(name)]
         return tuple((folder, found) for folder, found in named if found is not None)
@@ -157,11 +157,11 @@ class SourceTree:
         source = self._files.get(file)
         return source is not None and source.package is not None and source.package.name == package
 
-    def _launch_file(self, name: str, importer: SourceFile) -> Found | None:
+    def _launch_file(self, name: str, importer: SourceFile) -> FoundModule | None:
         """A launch file that another one imports: `sys.path.append(…)` and `import rs_launch`; the only one of that name, nearest first."""
         named = [f for f in self.workspace.launch_files if f.relative.rpartition("/")[2] == f"{name}.py"]
         near = [f for f in named if f.package == importer.package] or named
-        return Found(name, near[0].relative, near[0].relative, guess=True) if len(near) == 1 else None
+        return FoundModule(name, near[0].relative, near[0].relative, guess=True) if len(near) == 1 else None
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether an interface package has an interface of that name."""

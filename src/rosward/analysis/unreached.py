@@ -21,11 +21,11 @@ from rosward.engine.escape import name_of
 from rosward.findings import Finding, Findings
 from rosward.ir import ops
 from rosward.ir.program import Code, Module, OpKey
-from rosward.models.facts import Facts
+from rosward.models.facts import LibraryFacts
 from rosward.source.location import Place
 
 
-def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: Facts) -> list[Finding]:
+def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFacts) -> list[Finding]:
     """One finding for each call that would create an entity, in a function that no process enters or in a branch that none takes."""
     entered: set[str] = set()
     reached: set[OpKey] = set()

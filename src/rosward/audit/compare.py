@@ -17,7 +17,7 @@ from rosward.audit.absence import Absence, place_of
 from rosward.audit.accepted import Accepted
 from rosward.audit.expected import Candidates, ExpectedEntities, ExpectedNodes, How, Work, fits
 from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode
-from rosward.audit.result import Audit, Counts, Difference, Tool, Unjudged
+from rosward.audit.result import Audit, AuditCounts, Difference, Tool, Unjudged
 from rosward.audit.tools import tool_of
 from rosward.findings import Finding
 from rosward.ros.entities import Entity, Node, Qos
@@ -71,8 +71,8 @@ class _Comparison:
             tools=tuple(self._tools),
             unjudged=tuple(self._unjudged),
             findings=self._graph.findings,
-            nodes=Counts(len(self._graph.nodes), self._nodes[How.NAME], self._nodes[How.PATTERN]),
-            entities=Counts(self._running, self._found[How.NAME], self._found[How.PATTERN]),
+            nodes=AuditCounts(len(self._graph.nodes), self._nodes[How.NAME], self._nodes[How.PATTERN]),
+            entities=AuditCounts(self._running, self._found[How.NAME], self._found[How.PATTERN]),
             accepted=self._accepted,
             untold=untold,
         )

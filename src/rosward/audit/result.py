@@ -12,7 +12,7 @@ from typing import NamedTuple
 from rosward.findings import Finding
 from rosward.source.location import Place
 
-__all__ = ["Audit", "Counts", "Difference", "Tool", "Unjudged", "Unseen"]
+__all__ = ["Audit", "AuditCounts", "Difference", "Tool", "Unjudged", "Unseen"]
 
 
 class Difference(NamedTuple):
@@ -48,7 +48,7 @@ class Unjudged(NamedTuple):
     place: Place
 
 
-class Counts(NamedTuple):
+class AuditCounts(NamedTuple):
     """How many are running, and how many of them the source explains: by their name, or by a name that is known in part."""
 
     running: int = 0
@@ -67,8 +67,8 @@ class Audit:
     tools: tuple[Tool, ...] = ()
     unjudged: tuple[Unjudged, ...] = ()
     findings: tuple[Finding, ...] = ()
-    nodes: Counts = field(default_factory=Counts)
-    entities: Counts = field(default_factory=Counts)
+    nodes: AuditCounts = field(default_factory=AuditCounts)
+    entities: AuditCounts = field(default_factory=AuditCounts)
     accepted: int = 0
     untold: int = 0
 

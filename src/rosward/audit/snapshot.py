@@ -49,7 +49,7 @@ _PAUSE = 0.5
 _MOST_PROBLEMS = 100
 
 
-class Item(NamedTuple):
+class SnapshotItem(NamedTuple):
     """One entity: in which list of the document it is, its name and type, and whether its topic keeps ROS's conventions for names."""
 
     kind: str
@@ -58,7 +58,7 @@ class Item(NamedTuple):
     ros_prefix: bool = True
 
 
-class Seen:
+class Sighting:
     """In how many looks something was seen, and with which QoS."""
 
     def __init__(self) -> None:
@@ -74,7 +74,7 @@ class SeenNode:
         self.asked = 0
         self.count = 1
         self.enclaves: set[str] = set()
-        self.items: dict[Item, Seen] = {}
+        self.items: dict[SnapshotItem, Sighting] = {}
 
 
 class Observer:
@@ -85,28 +85,28 @@ class Observer:
         self.own = (node.get_name(), node.get_namespace())
         self.looks = 0
         self.nodes: dict[tuple[str, str], SeenNode] = {}
-        self.loose: dict[Item, Seen] = {}
+        self.loose: dict[SnapshotItem, Sighting] = {}
         self.problems: dict[str, None] = {}
         self._owned: set[tuple[int, ...]] = set()
-        self._unowned: dict[tuple[int, ...], set[Item]] = {}
+        self._unowned: dict[tuple[int, ...], set[SnapshotItem]] = {}
 
     def look(self) -> None:
         """Look once."""
         self.looks += 1
-        found: dict[tuple[str, str], set[Item]] = {}
+        found: dict[tuple[str, str], set[SnapshotItem]] = {}
         for key, number in self._names().items():
             found[key] = set()
             self.nodes[key].count = max(self.nodes[key].count, number)
         for key, items in found.items():
             self.nodes[key].asked += self._ask(key, items)
-        loose: set[Item] = set()
+        loose: set[SnapshotItem] = set()
         self._endpoints(found, loose)
         for key, items in found.items():
             self.nodes[key].looks += 1
             for item in items | _actions(items):
-                self.nodes[key].items.setdefault(item, Seen()).looks += 1
+                self.nodes[key].items.setdefault(item, Sighting()).looks += 1
         for item in loose:
-            self.loose.setdefault(item, Seen()).looks += 1
+            self.loose.setdefault(item, Sighting()).looks += 1
 
     def _names(self) -> Counter[tuple[str, str]]:
         """Names and namespaces of all nodes but the own one, with the number of nodes that have them."""
@@ -122,29 +122,31 @@ class Observer:
                 seen.enclaves.update([] if enclave is None else [enclave])
         return names
 
-    def _ask(self, key: tuple[str, str], found: set[Item]) -> bool:
+    def _ask(self, key: tuple[str, str], found: set[SnapshotItem]) -> bool:
         """What a node has, by its name; of several nodes of one name the middleware tells of one."""
         try:
             for kind, method in _BY_NODE:
                 for name, types in getattr(self.node, method)(*key):
-                    found.update(Item(kind, name, type_) for type_ in types)
+                    found.update(SnapshotItem(kind, name, type_) for type_ in types)
         except Exception as error:  # it has just gone, or has a name that rclpy does not take
             self._tell(f"node {key[0]} in {key[1]}: {error}")
             return False
         return True
 
-    def _endpoints(self, found: dict[tuple[str, str], set[Item]], loose: set[Item]) -> None:
+    def _endpoints(self, found: dict[tuple[str, str], set[SnapshotItem]], loose: set[SnapshotItem]) -> None:
         """Each endpoint by its topic: for QoS, endpoints of a second node of one name, endpoints of no node."""
         topics = {name for name, _ in self.node.get_topic_names_and_types()}
         for name in sorted(topics):
-            self._at(name, Item("", name, ""), found, loose)
+            self._at(name, SnapshotItem("", name, ""), found, loose)
         for raw, _ in self.node.get_topic_names_and_types(no_demangle=True):
             if raw.startswith("rq/") and raw.endswith("Request"):
-                self._at(raw, Item("service", raw[2 : -len("Request")], ""), found, loose)
+                self._at(raw, SnapshotItem("service", raw[2 : -len("Request")], ""), found, loose)
             elif not raw.startswith(("rt/", "rq/", "rr/")) and raw not in topics and raw not in _OF_MIDDLEWARE:
-                self._at(raw, Item("", raw, "", ros_prefix=False), found, loose)
+                self._at(raw, SnapshotItem("", raw, "", ros_prefix=False), found, loose)
 
-    def _at(self, topic: str, of: Item, found: dict[tuple[str, str], set[Item]], loose: set[Item]) -> None:
+    def _at(
+        self, topic: str, of: SnapshotItem, found: dict[tuple[str, str], set[SnapshotItem]], loose: set[SnapshotItem]
+    ) -> None:
         """The endpoints at one topic; `of` says what it stands for."""
         service = of.kind == "service"
         for kind, method in _BY_TOPIC:
@@ -159,7 +161,13 @@ class Observer:
                     item = item._replace(type=item.type[: -len("_Request")])
                 self._endpoint(endpoint, item, found, loose)
 
-    def _endpoint(self, endpoint: Any, item: Item, found: dict[tuple[str, str], set[Item]], loose: set[Item]) -> None:
+    def _endpoint(
+        self,
+        endpoint: Any,
+        item: SnapshotItem,
+        found: dict[tuple[str, str], set[SnapshotItem]],
+        loose: set[SnapshotItem],
+    ) -> None:
         key = (endpoint.node_name, endpoint.node_namespace)
         gid = tuple(endpoint.endpoint_gid)
         if key == self.own:
@@ -172,7 +180,7 @@ class Observer:
         found.setdefault(key, set()).add(item)  # a node that has come since it was asked for names is new here
         seen = self.nodes.setdefault(key, SeenNode())
         if item.kind in {"publishers", "subscriptions"}:
-            seen.items.setdefault(item, Seen()).qos.add(_qos(endpoint.qos_profile))
+            seen.items.setdefault(item, Sighting()).qos.add(_qos(endpoint.qos_profile))
 
     def _tell(self, problem: str) -> None:
         if len(self.problems) < _MOST_PROBLEMS:
@@ -211,17 +219,17 @@ def _node(key: tuple[str, str], seen: SeenNode) -> dict[str, object]:
     }
 
 
-def _item(item: Item, seen: Seen) -> dict[str, object]:
+def _item(item: SnapshotItem, seen: Sighting) -> dict[str, object]:
     profiles = [dict(profile) for profile in sorted(seen.qos, key=repr)]
     document: dict[str, object] = {"name": item.name, "type": item.type, "seen": seen.looks, "qos": profiles}
     return document if item.ros_prefix else {**document, "ros_prefix": False}
 
 
-def _actions(items: set[Item]) -> set[Item]:
+def _actions(items: set[SnapshotItem]) -> set[SnapshotItem]:
     """An action is where its service for goals is. Its topics and services stay in the document as they are."""
     sides = {"service_servers": "action_servers", "service_clients": "action_clients"}
     return {
-        Item(sides[item.kind], item.name[: -len(_GOAL)], item.type[: -len("_SendGoal")])
+        SnapshotItem(sides[item.kind], item.name[: -len(_GOAL)], item.type[: -len("_SendGoal")])
         for item in items
         if item.kind in sides and item.name.endswith(_GOAL) and item.type.endswith("_SendGoal")
     }

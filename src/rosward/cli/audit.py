@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from rosward.cli.shared import Commands
     from rosward.findings import Finding
     from rosward.ros.entities import Node
-    from rosward.suppression.judge import Judged, Sources
+    from rosward.suppression.judge import Judged, SourceTexts
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -78,7 +78,7 @@ class _Said(NamedTuple):
 
     nodes: tuple[Node, ...]
     findings: tuple[Finding, ...]
-    sources: Sources
+    sources: SourceTexts
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -135,31 +135,31 @@ def _text(file: str) -> str:
 
 def _earlier(options: argparse.Namespace) -> _Said:
     from rosward.network.network_file import read_network
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
     if options.paths or request.deploys or request.params:
         raise WrongUseError("--network takes the place of sources: name no PATH, and nothing that is started")
     read = read_network(options.network)
-    return _Said(read.nodes, read.findings, Sources(Path.cwd(), ()))
+    return _Said(read.nodes, read.findings, SourceTexts(Path.cwd(), ()))
 
 
 def _extracted(options: argparse.Namespace) -> _Said:
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     result = extracted(options, options.paths, request_of(options))
-    return _Said(result.network.nodes, result.findings, Sources(result.root, result.files))
+    return _Said(result.network.nodes, result.findings, SourceTexts(result.root, result.files))
 
 
 def _tell(found: Audit, said: _Said, options: argparse.Namespace) -> int:
     """Findings at places of the source and of the snapshot are reviewed apart: they are relative to different folders."""
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     differences = {d.finding: None for d in found.differences}
     in_code = [f for f in differences if f.place.file != found.source]
     in_snapshot = [*(f for f in differences if f.place.file == found.source), *found.findings]
     code = reviewed(in_code, said.sources, options, unused=False)
-    paper = reviewed(in_snapshot, Sources(Path.cwd(), ()), options, unused=False)
+    paper = reviewed(in_snapshot, SourceTexts(Path.cwd(), ()), options, unused=False)
     shown = (*code.shown, *paper.shown)
     if options.write_baseline is not None:
         write_baseline(shown, options.write_baseline)

@@ -68,10 +68,10 @@ def _checked(policy: Policy, result: Result, options: argparse.Namespace) -> Che
     """Findings in the sources and in the policy are reviewed apart: their places are relative to different folders."""
     from rosward.explanation.checked import checked
     from rosward.policies.compare import compare
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     differences = compare(result.network, policy) if policy.enclaves else ()
-    sources, papers = Sources(result.root, result.files), Sources(Path.cwd(), ())
+    sources, papers = SourceTexts(result.root, result.files), SourceTexts(Path.cwd(), ())
     in_code = dict.fromkeys((*result.findings, *(d.finding for d in differences if not d.in_policy)))
     in_policy = dict.fromkeys((*policy.findings, *(d.finding for d in differences if d.in_policy)))
     code = reviewed(list(in_code), sources, options, unused=False)

@@ -19,7 +19,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from rosward.cli.configuration_file import Configuration, read_configuration
+from rosward.cli.configuration_file import ConfigurationFile, read_configuration
 from rosward.cli.configuration_keys import KEYS, Value
 from rosward.cli.shared import WrongUseError
 
@@ -64,7 +64,9 @@ def apply(options: argparse.Namespace) -> None:
     left_open: Mapping[str, _Open] = getattr(options, "left_open", {})
     if not left_open:
         return
-    read = Configuration() if options.no_config else read_configuration(_start(options), frozenset(options.commands))
+    read = (
+        ConfigurationFile() if options.no_config else read_configuration(_start(options), frozenset(options.commands))
+    )
     options.configuration = read.path
     given = _given(read, options.command, left_open)
     if any(getattr(options, dest, None) is not None for dest in _STARTING):
@@ -84,7 +86,7 @@ def _start(options: argparse.Namespace) -> Path:
     return Path(next(iter(paths), "."))
 
 
-def _given(read: Configuration, command: str, left_open: Mapping[str, _Open]) -> dict[str, object]:
+def _given(read: ConfigurationFile, command: str, left_open: Mapping[str, _Open]) -> dict[str, object]:
     """What the file says for a command: its own table over the common keys."""
     own = read.commands.get(command, {})
     foreign = [key for key in own if _dest(key) not in left_open]
@@ -95,7 +97,7 @@ def _given(read: Configuration, command: str, left_open: Mapping[str, _Open]) ->
     return {dest: _taken(read, dest, value, left_open[dest].action) for dest, value in merged.items()}
 
 
-def _taken(read: Configuration, dest: str, value: Value, action: argparse.Action | None) -> object:
+def _taken(read: ConfigurationFile, dest: str, value: Value, action: argparse.Action | None) -> object:
     """The value as the command line would take it: by the type and the choices of its option."""
     if action is None:
         return value

@@ -20,14 +20,14 @@ from rosward.findings import Finding
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 
-__all__ = ["Configuration", "read_configuration"]
+__all__ = ["ConfigurationFile", "read_configuration"]
 
 _LIMIT: Final = 1_000_000
 _COMMANDS: Final = "command"
 _NOTHING: Final[Mapping[str, Value]] = {}
 
 
-class Configuration(NamedTuple):
+class ConfigurationFile(NamedTuple):
     """What a file says: for all commands, and for some; `path` is None where there is no file."""
 
     path: str | None = None
@@ -35,7 +35,7 @@ class Configuration(NamedTuple):
     commands: Mapping[str, Mapping[str, Value]] = {}
 
 
-def read_configuration(start: Path, commands: Collection[str]) -> Configuration:
+def read_configuration(start: Path, commands: Collection[str]) -> ConfigurationFile:
     """The nearest file at or above a path. `commands` are those that there are. Raises WrongUseError."""
     folder = start.absolute()
     for above in (folder, *folder.parents):
@@ -44,7 +44,7 @@ def read_configuration(start: Path, commands: Collection[str]) -> Configuration:
             table = _table(path) if os.path.isfile(path) else None  # noqa: PTH113
             if table is not None:
                 return _configuration(table, path, commands)
-    return Configuration()
+    return ConfigurationFile()
 
 
 def _table(path: Path) -> dict[str, object] | None:
@@ -70,7 +70,7 @@ def _table(path: Path) -> dict[str, object] | None:
     return table
 
 
-def _configuration(table: dict[str, object], path: Path, known: Collection[str]) -> Configuration:
+def _configuration(table: dict[str, object], path: Path, known: Collection[str]) -> ConfigurationFile:
     commands: dict[str, dict[str, Value]] = {}
     tables = table.pop(_COMMANDS, {})
     if not isinstance(tables, dict):
@@ -81,7 +81,7 @@ def _configuration(table: dict[str, object], path: Path, known: Collection[str])
         if not isinstance(own, dict):
             raise WrongUseError(f"{path}: {_COMMANDS}.{command} must be a table")
         commands[command] = _values(own, path)
-    return Configuration(str(path), _values(table, path), commands)
+    return ConfigurationFile(str(path), _values(table, path), commands)
 
 
 def _values(table: Mapping[str, object], path: Path) -> dict[str, Value]:

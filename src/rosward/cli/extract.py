@@ -102,14 +102,14 @@ def _formats(text: str) -> tuple[str, ...]:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.findings import Severity
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
     result = extracted(options, options.paths, request, shown=not options.quiet)
     widened: Widenings = {}
     if options.compact:
         result, widened = compacted(result, options)
-    sources = Sources(result.root, result.files)
+    sources = SourceTexts(result.root, result.files)
     found, loose = reviewed_result(result, sources, options, unused=not request.deploys)
     written, found = _write(result, found, loose, options, widened)
     steps = Steps()

@@ -92,7 +92,7 @@ def run(options: argparse.Namespace) -> int:
 def _run(options: argparse.Namespace) -> int:
     from rosward.cli import command_line
     from rosward.outputs.policies.policy import policy_xml
-    from rosward.suppression.judge import Sources
+    from rosward.suppression.judge import SourceTexts
 
     options.command, options.commands = "extract_policy", command_line().get_default("commands")
     apply(options)
@@ -107,7 +107,7 @@ def _run(options: argparse.Namespace) -> int:
     widened: Widenings = {}
     if options.compact:
         result, widened = compacted(result, options)
-    found, _ = reviewed_result(result, Sources(result.root, result.files), options, unused=not request.deploys)
+    found, _ = reviewed_result(result, SourceTexts(result.root, result.files), options, unused=not request.deploys)
     if not result.network.nodes:
         print("rosward: no nodes found, so no policy was written", file=sys.stderr)  # noqa: T201
         return INCOMPLETE

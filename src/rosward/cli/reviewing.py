@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.outputs.writing import Scan
     from rosward.pipeline import Result
-    from rosward.suppression.judge import Judged, Reviewed, Sources
+    from rosward.suppression.judge import Judged, Reviewed, SourceTexts
 
 __all__ = [
     "add_output_file",
@@ -51,7 +51,9 @@ def add_output_file(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
 
 
-def reviewed(findings: Sequence[Finding], sources: Sources, options: argparse.Namespace, *, unused: bool) -> Reviewed:
+def reviewed(
+    findings: Sequence[Finding], sources: SourceTexts, options: argparse.Namespace, *, unused: bool
+) -> Reviewed:
     """The findings without those that are to be ignored. `unused`: whether comments without a finding are told. Raises WrongUseError."""
     from rosward.suppression.baseline import BaselineError, read_baseline
     from rosward.suppression.judge import Wishes, review
@@ -65,7 +67,7 @@ def reviewed(findings: Sequence[Finding], sources: Sources, options: argparse.Na
 
 
 def reviewed_result(
-    result: Result, sources: Sources, options: argparse.Namespace, *, unused: bool
+    result: Result, sources: SourceTexts, options: argparse.Namespace, *, unused: bool
 ) -> tuple[Reviewed, tuple[Finding, ...]]:
     """The findings of an analysis as `reviewed`, and apart from them its loose ends, which the report tells unasked.
 

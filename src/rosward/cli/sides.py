@@ -21,7 +21,7 @@ from rosward.source.exclude import Exclusion
 
 if TYPE_CHECKING:
     from rosward.diff.compare import Differences
-    from rosward.diff.snapshot import Snapshot
+    from rosward.diff.snapshot import ComparedState
     from rosward.git.git import Git
 
 __all__ = ["differences"]
@@ -69,7 +69,7 @@ def differences(options: argparse.Namespace) -> Differences:
     return compare(first, second)
 
 
-def _of_file(path: str) -> Snapshot:
+def _of_file(path: str) -> ComparedState:
     from rosward.diff.compare import read_snapshot
 
     if os.path.isdir(path):  # noqa: PTH112
@@ -152,14 +152,14 @@ def _relative(message: str, side: _Side) -> str:
     return message.replace(f"{side.folder}{os.sep}", "").replace(side.folder, ".")
 
 
-def _nothing() -> Snapshot:
-    from rosward.diff.snapshot import Snapshot
+def _nothing() -> ComparedState:
+    from rosward.diff.snapshot import ComparedState
     from rosward.policies.records import Policy
 
-    return Snapshot("network", frozenset(), frozenset(), Policy(()))
+    return ComparedState("network", frozenset(), frozenset(), Policy(()))
 
 
-def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str], steps: Steps) -> Snapshot | None:
+def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str], steps: Steps) -> ComparedState | None:
     from rosward.diff.of_nodes import snapshot_of
 
     own = _moved(options, side)

@@ -13,7 +13,7 @@ from typing import Final
 
 from rosward.audit.graph import LiveGraph, LiveNode
 from rosward.audit.tools import tool_of
-from rosward.declaring.sketch import Seen, Sketch, is_usable
+from rosward.declaring.sketch import SeenEndpoint, Sketch, is_usable
 from rosward.ros.distro import Distro
 from rosward.ros.entities import ENTITY_LISTS, Entity, Qos
 from rosward.ros.implicit import ClientLibrary, implicit_entities
@@ -48,7 +48,7 @@ def sketch_of(node: LiveNode, source: str) -> Sketch:
     lifecycle = any(e.name == f"{node.name}/{_LIFECYCLE}" for e in node.entities)
     made = {(e.kind, e.name) for library in ClientLibrary for e in _made(node.name, library, lifecycle=lifecycle)}
     own = [e for e in node.entities if (e.kind, e.name) not in made and e.ros_prefix]
-    seen = [Seen(_LISTS[e.kind], _relative(e.name, node.name), e.type, _qos(e.qos), e.name) for e in own]
+    seen = [SeenEndpoint(_LISTS[e.kind], _relative(e.name, node.name), e.type, _qos(e.qos), e.name) for e in own]
     usable = tuple(each for each in seen if is_usable(each))
     told = [
         f"{each.kind}: {each.at} of type {each.type or 'unknown'} has no form here"

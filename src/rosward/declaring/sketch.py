@@ -12,13 +12,13 @@ from typing import Final, NamedTuple
 
 from rosward.ros.entities import Qos
 
-__all__ = ["Seen", "Sketch", "is_usable", "together"]
+__all__ = ["SeenEndpoint", "Sketch", "is_usable", "together"]
 
 _NAME: Final = re.compile(r"(?:/|~/)?[A-Za-z_]\w*(?:/[A-Za-z_]\w*)*", re.ASCII)
 _TYPE: Final = re.compile(r"[A-Za-z]\w*/(msg|srv|action)/[A-Z]\w*", re.ASCII)
 
 
-class Seen(NamedTuple):
+class SeenEndpoint(NamedTuple):
     """One endpoint. `kind` is the list of a declaration that it belongs in; `at` says where it was seen."""
 
     kind: str
@@ -34,13 +34,13 @@ class Sketch(NamedTuple):
     node: str | None = None
     lifecycle: bool = False
     client_library: str = "rclcpp"
-    entities: tuple[Seen, ...] = ()
+    entities: tuple[SeenEndpoint, ...] = ()
     parameters: tuple[tuple[str, str], ...] = ()
     told: tuple[str, ...] = ()
     open: str = ""
 
 
-def is_usable(seen: Seen) -> bool:
+def is_usable(seen: SeenEndpoint) -> bool:
     """Whether a declaration can hold it: a name of ROS, and a type of the kind of the endpoint."""
     part = (
         "msg" if seen.kind in ("publishers", "subscriptions") else seen.kind.partition("_")[0].replace("service", "srv")
@@ -54,7 +54,7 @@ def is_usable(seen: Seen) -> bool:
 
 def together(sketches: Sequence[Sketch]) -> Sketch:
     """One sketch of several: what any of them says, each endpoint once; names and types of the first that has them."""
-    entities: dict[tuple[str, str], Seen] = {}
+    entities: dict[tuple[str, str], SeenEndpoint] = {}
     for each in sketches:
         for seen in each.entities:
             entities.setdefault((seen.kind, seen.name), seen)

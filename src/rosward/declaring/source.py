@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Final, NamedTuple
 
-from rosward.declaring.sketch import Seen, Sketch, is_usable
+from rosward.declaring.sketch import SeenEndpoint, Sketch, is_usable
 from rosward.ros.entities import Qos
 
 __all__ = ["sketch_of_source"]
@@ -66,7 +66,7 @@ class _Call(NamedTuple):
 
 def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
     """What the texts look like together, each by the name of its file."""
-    entities: list[Seen] = []
+    entities: list[SeenEndpoint] = []
     told: list[str] = []
     parameters: dict[str, str] = {}
     node: str | None = None
@@ -77,7 +77,7 @@ def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
         types = _python_types(text) if in_python else _cpp_types(text)
         for call in _calls(text, in_python=in_python):
             seen = _seen(call, types, f"{file}:{call.line}")
-            if isinstance(seen, Seen):
+            if isinstance(seen, SeenEndpoint):
                 entities.append(seen)
             else:
                 told.append(seen)
@@ -116,7 +116,7 @@ def _calls(text: str, *, in_python: bool) -> Iterator[_Call]:
         yield _Call(kind, found["type"], found["rest"], line)
 
 
-def _seen(call: _Call, types: Mapping[str, str], at: str) -> Seen | str:
+def _seen(call: _Call, types: Mapping[str, str], at: str) -> SeenEndpoint | str:
     """The endpoint, or why it is none."""
     part = _PARTS.get(call.kind, "action" if call.kind.startswith("action") else "srv")
     written = call.type.replace("::", ".").strip(".").split(".")
@@ -133,7 +133,7 @@ def _seen(call: _Call, types: Mapping[str, str], at: str) -> Seen | str:
     name = _LITERAL.fullmatch(where.strip().rstrip(")").strip())
     if name is None:
         return f"{what}: its name is no literal ({where.strip()[:60]})"
-    seen = Seen(call.kind, name["text"], type_, _qos(call.rest) if part == "msg" else None, at)
+    seen = SeenEndpoint(call.kind, name["text"], type_, _qos(call.rest) if part == "msg" else None, at)
     return seen if is_usable(seen) else f"{what}: {name['text'][:60]!r} is no name, or {type_} no type of the kind"
 
 

@@ -18,7 +18,7 @@ import re
 from collections.abc import Iterator
 from typing import Final
 
-from rosward.declaring.sketch import Seen, Sketch
+from rosward.declaring.sketch import SeenEndpoint, Sketch
 from rosward.ros.entities import ENTITY_LISTS, Qos
 
 __all__ = ["declaration", "with_declaration"]
@@ -87,7 +87,7 @@ def _body(program: str, sketch: Sketch) -> Iterator[str]:
         yield from (f"# {line}" for line in _EXAMPLES)
 
 
-def _row(seen: Seen) -> str:
+def _row(seen: SeenEndpoint) -> str:
     topic = seen.kind in ("publishers", "subscriptions")
     qos = f", qos: {_qos(seen.qos)}" if topic else ""
     at = f"  # {_comment(seen.at)}" if seen.at and seen.at != seen.name else ""

@@ -25,7 +25,7 @@ from rosward.naming.final_name import final_name
 from rosward.network.launch_tree import CONTAINER
 
 if TYPE_CHECKING:
-    from rosward.deployment.declared.shapes import Group, Program
+    from rosward.deployment.declared.shapes import EndpointGroup, Program
     from rosward.deployment.launched import Launched
     from rosward.deployment.started import Started
 
@@ -100,7 +100,7 @@ def _may_load(launched: Launched) -> bool:
     return launched.entry is None
 
 
-def _has_service(group: Group) -> bool:
+def _has_service(group: EndpointGroup) -> bool:
     inner = (*group.groups, *(g for _, g in group.cases))
     return any(e.type == _LOADS for e in group.endpoints) or any(map(_has_service, inner))
 

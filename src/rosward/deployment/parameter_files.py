@@ -85,7 +85,7 @@ class _TooMuch(Exception):  # noqa: N818
 
 @final
 @dataclass(slots=True)
-class _Entry:
+class _TypedValues:
     """One parameter: rcl keeps a value for each type, whichever of them came last."""
 
     name: str
@@ -108,11 +108,11 @@ class _Entry:
 
 
 @final
-class _Parameters:
+class _ParametersOfNode:
     """The parameters of one node, in rcl's order: one is found by the first entry of its name."""
 
     def __init__(self) -> None:
-        self.entries: list[_Entry] = []
+        self.entries: list[_TypedValues] = []
         self._positions: dict[str, list[int]] = {}
 
     def find(self, name: str, place: Place) -> int:
@@ -120,7 +120,7 @@ class _Parameters:
         known = self._positions.setdefault(name, [])
         if not known:
             known.append(len(self.entries))
-            self.entries.append(_Entry(name, place))
+            self.entries.append(_TypedValues(name, place))
         return known[0]
 
     def rename(self, position: int, name: str, place: Place) -> None:
@@ -133,7 +133,7 @@ class _Parameters:
 
 @final
 @dataclass(slots=True)
-class _Names:
+class _KeyPath:
     """The keys above the present one, as one text; `depth` counts keys, although one may hold several names."""
 
     separator: str
@@ -159,13 +159,13 @@ class _Reader:
 
     def __init__(self, file: str) -> None:
         self._place = Place(file)
-        self._nodes: dict[str, _Parameters] = {}
+        self._nodes: dict[str, _ParametersOfNode] = {}
         self._keys = 0
         self._lists = 0
         self._node = ""
         self._position = 0  # of the parameter at hand; a node that is begun anew does not reset it
-        self._node_names = _Names("/")
-        self._names = _Names(".")
+        self._node_names = _KeyPath("/")
+        self._names = _KeyPath(".")
         self._level = 1  # 1: names of nodes, 2: parameters
         self._depth = 0
         self._is_key = True
@@ -236,7 +236,7 @@ class _Reader:
             why = _wrong_node_key(self._node)
             if why is not None:
                 raise _Refused(f"{self._node[:100]!r} is no name of a node: {why}")
-            self._nodes.setdefault(self._node, _Parameters())
+            self._nodes.setdefault(self._node, _ParametersOfNode())
             self._level = 2
 
     def _parameter(self, name: str) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from rosward.deployment.tree import Action, Description, Template
+    from rosward.deployment.tree import Description, LaunchAction, Template
     from rosward.domain.values import Value
     from rosward.findings import Finding
 
@@ -58,7 +58,7 @@ class PythonCode(Protocol):
         performer: Performer,
         *,
         context: bool,
-    ) -> tuple[Action, ...]:
+    ) -> tuple[LaunchAction, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
 
     def perform(self, substitution: Value, performer: Performer) -> Value:

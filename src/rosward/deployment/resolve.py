@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rosward.source.workspace import Target
 
 
-class Declared(Protocol):
+class DeclaredInterfaces(Protocol):
     """The declared interfaces, as this module asks for them (`deployment/declared/effects.py`)."""
 
     def executable(self, package: str, name: str) -> Program | None:
@@ -80,7 +80,7 @@ class Programs:
         self,
         executables: Iterable[Executable],
         targets: Iterable[Target],
-        declared: Declared,
+        declared: DeclaredInterfaces,
         related: frozenset[str],
         file_of: FileOf,
     ) -> None:

@@ -13,7 +13,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import origins_of, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Tuple, Value
-from rosward.network.launch_tree import LaunchEntry, SetParameter, Shown
+from rosward.network.launch_tree import GivenParameter, LaunchEntry, Shown
 
 if TYPE_CHECKING:
     from rosward.deployment.launched import Launched
@@ -67,7 +67,7 @@ def entry(started: Started, launched: Launched | None) -> LaunchEntry:
         name=_maybe(started.name),
         namespace=_maybe(started.namespace),
         remaps=tuple((shown(a), shown(b)) for a, b in started.remaps),
-        parameters=tuple(SetParameter(s.kind, s.name, shown(s.value), s.scope, s.place) for s in started.settings),
+        parameters=tuple(GivenParameter(s.kind, s.name, shown(s.value), s.scope, s.place) for s in started.settings),
         words=tuple(shown(w) for w in (started.command or configuration.words)),
         environment=tuple((n, shown(v)) for n, v in sorted(configuration.environment.items()) if v is not None),
         place=started.place,

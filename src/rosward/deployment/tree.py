@@ -83,7 +83,7 @@ class ParameterFile(NamedTuple):
     substitutions: bool = False
 
 
-class ParameterRule(NamedTuple):
+class ParameterArgument(NamedTuple):
     """A `launch_ros.parameter_descriptions.Parameter`, given to the node as -p."""
 
     name: Template
@@ -91,7 +91,7 @@ class ParameterRule(NamedTuple):
     place: Place
 
 
-ParameterSource = ParameterTable | ParameterFile | ParameterRule
+ParameterSource = ParameterTable | ParameterFile | ParameterArgument
 
 
 # Conditions
@@ -112,7 +112,7 @@ class Condition(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Action:
+class LaunchAction:
     """One entry of a launch description; `place` is where it is written. `identity` is the object of the launch file that it was read
     from, where there is one: event handlers name it as their target.
     """
@@ -148,7 +148,7 @@ class Component:
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StartNode(Action):
+class StartNode(LaunchAction):
     """Node, LifecycleNode, ComposableNodeContainer. `executable` alone, without a package, is a path."""
 
     kind: NodeKind = NodeKind.NODE
@@ -165,24 +165,24 @@ class StartNode(Action):
     environment: tuple[tuple[Template, Template], ...] = ()
     replaces_environment: bool = False
     components: tuple[Component, ...] = ()
-    on_exit: tuple[Action, ...] = ()
+    on_exit: tuple[LaunchAction, ...] = ()
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StartProcess(Action):
+class StartProcess(LaunchAction):
     """ExecuteProcess, ExecuteLocal: a command line in words. `shell`: each word is split again by a shell."""
 
     command: tuple[Template, ...]
     shell: bool = False
     environment: tuple[tuple[Template, Template], ...] = ()
     replaces_environment: bool = False
-    on_exit: tuple[Action, ...] = ()
+    on_exit: tuple[LaunchAction, ...] = ()
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class LoadComponents(Action):
+class LoadComponents(LaunchAction):
     """LoadComposableNodes. `target` is a name, or the StartNode that is the container."""
 
     target: Template | StartNode
@@ -191,21 +191,21 @@ class LoadComponents(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Include(Action):
+class Include(LaunchAction):
     """IncludeLaunchDescription: a file by path (`format` python, xml, yaml, any), or a description made in place (`body`)."""
 
     path: Template | None
     format: str = "any"
     arguments: tuple[tuple[Template, Template], ...] = ()
-    body: tuple[Action, ...] = ()
+    body: tuple[LaunchAction, ...] = ()
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Group(Action):
+class Group(LaunchAction):
     """GroupAction. `configurations` are its launch_configurations."""
 
-    actions: tuple[Action, ...]
+    actions: tuple[LaunchAction, ...]
     scoped: bool = True
     forwarding: bool = True
     configurations: tuple[tuple[Template, Template], ...] = ()
@@ -213,16 +213,16 @@ class Group(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Maybe(Action):
+class Maybe(LaunchAction):
     """Actions of which each may or may not be there, because the Python around them depends on something unknown (`why`)."""
 
-    actions: tuple[Action, ...]
+    actions: tuple[LaunchAction, ...]
     why: str
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Declare(Action):
+class Declare(LaunchAction):
     """DeclareLaunchArgument. `default` None: required."""
 
     name: Template
@@ -233,7 +233,7 @@ class Declare(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SetConfiguration(Action):
+class SetConfiguration(LaunchAction):
     """SetLaunchConfiguration, <let>; `value` None: UnsetLaunchConfiguration."""
 
     name: Template
@@ -242,7 +242,7 @@ class SetConfiguration(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Environ(Action):
+class Environ(LaunchAction):
     """Set-, Unset- and AppendEnvironmentVariable: `how` is set, unset, append, prepend."""
 
     how: str
@@ -253,7 +253,7 @@ class Environ(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scope(Action):
+class ScopeChange(LaunchAction):
     """Push-, Pop- and ResetLaunchConfigurations and -Environment: `what` is configurations or environment, `how` push, pop, reset.
 
     `configurations`: what ResetLaunchConfigurations keeps or sets.
@@ -266,7 +266,7 @@ class Scope(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PushNamespace(Action):
+class PushNamespace(LaunchAction):
     """PushRosNamespace."""
 
     namespace: Template
@@ -274,7 +274,7 @@ class PushNamespace(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SetRemap(Action):
+class SetRemap(LaunchAction):
     """SetRemap."""
 
     source: Template
@@ -283,7 +283,7 @@ class SetRemap(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SetParameter(Action):
+class SetParameter(LaunchAction):
     """SetParameter and SetParametersFromFile (a ParameterFile; `node` limits it)."""
 
     parameter: ParameterSource
@@ -292,30 +292,30 @@ class SetParameter(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Timer(Action):
+class Timer(LaunchAction):
     """TimerAction, RosTimer: executed later, when groups around it are closed."""
 
     period: Template
-    actions: tuple[Action, ...]
+    actions: tuple[LaunchAction, ...]
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class OnEvent(Action):
+class OnEvent(LaunchAction):
     """RegisterEventHandler with one of the event handlers. `event` is process-start, process-exit, process-io, execution-complete,
     shutdown, lifecycle (OnStateTransition), include-complete, other. `function` is a callable of (event, context) that gives more actions.
     `target`: what the handler waits for, where it says so (it decides whether the event can come).
     """
 
     event: str
-    actions: tuple[Action, ...] = ()
+    actions: tuple[LaunchAction, ...] = ()
     function: Value | None = None
     target: Value | None = None
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Opaque(Action):
+class Opaque(LaunchAction):
     """OpaqueFunction, and actions of classes of the analysed sources: `function(context, *args, **kwargs)` gives more actions."""
 
     function: Value
@@ -325,7 +325,7 @@ class Opaque(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ForEach(Action):
+class ForEach(LaunchAction):
     """ForEach and ForLoop. `values`: rows `{name: value, …};…` of YAML as text (ForEach), or (`count`) a number of turns (ForLoop).
 
     `function` gives the actions of one turn (called with the variables as keywords, ForLoop with the index as `i`); XML has a body instead, in
@@ -335,13 +335,13 @@ class ForEach(Action):
     values: Template
     count: bool = False
     function: Value | None = None
-    body: tuple[Action, ...] = ()
+    body: tuple[LaunchAction, ...] = ()
     index_name: str = ""
 
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Inert(Action):
+class Inert(LaunchAction):
     """An action that starts nothing and sets nothing for what is started: LogInfo, EmitEvent, Shutdown, SetROSLogDir,
     SetUseSimTime (it is about launch's own node), … `kind` is its class or tag."""
 
@@ -350,7 +350,7 @@ class Inert(Action):
 
 @final
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Unread(Action):
+class Unread(LaunchAction):
     """Something that nobody could read: told as a finding (RW321) with `why`, because it may start anything."""
 
     why: str
@@ -359,5 +359,5 @@ class Unread(Action):
 class Description(NamedTuple):
     """A launch file that was read."""
 
-    actions: tuple[Action, ...]
+    actions: tuple[LaunchAction, ...]
     file: str

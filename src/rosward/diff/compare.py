@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Final, Generic, NamedTuple, TypeVar
 
 from rosward.diff.of_nodes import snapshot_of
-from rosward.diff.snapshot import EntityLine, Snapshot
+from rosward.diff.snapshot import ComparedState, EntityLine
 from rosward.findings import Finding
 from rosward.guard import Steps
 from rosward.network.asked import asked_differently
@@ -80,7 +80,7 @@ class Differences(NamedTuple):
 _NO_CHANGE: Final[Change[Any]] = Change((), ())
 
 
-def read_snapshot(path: str) -> Snapshot:
+def read_snapshot(path: str) -> ComparedState:
     """What a file holds: a policy where it is XML, else a network. Raises UnreadableError."""
     data = read_bytes(path, path, _LARGEST)
     if isinstance(data, Finding):
@@ -92,10 +92,10 @@ def read_snapshot(path: str) -> Snapshot:
     if policy.findings:
         raise UnreadableError("; ".join(f"{f.place}: {f.message}" for f in policy.findings[:3]))
     profiles = frozenset(f"{e.path}: {name}" for e in policy.enclaves for name in e.profiles)
-    return Snapshot("policy", profiles, frozenset(), policy)
+    return ComparedState("policy", profiles, frozenset(), policy)
 
 
-def compare(old: Snapshot, new: Snapshot, *, net: bool = True) -> Differences:
+def compare(old: ComparedState, new: ComparedState, *, net: bool = True) -> Differences:
     """The changes from one state to another of the same kind. What rosward fails on is not compared, and told; without `net` it is raised."""
     steps = Steps(net=net)
     found = Differences(

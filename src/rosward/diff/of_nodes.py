@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
-from rosward.diff.snapshot import EntityLine, Snapshot
+from rosward.diff.snapshot import ComparedState, EntityLine
 from rosward.policies.match import LONGEST_NAME, is_pattern
 from rosward.policies.records import EnclavePolicy, Policy, PolicyRule
 from rosward.policies.rights import rights_of
@@ -24,7 +24,7 @@ _MOST_PATTERNS: Final = 1_000
 """In one enclave, so that comparing them stays a matter of seconds."""
 
 
-def snapshot_of(nodes: Iterable[Node], source: str) -> Snapshot:
+def snapshot_of(nodes: Iterable[Node], source: str) -> ComparedState:
     """The snapshot of a network; `source` is what messages call it. Raises UnreadableError where it cannot be compared."""
     names: set[str] = set()
     lines: set[EntityLine] = set()
@@ -42,7 +42,7 @@ def snapshot_of(nodes: Iterable[Node], source: str) -> Snapshot:
         if sum(is_pattern(name) for _, name in granted) > _MOST_PATTERNS:
             raise UnreadableError(f"{source}: enclave {enclave} has more than {_MOST_PATTERNS:,} names with a wildcard")
     enclaves = tuple(EnclavePolicy(enclave, place, tuple(rules[enclave].values())) for enclave in sorted(rules))
-    return Snapshot("network", frozenset(names), frozenset(lines), Policy(enclaves))
+    return ComparedState("network", frozenset(names), frozenset(lines), Policy(enclaves))
 
 
 def _check(node: Node, entity: Entity, source: str) -> None:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from rosward.network.asked import NOT_TOLD, Asked
 from rosward.policies.records import Policy
 
-__all__ = ["EntityLine", "Snapshot"]
+__all__ = ["ComparedState", "EntityLine"]
 
 
 class EntityLine(NamedTuple):
@@ -28,7 +28,7 @@ class EntityLine(NamedTuple):
         return f"{self.node}: {self.kind} {self.name}" + (f" ({self.type})" if self.type else "")
 
 
-class Snapshot(NamedTuple):
+class ComparedState(NamedTuple):
     """One state. A policy has profiles for nodes, and no entities; `kind` is network or policy; `asked` is what the network answers."""
 
     kind: str

@@ -33,7 +33,7 @@ _MOST_TURNS: Final = 32
 """So many turns of one `yield` are told apart where it is not known which of them comes next."""
 
 
-class Step(NamedTuple):
+class PathStep(NamedTuple):
     """One step of a path: the operation number `number` of a block, in that the block `part`, in a loop its turn."""
 
     number: int
@@ -41,7 +41,7 @@ class Step(NamedTuple):
     turn: int = NO_TURN
 
 
-Path = tuple[Step, ...]
+Path = tuple[PathStep, ...]
 
 
 class Point(NamedTuple):

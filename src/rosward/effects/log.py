@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, final
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, External, Ref, Unknown, Value
+from rosward.effects.sent import SentEffect
 from rosward.effects.variables import Variables
 from rosward.findings import Finding, Findings
 from rosward.ros.entities import Qos
@@ -112,6 +113,7 @@ class EffectLog:
         self.nodes: dict[NodeEffect, None] = {}
         self.entities: dict[EntityEffect, None] = {}
         self.paths: dict[EntityEffect, tuple[Place, ...]] = {}  # the calls that first led to each
+        self.sent: dict[SentEffect, tuple[Place, ...]] = {}  # with the calls that first led to each
         self.parameters: dict[ParameterEffect, None] = {}
         self.findings = Findings()
         self.failures: dict[int, Findings] = {}  # what to tell of an exception of a library that nothing catches

@@ -16,7 +16,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Final, NamedTuple, final
 
-from rosward.enclaves.patterns import Candidate, Names, candidates
+from rosward.enclaves.patterns import Candidate, MatchedNames, candidates
 from rosward.enclaves.privileges import Privilege, by_enclave, on_dds, parts, privileges
 from rosward.enclaves.size import LARGEST, privilege_size, signed_size, too_large
 from rosward.enclaves.widened import Widened
@@ -41,7 +41,7 @@ class Compaction(NamedTuple):
 
 def compact(nodes: Sequence[Node], unknown: UnknownNames = "deny", largest: int = LARGEST) -> Compaction:
     """The patterns that bring the signed permissions of each enclave down to `largest` bytes."""
-    names = Names(privileges(nodes, unknown))
+    names = MatchedNames(privileges(nodes, unknown))
     widened: dict[str, tuple[Widened, ...]] = {}
     findings: list[Finding] = []
     for path, members in by_enclave(nodes):
@@ -80,7 +80,9 @@ def _place(widened: Widened, nodes: Sequence[Node]) -> Place:
 class _Fitting:
     """The rights of one enclave while patterns take their places."""
 
-    def __init__(self, path: str, nodes: Sequence[Node], unknown: UnknownNames, names: Names, largest: int) -> None:
+    def __init__(
+        self, path: str, nodes: Sequence[Node], unknown: UnknownNames, names: MatchedNames, largest: int
+    ) -> None:
         self._path = path
         self._names = names
         self._largest = largest
@@ -151,7 +153,7 @@ class _Fitting:
                 self._chosen.remove(each)
                 standing.subtract(each.members)
 
-    def _entry(self, candidate: Candidate) -> _Entry:
+    def _entry(self, candidate: Candidate) -> _Ranked:
         """How good it is to choose a pattern next."""
         gain = sum(self._sizes[m] for m in candidate.members if m not in self._taken) - self._size_of(candidate)
         gain += sum(
@@ -159,7 +161,7 @@ class _Fitting:
         )
         new = len(self._more_of(candidate) - self._allowed.get(candidate.kind, set()))
         rank = (1.0, new / gain if gain > 0 else 0.0) if new else (0.0, float(candidate.reach))
-        return _Entry(*rank, -gain, candidate.kind.value, candidate.name, candidate, gain)
+        return _Ranked(*rank, -gain, candidate.kind.value, candidate.name, candidate, gain)
 
     def _size_of(self, candidate: Candidate) -> int:
         """What the line of a pattern adds: nothing where the enclave has that right anyway."""
@@ -186,7 +188,7 @@ class _Fitting:
         return any(own.covers(wanted) for own in self._wild.get(kind, ()))
 
 
-class _Entry(NamedTuple):
+class _Ranked(NamedTuple):
     """In the order in which patterns are tried."""
 
     costs: float

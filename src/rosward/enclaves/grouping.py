@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from rosward.enclaves.price import NOTHING, Price, Tariff
 
-__all__ = ["Cut", "Ladder", "Step", "Unit", "cut_at", "knee", "ladder", "most", "within"]
+__all__ = ["Cut", "Ladder", "Merging", "Unit", "cut_at", "knee", "ladder", "most", "within"]
 
 
 class Unit(NamedTuple):
@@ -28,7 +28,7 @@ class Unit(NamedTuple):
     fixed: bool = False
 
 
-class Step(NamedTuple):
+class Merging(NamedTuple):
     """Two groups become one. A group below the number of units is that unit, another one was made by a step before."""
 
     left: int
@@ -43,7 +43,7 @@ class Ladder(NamedTuple):
 
     units: tuple[Unit, ...]
     start: Price
-    steps: tuple[Step, ...]
+    steps: tuple[Merging, ...]
 
     @property
     def totals(self) -> tuple[Price, ...]:
@@ -74,7 +74,7 @@ def ladder(units: Sequence[Unit], tariff: Tariff) -> Ladder:
     numbers = sorted(members)
     queue = [offer(a, b) for i, a in enumerate(numbers) for b in numbers[i + 1 :]]
     heapq.heapify(queue)
-    steps: list[Step] = []
+    steps: list[Merging] = []
     total = start
     while queue:
         price, left, right = heapq.heappop(queue)
@@ -84,7 +84,7 @@ def ladder(units: Sequence[Unit], tariff: Tariff) -> Ladder:
         joint = (*members.pop(left), *members.pop(right))
         prices[new] = prices[left].plus(prices[right]).plus(price)
         total = total.plus(price)
-        steps.append(Step(left, right, price, total, len(members) + 1 + fixed))
+        steps.append(Merging(left, right, price, total, len(members) + 1 + fixed))
         members[new] = joint
         for other in members:
             if other != new:

@@ -20,7 +20,7 @@ from rosward.enclaves.privileges import Privilege, parts
 from rosward.policies.match import Pattern
 from rosward.ros.entities import EntityKind
 
-__all__ = ["Candidate", "Names", "candidates"]
+__all__ = ["Candidate", "MatchedNames", "candidates"]
 
 _TOPICS: Final = frozenset({EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION})
 _PARAMETERS: Final = "_parameter"
@@ -44,7 +44,7 @@ class Candidate(NamedTuple):
 
 
 @final
-class Names:
+class MatchedNames:
     """Every name of a network, ready to be asked which of them a pattern matches."""
 
     def __init__(self, all_privileges: Iterable[Privilege]) -> None:

@@ -26,7 +26,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine.havoc import change
-from rosward.models.ros.effects import perform
+from rosward.models.ros.marks import perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -42,9 +42,13 @@ def is_model(function: Function) -> bool:
     return function.code.file.startswith(MODEL_PREFIX)
 
 
+_SENDS: Final = Const("sends")
+
+
 def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bool:
     """Whether a function of a model, which shows nothing of what it does, may raise an exception."""
-    if not is_model(function) or not (function.code.is_stub or function.effects):
+    declares = any(isinstance(e, Tuple) and e.items[0] != _SENDS for e in function.effects)
+    if not is_model(function) or not (function.code.is_stub or declares):
         return False
     facts = machine.library.facts
     if function.code.name in facts.creating:

@@ -10,7 +10,7 @@ from rosward.models.file_paths import Files
 from rosward.source.definitions import Definition
 
 
-class Found(NamedTuple):
+class FoundModule(NamedTuple):
     """Where a module name leads: its full dotted name, a key that identifies it, its file ('' for a folder), whether it is a model."""
 
     name: str
@@ -27,7 +27,7 @@ class Sources(Protocol):
     def files(self) -> Files:
         """What is installed into the share folders of packages, as data."""
 
-    def find(self, name: str, level: int, importer: str) -> Found | None:
+    def find(self, name: str, level: int, importer: str) -> FoundModule | None:
         """The module of a name as written in the file `importer`."""
 
     def module(self, file: str) -> Module | None:
@@ -39,10 +39,10 @@ class Sources(Protocol):
     def interface_definition(self, package: str, kind: str, name: str, part: str) -> Definition | None:
         """The fields of a message, or of a `part` (`Request`, `Goal`) of a service or action; None where they are not known."""
 
-    def in_folder(self, folder: str, name: str) -> Found | None:
+    def in_folder(self, folder: str, name: str) -> FoundModule | None:
         """The module of a name, imported from a folder below that of all sources."""
 
-    def named(self, name: str) -> tuple[tuple[str, Found], ...]:
+    def named(self, name: str) -> tuple[tuple[str, FoundModule], ...]:
         """All files that a name may mean, each with the folder from which it would be imported."""
 
     def is_of(self, file: str, package: str) -> bool:

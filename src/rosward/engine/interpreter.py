@@ -46,7 +46,7 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
     from rosward.engine.machine import Language, SharedLanguages
-    from rosward.engine.stepped import Action, Running, Stepped
+    from rosward.engine.stepped import Resumption, Running, Stepped
     from rosward.engine.ways import Way
     from rosward.ir.program import Code
     from rosward.models.file_paths import Files
@@ -285,7 +285,7 @@ class Interpreter:
         """What a call of a generator function or coroutine gives."""
         return self.language.make_generator(self, function, registers)
 
-    def advance(self, ref: Ref, action: Action) -> Stepped:
+    def advance(self, ref: Ref, action: Resumption) -> Stepped:
         """Resume a suspended generator."""
         return self.language.advance(self, ref, action)
 
@@ -409,9 +409,17 @@ class Interpreter:
         """Values reach unknown code."""
         escape.escape(self, values, library, callee)
 
-    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+    def schedule(
+        self,
+        callback: Value,
+        args: Sequence[Value] | None,
+        event: str,
+        place: Place | None = None,
+        *,
+        answered: Value | None = None,
+    ) -> None:
         """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
-        schedule.add(self, callback, None if args is None else tuple(args), event, place)
+        schedule.add(self, callback, None if args is None else tuple(args), event, place, answered)
 
     def spin(self) -> None:
         """Everything scheduled may run here."""

@@ -19,7 +19,7 @@ from rosward.effects.log import EffectLog
 from rosward.effects.shell import Shell, usual_shell
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.engine.declared import MODEL_PREFIX
-from rosward.engine.found import Found, Sources
+from rosward.engine.found import FoundModule, Sources
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.languages import LANGUAGES
 from rosward.engine.machine import Language
@@ -74,7 +74,7 @@ class Library:
         self._stubs = StubFiles(folders, net=net)
         self._net = net
         self._constants: dict[tuple[type, object], Const] = {}
-        self._found: dict[tuple[str, int, str], Found | None] = {}
+        self._found: dict[tuple[str, int, str], FoundModule | None] = {}
         self._definitions: dict[str, Definition | None] = {}
         self._lowered: dict[str, Module | None] = {}
         self._models: dict[str, ModuleValue] = {}
@@ -166,7 +166,7 @@ class Library:
 
     # Modules
 
-    def find(self, name: str, level: int, importer: ModuleValue | None) -> Found | None:
+    def find(self, name: str, level: int, importer: ModuleValue | None) -> FoundModule | None:
         """The module of a name as written in the module `importer`."""
         file = importer.file if importer is not None else ""
         self._note("find", name, level, file)
@@ -175,7 +175,7 @@ class Library:
             self._found[key] = self._look_up(name, level, importer)
         return self._found[key]
 
-    def _look_up(self, name: str, level: int, importer: ModuleValue | None) -> Found | None:
+    def _look_up(self, name: str, level: int, importer: ModuleValue | None) -> FoundModule | None:
         file = importer.file if importer is not None else ""
         if importer is not None and self.is_model_file(file):
             return self._model(absolute(name, level, importer.name, importer.file))
@@ -192,9 +192,9 @@ class Library:
             return model
         return None if found is not None and found.guess and top in STANDARD_LIBRARY else found
 
-    def _model(self, name: str) -> Found | None:
+    def _model(self, name: str) -> FoundModule | None:
         path = self._stubs.find(name)
-        return None if path is None else Found(name, name, path, True)
+        return None if path is None else FoundModule(name, name, path, True)
 
     def describes(self, package: str) -> bool:
         """Whether there is any model of a top-level package."""
@@ -205,13 +205,13 @@ class Library:
         """Whether a file name is that of a model."""
         return file.startswith(MODEL_PREFIX)
 
-    def load_model(self, found: Found) -> ModuleValue:
+    def load_model(self, found: FoundModule) -> ModuleValue:
         """The module value of a model, run once: with all that it needs, in an order that does not depend on who asks."""
         if self._reading is not None:
             self._reading.models.add(found.name)
         return self._load(found)
 
-    def _load(self, found: Found) -> ModuleValue:
+    def _load(self, found: FoundModule) -> ModuleValue:
         known = self._models.get(found.name)
         if known is not None:
             return known

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from rosward.engine.frame import Frame, Snapshot
     from rosward.engine.precision import Precision
     from rosward.engine.scheduled import Schedule
-    from rosward.engine.stepped import Action, Running, Stepped
+    from rosward.engine.stepped import Resumption, Running, Stepped
     from rosward.engine.summaries import Summaries
     from rosward.engine.trace import Trace
     from rosward.engine.ways import Way
@@ -121,7 +121,7 @@ class Engine(Machine, Protocol):
     def make_generator(self, function: Function, registers: list[Value]) -> Ref:
         """What a call of a generator function or coroutine gives."""
 
-    def advance(self, ref: Ref, action: Action) -> Stepped:
+    def advance(self, ref: Ref, action: Resumption) -> Stepped:
         """Resume a suspended generator."""
 
     def run_out(self, ref: Ref) -> tuple[Items, Value]:
@@ -133,7 +133,15 @@ class Engine(Machine, Protocol):
     def uncaught(self, exception: Value) -> None:
         """Nothing around catches this exception, which is raised here."""
 
-    def schedule(self, callback: Value, args: Sequence[Value] | None, event: str, place: Place | None = None) -> None:
+    def schedule(
+        self,
+        callback: Value,
+        args: Sequence[Value] | None,
+        event: str,
+        place: Place | None = None,
+        *,
+        answered: Value | None = None,
+    ) -> None:
         """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
 
     def may_call(self, values: Sequence[Value]) -> None:
@@ -201,7 +209,7 @@ class Language:
     next_of: Callable[[Engine, Value, str, Value, Value | None], Value]
     wait_for: Callable[[Engine, Value], Value]
     make_generator: Callable[[Engine, Function, list[Value]], Ref]
-    advance: Callable[[Engine, Ref, Action], Stepped]
+    advance: Callable[[Engine, Ref, Resumption], Stepped]
     run_out: Callable[[Engine, Ref], tuple[Items, Value]]
     close_generator: Callable[[Engine, Ref], None]
 

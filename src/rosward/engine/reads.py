@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple, final
 if TYPE_CHECKING:
     from rosward.effects.configuration import Configuration
     from rosward.engine.budget import Budget
-    from rosward.engine.found import Found, Sources
+    from rosward.engine.found import FoundModule, Sources
     from rosward.ir.program import Module
     from rosward.models.file_paths import Files
     from rosward.source.definitions import Definition
@@ -68,7 +68,7 @@ class RecordedSources:
         """Noted as well."""
         return self._files
 
-    def find(self, name: str, level: int, importer: str) -> Found | None:
+    def find(self, name: str, level: int, importer: str) -> FoundModule | None:
         """See `Sources`."""
         self._note("find", name, level, importer)
         return self._sources.find(name, level, importer)
@@ -88,12 +88,12 @@ class RecordedSources:
         self._note("interface_definition", package, kind, name, part)
         return self._sources.interface_definition(package, kind, name, part)
 
-    def in_folder(self, folder: str, name: str) -> Found | None:
+    def in_folder(self, folder: str, name: str) -> FoundModule | None:
         """See `Sources`."""
         self._note("in_folder", folder, name)
         return self._sources.in_folder(folder, name)
 
-    def named(self, name: str) -> tuple[tuple[str, Found], ...]:
+    def named(self, name: str) -> tuple[tuple[str, FoundModule], ...]:
         """See `Sources`."""
         self._note("named", name)
         return self._sources.named(name)

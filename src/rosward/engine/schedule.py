@@ -18,7 +18,7 @@ from rosward.engine.arguments import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
-from rosward.engine.scheduled import Entry
+from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import throw
 from rosward.engine.unheld import arrive, unheld_messages
 from rosward.findings import Finding, Findings
@@ -49,14 +49,15 @@ def add(
     args: tuple[Value, ...] | None,
     event: str,
     place: Place | None = None,
+    answered: Value | None = None,
 ) -> None:
-    """Register a callback; here, unless another place is given."""
+    """Register a callback; here, unless another place is given. `answered` is called with what it returns."""
     book = machine.schedule_book
     for option in options(callback):
         key = (option, args)
         book.by_library = book.by_library or event in (BY_LIBRARY, BY_BASE)
         if key not in book.entries and option.__class__ is not Unknown:
-            entry = book.entries[key] = Entry(
+            entry = book.entries[key] = Scheduled(
                 option,
                 args,
                 event,
@@ -64,11 +65,12 @@ def add(
                 machine.state.copy(),
                 _context(machine, option, event),
             )
+            entry.answered = answered
             if event == "thread" and not book.running:
                 _start(machine, entry)
 
 
-def _start(machine: Engine, entry: Entry) -> None:
+def _start(machine: Engine, entry: Scheduled) -> None:
     """A thread runs from here on: what follows may see what it writes, and it what is written so far.
 
     Where it finds an attribute missing that is set below, the program would fail: of that nothing is told.
@@ -184,7 +186,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
     machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
 
 
-def _afford(machine: Engine, entry: Entry) -> bool:
+def _afford(machine: Engine, entry: Scheduled) -> bool:
     """Whether there are steps left for a callback. Where many are gone, precision goes first."""
     book = machine.schedule_book
     budget = machine.budget
@@ -200,7 +202,7 @@ def _afford(machine: Engine, entry: Entry) -> bool:
     return True
 
 
-def _call(machine: Engine, entry: Entry) -> None:
+def _call(machine: Engine, entry: Scheduled) -> None:
     book = machine.schedule_book
     book.event = entry.event
     machine.state.heap.fill(entry.state.heap, lambda ours, theirs: join_objects(ours, theirs, join))
@@ -218,11 +220,13 @@ def _call(machine: Engine, entry: Entry) -> None:
             anything = machine.unknown(Cause.CALL, f"argument of a {entry.event}")
             result = machine.call(entry.callback, entry.args or (), {ANY: anything})
             if result is not UNBOUND and result.__class__ is Ref and machine.obj(result).kind == "generator":
-                machine.iterate(result)
+                result = machine.run_out(result)[1]
             elif entry.callback.__class__ is Class:  # what a library makes is its own
                 machine.trace.handed.update((o, entry.place) for o in options(result) if o is not UNBOUND)
             elif entry.event in (BY_LIBRARY, BY_BASE, BY_PYTHON) and result is not UNBOUND:
                 machine.escape((result,), "a library")
+            if entry.answered is not None and result is not UNBOUND:
+                machine.call(entry.answered, (result,))
     except LimitReachedError as limit:
         entry.exhausted = True
         machine.report("RW201", f"{limit.what} in what a {entry.event} starts; the rest of it is missing")

@@ -23,10 +23,10 @@ class Naming(NamedTuple):
 
 
 @final
-class Entry:
+class Scheduled:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
-    __slots__ = ("args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
+    __slots__ = ("answered", "args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
 
     def __init__(
         self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State, context: int
@@ -38,6 +38,7 @@ class Entry:
         self.state = state
         self.context = context
         self.coarse = False  # it took many steps: from now on it is followed with less precision
+        self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
 
 
@@ -58,7 +59,7 @@ class Schedule:
     )
 
     def __init__(self) -> None:
-        self.entries: dict[object, Entry] = {}
+        self.entries: dict[object, Scheduled] = {}
         self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
         self.running = False
         self.by_library = False  # something that the program handed out may be called by a library

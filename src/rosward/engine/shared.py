@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.values import Class, Const, Function, ModuleValue, Value
-    from rosward.engine.found import Found, Sources
+    from rosward.engine.found import FoundModule, Sources
     from rosward.ir import ops
     from rosward.ir.program import Module
-    from rosward.models.facts import Facts
+    from rosward.models.facts import LibraryFacts
     from rosward.models.native import NativeFunction
     from rosward.source.definitions import Definition
 
@@ -37,7 +37,7 @@ class Shared(Protocol):
         """The module of what no code of the program calls."""
 
     @property
-    def facts(self) -> Facts:
+    def facts(self) -> LibraryFacts:
         """What the marks of stubs say of libraries."""
 
     @property
@@ -66,13 +66,13 @@ class Shared(Protocol):
     def file_value(self, module: ModuleValue) -> Value:
         """`__file__` of a module."""
 
-    def find(self, name: str, level: int, importer: ModuleValue | None) -> Found | None:
+    def find(self, name: str, level: int, importer: ModuleValue | None) -> FoundModule | None:
         """The module of a name as written in the module `importer`."""
 
     def is_model_file(self, file: str) -> bool:
         """Whether a file name is that of a model."""
 
-    def load_model(self, found: Found) -> ModuleValue:
+    def load_model(self, found: FoundModule) -> ModuleValue:
         """The module value of a model, run once."""
 
     def expect(self, importer: ModuleValue, module: ModuleValue, name: str, stand_in: Value) -> None:

@@ -9,14 +9,14 @@ from rosward.domain.state import State
 from rosward.domain.values import NONE, UNBOUND, Value
 
 
-class Action(NamedTuple):
+class Resumption(NamedTuple):
     """How a suspended generator is resumed: `next`, `send` a value, `throw` an exception, or `close`."""
 
     kind: str
     value: Value
 
 
-NEXT: Final = Action("next", NONE)
+NEXT: Final = Resumption("next", NONE)
 
 
 class Stepped(NamedTuple):

@@ -37,14 +37,14 @@ from rosward.domain.values import (
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
-    from rosward.engine.scheduled import Entry
+    from rosward.engine.scheduled import Scheduled
 
 ARRIVING: Final = ("message", "service")
 """Events with which new messages arrive as arguments."""
 _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
-def unheld_messages(machine: Engine, entries: Iterable[Entry], frames: Iterable[Frame]) -> set[int]:
+def unheld_messages(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame]) -> set[int]:
     """The addresses of messages that nothing refers to: no other object, no frame of the main body, no callback but the one that gets them."""
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
@@ -77,7 +77,7 @@ def unheld_messages(machine: Engine, entries: Iterable[Entry], frames: Iterable[
     return inside.keys() - held
 
 
-def _only_there(machine: Engine, entry: Entry) -> Iterator[Obj]:
+def _only_there(machine: Engine, entry: Scheduled) -> Iterator[Obj]:
     """The objects that a callback finds as they were when it was registered: those that are not here."""
     ours = machine.state.heap.pages
     for number, page in entry.state.heap.pages.items():
@@ -136,7 +136,7 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
             yield from _refs(v for v in (value.getter, value.setter, value.deleter) if v is not None)
 
 
-def arrive(machine: Engine, entry: Entry) -> None:
+def arrive(machine: Engine, entry: Scheduled) -> None:
     """Messages arrive with which a callback is called: new ones, or further ones beside those that are still held."""
     for argument in entry.args or ():
         if argument.__class__ is not Ref or entry.event not in ARRIVING:

@@ -10,8 +10,17 @@ from pathlib import Path
 from typing import Final, NamedTuple, final
 
 from rosward.explanation.excerpts import Excerpt, Excerpts
-from rosward.explanation.provenance import PolicyLine, Rights, Source, Start, Starts, remap_rules, remedies, sources
-from rosward.explanation.subjects import Meeting, Subjects, close_matches, is_at, subjects
+from rosward.explanation.provenance import (
+    EntityRules,
+    NameSource,
+    PolicyLine,
+    Start,
+    Starts,
+    remap_rules,
+    remedies,
+    sources,
+)
+from rosward.explanation.subjects import MeetingPoint, Subjects, close_matches, is_at, subjects
 from rosward.findings import RULES, Finding, Severity
 from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
@@ -60,7 +69,7 @@ class EndTold(NamedTuple):
     created: tuple[Excerpt, ...]
     calls: tuple[Place, ...]
     start: Start
-    made_of: tuple[Source, ...]
+    made_of: tuple[NameSource, ...]
     remaps: tuple[str, ...]
     missing: tuple[str, ...]
     remedies: tuple[str, ...]
@@ -158,7 +167,7 @@ def explained(
 ) -> Answer:
     """What `query` means in a network whose places are relative to `root`; `systems` are the launched systems, if any."""
     meant = subjects(network, query)
-    answer = _Teller(network, Excerpts(root), Rights(network, unknown), Starts(systems)).answer(query, meant)
+    answer = _Teller(network, Excerpts(root), EntityRules(network, unknown), Starts(systems)).answer(query, meant)
     return answer._replace(close=close_matches(network, query)) if answer.empty else answer
 
 
@@ -177,7 +186,7 @@ def _rule(code: str, *, searched: bool) -> RuleTold:
 class _Teller:
     """Turns the records of a network into those of an answer."""
 
-    def __init__(self, network: Network, excerpts: Excerpts, rights: Rights, starts: Starts) -> None:
+    def __init__(self, network: Network, excerpts: Excerpts, rights: EntityRules, starts: Starts) -> None:
         self._network = network
         self._excerpts = excerpts
         self._rights = rights
@@ -214,7 +223,7 @@ class _Teller:
             doubts=self._doubts([f for f in self._network.findings if here(f.place)]),
         )
 
-    def _meeting(self, meeting: Meeting) -> MeetingTold:
+    def _meeting(self, meeting: MeetingPoint) -> MeetingTold:
         ends = tuple(self._end(node, entity) for node, entity in meeting.ends)
         types = tuple(sorted({end.type for end in ends if end.type}))
         return MeetingTold(meeting.word, meeting.name, types, ends)

@@ -14,10 +14,10 @@ from rosward.policies.compare import Discrepancy, Related
 from rosward.policies.records import Policy
 from rosward.suppression.judge import Judged, RelatedPlace, Reviewed
 
-__all__ = ["Checked", "Difference", "checked"]
+__all__ = ["Checked", "ShownDiscrepancy", "checked"]
 
 
-class Difference(NamedTuple):
+class ShownDiscrepancy(NamedTuple):
     """A discrepancy that is shown."""
 
     enclave: str
@@ -29,7 +29,7 @@ class Checked(NamedTuple):
     """All that is told. `unread` are parts of the policy, `questions` what is not known of the code; `ignored` is a number."""
 
     policy: Policy
-    differences: tuple[Difference, ...] = ()
+    differences: tuple[ShownDiscrepancy, ...] = ()
     unread: tuple[Judged, ...] = ()
     questions: tuple[Judged, ...] = ()
     ignored: int = 0
@@ -64,7 +64,7 @@ def checked(
         found = judged.get((one.finding, one.in_policy))
         if found is not None:
             related = tuple(_related(one.related, prefixes))
-            differences.append(Difference(one.enclave, one.right, found._replace(related=related)))
+            differences.append(ShownDiscrepancy(one.enclave, one.right, found._replace(related=related)))
     return Checked(
         policy,
         tuple(differences),

@@ -19,7 +19,7 @@ from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
 from rosward.source.location import Place
 
-__all__ = ["PolicyLine", "Rights", "Source", "Start", "Starts", "remap_rules", "remedies", "sources"]
+__all__ = ["EntityRules", "NameSource", "PolicyLine", "Start", "Starts", "remap_rules", "remedies", "sources"]
 
 _ELEMENTS: Final = {
     EntityKind.PUBLISHER: ("topics", "publish", "topic"),
@@ -43,7 +43,7 @@ _REMEDIES: Final = (
 _OTHERWISE: Final = "make it a constant, or a parameter with a default; or accept the wildcard in the policy"
 
 
-class Source(NamedTuple):
+class NameSource(NamedTuple):
     """Something outside of the code that a name was made of. `value` is None where it is no plain value."""
 
     name: str
@@ -74,7 +74,7 @@ class PolicyLine(NamedTuple):
 
 
 @final
-class Rights:
+class EntityRules:
     """The rule of each entity of a network."""
 
     def __init__(self, network: Network, unknown: UnknownNames = "deny") -> None:
@@ -125,7 +125,7 @@ class Starts:
         return [e for e in same if e.namespace is not None and e.namespace.text == node.namespace] or same
 
 
-def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[Source, ...]:
+def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[NameSource, ...]:
     """What a name was made of, each with its value and who set it."""
     parameters = {parameter.name: parameter for parameter in node.parameters}
     alone = len(entity.depends_on) == 1
@@ -133,7 +133,9 @@ def sources(node: Node, entity: Entity, entries: Sequence[LaunchEntry]) -> tuple
     return tuple(
         _parameter(parameters[name], entries, given=bound and alone)
         if name in parameters
-        else Source(name, "argument or environment variable", None, "set from outside" if bound and alone else "", ())
+        else NameSource(
+            name, "argument or environment variable", None, "set from outside" if bound and alone else "", ()
+        )
         for name in entity.depends_on
     )
 
@@ -144,11 +146,11 @@ def remap_rules(entity: Entity, entries: Sequence[LaunchEntry]) -> tuple[str, ..
     return tuple(dict.fromkeys(f"{a.text} → {b.text}" for a, b in rules if b.text == entity.name))
 
 
-def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: bool) -> Source:
+def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: bool) -> NameSource:
     value = parameter.value
     if not given and value == parameter.default:
         places = (parameter.declared_at,) if parameter.declared_at else ()
-        return Source(parameter.name, "parameter", value, "its default" if value is not None else "", places)
+        return NameSource(parameter.name, "parameter", value, "its default" if value is not None else "", places)
     own = [p for e in entries for p in e.parameters if p.kind != "file" and p.name == parameter.name]
     if own:
         at = tuple(dict.fromkeys(p.place for p in own if p.place is not None)) or tuple(
@@ -157,11 +159,11 @@ def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: b
         shown = value if value is not None else own[-1].value.text
         same = any(str(shown).lower() == p.value.text.lower() for p in own)  # True is `true` in a launch file
         origin = "set in the launch file" if same else "set from outside, over the launch file or beside it"
-        return Source(parameter.name, "parameter", shown, origin, at)
+        return NameSource(parameter.name, "parameter", shown, origin, at)
     # what the launch passes need not be what decides: a file of --params, too, may set it
     files = list(dict.fromkeys(p.value.text for e in entries for p in e.parameters if p.kind == "file"))
     passed = f"; the launch passes {', '.join(files[:3])}" if files else ""
-    return Source(parameter.name, "parameter", value, f"set from outside{passed}", ())
+    return NameSource(parameter.name, "parameter", value, f"set from outside{passed}", ())
 
 
 def remedies(reasons: Iterable[str]) -> tuple[str, ...]:

@@ -23,12 +23,12 @@ from rosward.network.graph import Network
 from rosward.network.holes import may_be
 from rosward.ros.entities import Entity, Node
 
-__all__ = ["Meeting", "Subjects", "close_matches", "is_at", "subjects"]
+__all__ = ["MeetingPoint", "Subjects", "close_matches", "is_at", "subjects"]
 
 _PLACE: Final = re.compile(r"(.+?):(\d{1,9})(?::\d+)?")
 
 
-class Meeting(NamedTuple):
+class MeetingPoint(NamedTuple):
     """A topic, service or action, and who has an end of it."""
 
     word: str
@@ -39,7 +39,7 @@ class Meeting(NamedTuple):
 class Subjects(NamedTuple):
     """All that a name means. `code` and `place` are set where the name is of that form."""
 
-    meetings: tuple[Meeting, ...] = ()
+    meetings: tuple[MeetingPoint, ...] = ()
     nodes: tuple[Node, ...] = ()
     enclaves: tuple[str, ...] = ()
     code: str | None = None
@@ -99,13 +99,13 @@ def _program(node: Node) -> str:
     return f"{node.package}/{node.executable}"
 
 
-def _meetings(ends: Iterable[tuple[Node, Entity]]) -> tuple[Meeting, ...]:
+def _meetings(ends: Iterable[tuple[Node, Entity]]) -> tuple[MeetingPoint, ...]:
     groups: dict[tuple[str, str], list[tuple[Node, Entity]]] = {}
     for node, entity in ends:
         groups.setdefault((entity.name, entity.kind.meeting), []).append((node, entity))
-    return tuple(Meeting(word, name, tuple(groups[name, word])) for name, word in sorted(groups))
+    return tuple(MeetingPoint(word, name, tuple(groups[name, word])) for name, word in sorted(groups))
 
 
-def _unknown(meeting: Meeting) -> bool:
+def _unknown(meeting: MeetingPoint) -> bool:
     """Of such a name nothing is known but perhaps its namespace: it may be any name, so it answers no question."""
     return all(e.name.endswith("/*") for _, e in meeting.ends)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from rosward.frontends.front_end import FrontEnd
-from rosward.frontends.python_module import lower_module
+from rosward.frontends.python.module import lower_module
 from rosward.ir import program
 
 __all__ = ["FRONT_ENDS", "PYTHON", "front_end_of"]

@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import IO, Final, NamedTuple, final
 
-__all__ = ["Entry", "Git", "GitError"]
+__all__ = ["Git", "GitError", "TreeEntry"]
 
 _SAFE: Final = (
     "--no-pager",
@@ -52,7 +52,7 @@ class GitError(Exception):
     """Git does not say it; the message says why."""
 
 
-class Entry(NamedTuple):
+class TreeEntry(NamedTuple):
     """A file, symbolic link or submodule of a commit; `size` is None of a submodule."""
 
     mode: str
@@ -103,7 +103,7 @@ class Git:
         except GitError as error:
             raise GitError(f"{one[:12]} and {other[:12]} have no common ancestor that is here") from error
 
-    def entries(self, commit: str) -> list[Entry]:
+    def entries(self, commit: str) -> list[TreeEntry]:
         """All files of a commit. Raises GitError."""
         text = self._read("ls-tree", "-r", "-z", "--long", "--full-tree", commit)
         found = [_entry(line) for line in text.split(b"\0") if line]
@@ -180,13 +180,13 @@ class Git:
             raise GitError(f"git cannot be started: {error.strerror or error}") from error
 
 
-def _entry(line: bytes) -> Entry:
+def _entry(line: bytes) -> TreeEntry:
     head, _, path = line.partition(b"\t")
     words = head.decode("ascii", "replace").split()
     if len(words) != 4 or not path:
         raise GitError("git lists files in a form that is not known")
     mode, kind, name, size = words
-    return Entry(mode, kind, name, int(size) if size.isdecimal() else None, os.fsdecode(path))
+    return TreeEntry(mode, kind, name, int(size) if size.isdecimal() else None, os.fsdecode(path))
 
 
 def _content(name: str, requests: IO[bytes], answers: IO[bytes]) -> bytes:

@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.git.folders import make_folders
-from rosward.git.git import Entry, Git, GitError
+from rosward.git.git import Git, GitError, TreeEntry
 
 __all__ = ["write_commit", "write_work_tree"]
 
@@ -98,7 +98,7 @@ def _is_bulk(path: str, size: int) -> bool:
     return size > _LARGEST or _MEDIA.fullmatch(path) is not None
 
 
-def _with_contents(git: Git, entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
+def _with_contents(git: Git, entries: list[TreeEntry]) -> Iterator[tuple[TreeEntry, bytes]]:
     return zip(entries, git.contents(e.name for e in entries), strict=True)
 
 

@@ -30,7 +30,7 @@ _STATEMENTS: Final = ("raises_nothing", "asks_all", "before_sources", "precise",
 _WORDS: Final = tuple(word.encode() for word in (*_DECORATORS, *_STATEMENTS))
 
 
-class Facts(NamedTuple):
+class LibraryFacts(NamedTuple):
     """What marks say of all libraries together."""
 
     node_classes: frozenset[str] = frozenset()
@@ -57,9 +57,9 @@ class Facts(NamedTuple):
         wanted = frozenset(packages)
         return frozenset(name for name, package in self.creators if package in wanted)
 
-    def joined(self, other: Facts) -> Facts:
+    def joined(self, other: LibraryFacts) -> LibraryFacts:
         """What both say."""
-        return Facts(
+        return LibraryFacts(
             self.node_classes | other.node_classes,
             self.node_methods | other.node_methods,
             self.creating | other.creating,
@@ -72,9 +72,9 @@ class Facts(NamedTuple):
         )
 
 
-def marked(folder: Path) -> Facts:
+def marked(folder: Path) -> LibraryFacts:
     """What the marks of the stubs in a folder say; what cannot be read says nothing here, and is told where it is imported."""
-    found = Facts()
+    found = LibraryFacts()
     for file in _stubs(folder):
         data = read_bytes(folder / file, file, _LARGEST)
         if not isinstance(data, Finding) and any(word in data for word in _WORDS):
@@ -98,41 +98,41 @@ def _stubs(folder: Path) -> Iterator[str]:
                 yield Path(above, name).relative_to(folder).as_posix()
 
 
-def _of_module(tree: ast.Module, name: str) -> Facts:
+def _of_module(tree: ast.Module, name: str) -> LibraryFacts:
     top = frozenset({name.partition(".")[0]})
-    facts = Facts()
+    facts = LibraryFacts()
     for node in tree.body:
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
             facts = facts.joined(_of_statement(node.value, name, top))
         elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and _marks(node) & {"creator", "creates"}:
-            facts = facts.joined(Facts(creators=frozenset((node.name, package) for package in top)))
+            facts = facts.joined(LibraryFacts(creators=frozenset((node.name, package) for package in top)))
         elif isinstance(node, ast.ClassDef):
             facts = facts.joined(_of_class(node, name, top))
     return facts
 
 
-def _of_statement(call: ast.Call, name: str, top: frozenset[str]) -> Facts:
+def _of_statement(call: ast.Call, name: str, top: frozenset[str]) -> LibraryFacts:
     mark = ast.unparse(call.func)
     words = tuple(a.value for a in call.args if isinstance(a, ast.Constant) and isinstance(a.value, str))
     if mark == "precise":
-        return Facts(precise=words)
+        return LibraryFacts(precise=words)
     if mark == "exact_calls":
-        return Facts(exact=words)
+        return LibraryFacts(exact=words)
     if mark == "raises_nothing":
-        return Facts(raising_nothing=frozenset({name}))
+        return LibraryFacts(raising_nothing=frozenset({name}))
     if mark == "asks_all":
-        return Facts(asking=top)
-    return Facts(before_sources=top) if mark == "before_sources" else Facts()
+        return LibraryFacts(asking=top)
+    return LibraryFacts(before_sources=top) if mark == "before_sources" else LibraryFacts()
 
 
-def _of_class(node: ast.ClassDef, module: str, top: frozenset[str]) -> Facts:
+def _of_class(node: ast.ClassDef, module: str, top: frozenset[str]) -> LibraryFacts:
     marks = _marks(node)
     of_nodes = "node_class" in marks
     methods = {m.name: _marks(m) for m in node.body if isinstance(m, ast.FunctionDef | ast.AsyncFunctionDef)}
     creating = frozenset(n for n, m in methods.items() if m & {"creates", "creator"} and n != "__init__")
     known_by = frozenset(n for n, m in methods.items() if of_nodes and m & {"creates", "node_method"})
     called = "creator" in marks or "creates" in methods.get("__init__", ())
-    return Facts(
+    return LibraryFacts(
         node_classes=frozenset({f"{module}.{node.name}"} if of_nodes else ()),
         node_methods=known_by,
         creating=creating,

@@ -57,6 +57,8 @@ class Callbacks(Protocol):
 class Machine(Execution, Protocol):
     """What the engine offers to a native. All of it acts on the current state of the interpretation."""
 
+    choosing: bool
+    """Whether what is being called is one of several alternatives."""
     raised: int
     """How many exceptions were raised so far: a call in which it grows is not remembered."""
 
@@ -185,8 +187,8 @@ class Machine(Execution, Protocol):
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
         """The values reach code that is not known: callables may be called, contents change, nodes may get entities (a finding)."""
 
-    def schedule(self, callback: Value, args: Sequence[Value], event: str) -> None:
-        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times."""
+    def schedule(self, callback: Value, args: Sequence[Value], event: str, *, answered: Value | None = None) -> None:
+        """Something (a timer, a message, a thread) may call `callback` from now on, any number of times; `answered` is given its results."""
 
     def spin(self) -> None:
         """Everything that is scheduled may run here, in any order, any number of times."""

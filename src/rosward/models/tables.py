@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Final, NamedTuple
 
 import rosward.models
-from rosward.models.facts import Facts
+from rosward.models.facts import LibraryFacts
 from rosward.models.native import NativeFunction
 from rosward.models.ros.facts import OWN
 
@@ -22,7 +22,7 @@ class Models(NamedTuple):
     """The models in code, and the facts about client libraries."""
 
     natives: Mapping[str, NativeFunction]
-    facts: Facts
+    facts: LibraryFacts
 
 
 def own_models() -> Models:

@@ -29,7 +29,7 @@ ANY_NAME = "*"
 """In `Given.name`: a parameter of a name that is not known."""
 
 
-class Rule(NamedTuple):
+class ValueRule(NamedTuple):
     """A remap rule, and its target as a value."""
 
     rule: names.RemapRule
@@ -43,7 +43,7 @@ class CommandLine(NamedTuple):
     `open`: why there may be further words.
     """
 
-    remaps: tuple[Rule, ...] = ()
+    remaps: tuple[ValueRule, ...] = ()
     parameters: tuple[Given, ...] = ()
     missing: tuple[Reason, ...] = ()
     enclave: Value | None = None
@@ -70,13 +70,13 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
         return CommandLine()
     parsed = arguments.parse_arguments([pattern(w) for w in words])
     at = parsed.positions
-    found: list[tuple[int, Rule]] = []
+    found: list[tuple[int, ValueRule]] = []
     further = [*between.open]
     for rule, index in zip(parsed.remaps, at.remaps, strict=True):
         if renames_anything(rule):
             further += reasons_of(words[index])
         else:
-            found.append((index, Rule(rule, behind(words[index], ":="))))
+            found.append((index, ValueRule(rule, behind(words[index], ":="))))
     remaps = (
         *(rule for index, rule in found if index < len(series.head)),
         *between.remaps,
@@ -122,7 +122,7 @@ def renames_anything(rule: names.RemapRule) -> bool:
 class _Between(NamedTuple):
     """What words of unknown number may mean: rules and parameters that may be given, and why there may be others."""
 
-    remaps: tuple[Rule, ...] = ()
+    remaps: tuple[ValueRule, ...] = ()
     missing: tuple[Reason, ...] = ()
     open: tuple[Reason, ...] = ()
 
@@ -133,7 +133,7 @@ _PARAMETERS: Final = ("-p", "--param", "--params-file")
 
 def _between(middle: Value | None) -> _Between:
     several = options(middle) if middle is not None else ()
-    rules: list[Rule] = []
+    rules: list[ValueRule] = []
     parameters = False
     reasons: list[Reason] = []
     for word in several:
@@ -150,7 +150,7 @@ def _between(middle: Value | None) -> _Between:
         if renames_anything(rule):
             reasons += reasons_of(word)
         else:
-            rules.append(Rule(rule, behind(word, ":=")))
+            rules.append(ValueRule(rule, behind(word, ":=")))
     missing = (Reason(Cause.OPERATION, "ROS arguments that may be given", Place("")),) if parameters else ()
     return _Between(tuple(rules), (*missing, *reasons), tuple(dict.fromkeys(reasons)))
 

@@ -11,7 +11,7 @@ from rosward.domain.text import make, pattern
 from rosward.domain.values import NONE, UNBOUND, Const, Text, Value
 from rosward.effects.log import EffectLog, NodeEffect
 from rosward.holes import Holed, literal, shown
-from rosward.naming.command_line import CommandLine, Rule, read_words
+from rosward.naming.command_line import CommandLine, ValueRule, read_words
 from rosward.ros import names
 
 
@@ -20,7 +20,7 @@ def command_lines(log: EffectLog, effect: NodeEffect) -> tuple[CommandLine, Comm
     return read_words(effect.words, log.configuration), read_words(effect.global_words, log.configuration)
 
 
-def remaps_of(log: EffectLog, effect: NodeEffect) -> tuple[Rule, ...]:
+def remaps_of(log: EffectLog, effect: NodeEffect) -> tuple[ValueRule, ...]:
     """The remap rules that hold for a node: its own first."""
     own, general = command_lines(log, effect)
     return (*own.remaps, *general.remaps)
@@ -42,7 +42,7 @@ def final_name(log: EffectLog, effect: NodeEffect) -> tuple[Value, Value]:
     return name, namespace
 
 
-def _renamed(old: Value, node_name: Holed, kind: names.RemapKind, rules: tuple[Rule, ...]) -> list[Value]:
+def _renamed(old: Value, node_name: Holed, kind: names.RemapKind, rules: tuple[ValueRule, ...]) -> list[Value]:
     """What the rules of a kind make of a node's name or namespace: several where holes leave open which applies."""
     found: list[Value] = []
     for rule, target in rules:
@@ -71,7 +71,7 @@ def _full(value: Const) -> Const:
 
 
 def remapped_by(
-    text: Holed, name: Holed, kind: names.RemapKind, rules: tuple[Rule, ...], node_name: Holed, namespace: Holed
+    text: Holed, name: Holed, kind: names.RemapKind, rules: tuple[ValueRule, ...], node_name: Holed, namespace: Holed
 ) -> Value | None:
     """The target of the rule that made the full name `text` of `name`; None where no rule did."""
     if text in names.remap_topic(name, kind, (), node_name, namespace):

@@ -16,7 +16,7 @@ from rosward.domain.choice import options
 from rosward.domain.values import Const, Value
 from rosward.effects.log import EffectLog, NodeEffect
 from rosward.holes import HOLE, Holed
-from rosward.naming.command_line import Rule
+from rosward.naming.command_line import ValueRule
 from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
 from rosward.ros import names
@@ -38,7 +38,7 @@ class Identity(NamedTuple):
 
     name: Holed
     namespace: Holed
-    rules: tuple[Rule, ...]
+    rules: tuple[ValueRule, ...]
     resolution: Resolution
     depends_on: tuple[str, ...]
     reasons: tuple[str, ...]

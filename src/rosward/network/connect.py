@@ -141,7 +141,7 @@ def _node_order(node: Node) -> tuple[str, str, Place, str]:
     return (node.fqn, node.process, node.defined_at, repr(node))
 
 
-class _Meeting(NamedTuple):
+class _Joined(NamedTuple):
     """Fields in the order of `Topic`, `Service` and `Action`."""
 
     name: str
@@ -151,14 +151,14 @@ class _Meeting(NamedTuple):
     system: bool
 
 
-def _meetings(nodes: tuple[Node, ...], sender: EntityKind, receiver: EntityKind) -> list[_Meeting]:
+def _meetings(nodes: tuple[Node, ...], sender: EntityKind, receiver: EntityKind) -> list[_Joined]:
     ends: dict[str, list[tuple[Node, Entity]]] = {}
     for node in nodes:
         for entity in node.entities:
             if entity.kind is sender or entity.kind is receiver:
                 ends.setdefault(entity.name, []).append((node, entity))
     return [
-        _Meeting(
+        _Joined(
             name,
             tuple(sorted({e.type for _, e in ends[name] if e.type is not None})),
             tuple(sorted({node.shown for node, e in ends[name] if e.kind is sender})),

@@ -12,7 +12,7 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from typing import final
 
-__all__ = ["Names", "may_be", "may_meet"]
+__all__ = ["NameIndex", "may_be", "may_meet"]
 
 
 def may_be(name: str, pattern: str) -> bool:
@@ -50,7 +50,7 @@ def may_meet(one: str, other: str) -> bool:
 
 
 @final
-class Names:
+class NameIndex:
     """Many names, to be asked whether one of them may be another: only those are looked at whose beginnings agree."""
 
     def __init__(self, names: Iterable[str]) -> None:

@@ -18,7 +18,7 @@ class Shown(NamedTuple):
     source: str = ""
 
 
-class SetParameter(NamedTuple):
+class GivenParameter(NamedTuple):
     """A parameter that a node is given; `kind` is global, rule, dict or file (then `value` is its path), `scope` the key in a dict."""
 
     kind: str
@@ -50,7 +50,7 @@ class LaunchEntry(NamedTuple):
     name: Shown | None
     namespace: Shown | None
     remaps: tuple[tuple[Shown, Shown], ...]
-    parameters: tuple[SetParameter, ...]
+    parameters: tuple[GivenParameter, ...]
     words: tuple[Shown, ...]
     environment: tuple[tuple[str, Shown], ...]
     place: Place

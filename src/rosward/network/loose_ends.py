@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 from rosward.findings import Finding
 from rosward.network.ends import End, Meeting, meetings, told
 from rosward.network.graph import Network
-from rosward.network.holes import Names
+from rosward.network.holes import NameIndex
 from rosward.ros.entities import Node, Resolution
 
 __all__ = ["LOOSE_ENDS", "loose_ends"]
@@ -42,7 +42,7 @@ _WITHOUT_SOURCE: Final = {
 class _Side(NamedTuple):
     """All ends on one side of the topics, services or actions: their names, and those whose name is not known."""
 
-    names: Names
+    names: NameIndex
     nameless: tuple[End, ...]
 
 
@@ -91,7 +91,7 @@ def _side(ends: Iterable[tuple[End, ...]]) -> _Side:
     everything = [end for some in ends for end in some]
     nameless = tuple(e for e in everything if e.entity.resolution is Resolution.UNKNOWN and not e.entity.system)
     names = (e.entity.name for e in everything if e.entity.system or e.entity.resolution is not Resolution.UNKNOWN)
-    return _Side(Names(names), nameless)
+    return _Side(NameIndex(names), nameless)
 
 
 def _of_unknown_interface(network: Network) -> list[Node]:

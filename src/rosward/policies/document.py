@@ -19,7 +19,7 @@ from xml.parsers import expat
 from rosward.findings import Finding
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
-from rosward.source.xml_events import RefusedError, parse
+from rosward.source.xml_events import RefusedXmlError, parse
 
 __all__ = ["Element", "elements", "read_document"]
 
@@ -145,9 +145,9 @@ class _Builder:
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self.count += 1
         if self.count > self._most:
-            raise RefusedError(f"The policy has more than {_MOST_ELEMENTS:,} elements.")
+            raise RefusedXmlError(f"The policy has more than {_MOST_ELEMENTS:,} elements.")
         if len(self._open) >= _DEEPEST:
-            raise RefusedError("The file is nested too deeply.")
+            raise RefusedXmlError("The file is nested too deeply.")
         element = Element(tag, attributes, [], [], Place(self._file, self._parser.CurrentLineNumber))
         if self._open:
             self._open[-1].children.append(element)

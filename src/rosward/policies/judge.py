@@ -35,7 +35,7 @@ class Judgement(NamedTuple):
     rule: PolicyRule | None = None
 
 
-class _Entry(NamedTuple):
+class _OrderedRule(NamedTuple):
     order: int
     pattern: Pattern
     rule: PolicyRule
@@ -48,12 +48,12 @@ class Judge:
     def __init__(self, enclave: EnclavePolicy) -> None:
         self._default = Verdict.ALLOWED if enclave.default_allow else Verdict.REFUSED
         self._added = frozenset(DISCOVERY) if enclave.adds_discovery else frozenset()
-        self._exact: dict[Right, _Entry] = {}
-        self._wild: dict[Direction, list[_Entry]] = {d: [] for d in Direction}
-        self._all: dict[Direction, list[_Entry]] = {d: [] for d in Direction}
+        self._exact: dict[Right, _OrderedRule] = {}
+        self._wild: dict[Direction, list[_OrderedRule]] = {d: [] for d in Direction}
+        self._all: dict[Direction, list[_OrderedRule]] = {d: [] for d in Direction}
         for order, rule in enumerate(enclave.rules):
             for right in rule.rights:
-                entry = _Entry(order, Pattern(right.name), rule)
+                entry = _OrderedRule(order, Pattern(right.name), rule)
                 self._all[right.direction].append(entry)
                 if entry.pattern.wild:
                     self._wild[right.direction].append(entry)
@@ -81,7 +81,7 @@ class Judge:
 
     def _of_pattern(self, direction: Direction, wanted: Pattern) -> Judgement:
         """Parts that are decided before make the verdict that of a part, unless all say the same."""
-        parts: list[_Entry] = []
+        parts: list[_OrderedRule] = []
         verdict, rule = self._default, None
         for entry in self._all[direction]:
             if not entry.pattern.meets(wanted):

@@ -6,7 +6,7 @@
     Distro.KILTED.has(Distro.IRON)                      True: it is a later one
 
 The one place for it. A new distribution is a member of `Distro` and a row of `_FACTS`; what is new in it is a field of
-`Facts`. Read from rclpy, rcl, rclcpp, launch and launch_ros, branches humble, iron, jazzy and rolling (December 2024), from
+`DistroFacts`. Read from rclpy, rcl, rclcpp, launch and launch_ros, branches humble, iron, jazzy and rolling (December 2024), from
 rclpy 9.1.2 and rcl 10.1.3 as released for kilted, and for lyrical from what was released by July 2026: rclpy 10.0.10, rcl,
 rcl_action and rcl_lifecycle 10.4.4, rclcpp and rclcpp_lifecycle 32.0.1. Between kilted and lyrical no endpoint came, went, or
 changed its name, type or QoS.
@@ -18,10 +18,10 @@ import enum
 from collections.abc import Mapping
 from typing import Final, NamedTuple
 
-__all__ = ["DEFAULT_DISTRO", "DISTROS", "Distro", "Facts"]
+__all__ = ["DEFAULT_DISTRO", "DISTROS", "Distro", "DistroFacts"]
 
 
-class Facts(NamedTuple):
+class DistroFacts(NamedTuple):
     """What is so in a distribution."""
 
     environment: Mapping[str, str]
@@ -68,13 +68,13 @@ class Distro(enum.Enum):
         return order.index(self) >= order.index(since)
 
     @property
-    def facts(self) -> Facts:
+    def facts(self) -> DistroFacts:
         """What is so in it."""
         return _FACTS[self]
 
 
-_HUMBLE: Final = Facts(environment={"ROS_LOCALHOST_ONLY": "0"})
-_IRON: Final = Facts(
+_HUMBLE: Final = DistroFacts(environment={"ROS_LOCALHOST_ONLY": "0"})
+_IRON: Final = DistroFacts(
     environment={"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"},
     type_description=True,
     logger_services=True,
@@ -85,7 +85,7 @@ _IRON: Final = Facts(
 _JAZZY: Final = _IRON._replace(actions_are_remapped=True)
 _KILTED: Final = _JAZZY._replace(action_service_events=True)
 
-_FACTS: Final[Mapping[Distro, Facts]] = {
+_FACTS: Final[Mapping[Distro, DistroFacts]] = {
     Distro.HUMBLE: _HUMBLE,
     Distro.IRON: _IRON,
     Distro.JAZZY: _JAZZY,

@@ -46,7 +46,7 @@ from rosward.server.settings import Settings
 from rosward.server.telling import Teller
 from rosward.server.unpacking import unpack
 from rosward.source.json_fields import UnreadableError
-from rosward.suppression.judge import Sources, Wishes, of_no_file, review
+from rosward.suppression.judge import SourceTexts, Wishes, of_no_file, review
 
 __all__ = ["analyse"]
 
@@ -71,7 +71,7 @@ def analyse(job: Job, tell: Teller) -> None:
     )
     tell("writing", 0, 1)
     findings = (*result.findings, *loose_ends(result.network))
-    found = review(findings, Sources(result.root, result.files), Wishes(), unused=not request.deploys)
+    found = review(findings, SourceTexts(result.root, result.files), Wishes(), unused=not request.deploys)
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
     reviewed = found._replace(shown=tuple(j for j in found.shown if j.finding.code not in LOOSE_ENDS))
     network = replace(result.network, findings=reviewed.findings)

@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 from rosward.server.limits import Limits
 from rosward.server.settings import Settings, read_settings
 
-__all__ = ["End", "Job", "Step", "line_of_end", "line_of_step", "read_job", "read_line"]
+__all__ = ["Job", "JobEnd", "JobStep", "line_of_end", "line_of_step", "read_job", "read_line"]
 
 LONGEST_LINE: Final = 60_000
 
@@ -40,7 +40,7 @@ class Job(NamedTuple):
         return json.dumps({**self._asdict(), "settings": self.settings.document(), "limits": list(self.limits)})
 
 
-class Step(NamedTuple):
+class JobStep(NamedTuple):
     """Progress: what is being done, how much of it is done, of how much."""
 
     what: str
@@ -48,7 +48,7 @@ class Step(NamedTuple):
     all: int
 
 
-class End(NamedTuple):
+class JobEnd(NamedTuple):
     """How it ended: `done`, or `failed` with a message for the user."""
 
     end: str
@@ -62,22 +62,22 @@ def read_job(line: str) -> Job:
     return Job(**document | {"settings": settings, "limits": Limits(*document["limits"])})
 
 
-def line_of_step(step: Step) -> str:
+def line_of_step(step: JobStep) -> str:
     """A line of progress."""
     return json.dumps(step._asdict())
 
 
-def line_of_end(end: End) -> str:
+def line_of_end(end: JobEnd) -> str:
     """The last line."""
     return json.dumps(end._asdict())
 
 
-def read_line(line: bytes) -> Step | End | None:
+def read_line(line: bytes) -> JobStep | JobEnd | None:
     """What a line of the process says; None where it says nothing."""
     try:
         document = json.loads(line)
         if "end" in document:
-            return End(str(document["end"]), str(document.get("message", ""))[:2_000])
-        return Step(str(document["what"])[:80], int(document["done"]), int(document["all"]))
+            return JobEnd(str(document["end"]), str(document.get("message", ""))[:2_000])
+        return JobStep(str(document["what"])[:80], int(document["done"]), int(document["all"]))
     except (ValueError, KeyError, TypeError):
         return None

@@ -13,16 +13,16 @@ import contextlib
 from collections.abc import Awaitable, Callable
 from typing import final
 
-from rosward.server.job import End, Job, Step
+from rosward.server.job import Job, JobEnd, JobStep
 from rosward.server.limits import Limits
-from rosward.server.places import RefusedError
-from rosward.server.results import ENDED, Result, Results, Source
+from rosward.server.places import UploadRefusedError
+from rosward.server.results import ENDED, AnalysedSource, Results, StoredResult
 from rosward.server.settings import Settings
 from rosward.server.workers import run_job
 
 __all__ = ["Jobs"]
 
-Runner = Callable[[Job, Callable[[Step], None]], Awaitable[End]]
+Runner = Callable[[Job, Callable[[JobStep], None]], Awaitable[JobEnd]]
 
 
 @final
@@ -36,10 +36,10 @@ class Jobs:
         self._turn = asyncio.Semaphore(limits.workers)
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
-    def submit(self, source: Source, settings: Settings, *, automatic: bool = False) -> Result:
+    def submit(self, source: AnalysedSource, settings: Settings, *, automatic: bool = False) -> StoredResult:
         """Analyse something soon. Raises RefusedError where too much waits already."""
         if len(self._tasks) >= self._limits.workers + self._limits.waiting:
-            raise RefusedError("too many analyses are waiting: try again when some of them are done")
+            raise UploadRefusedError("too many analyses are waiting: try again when some of them are done")
         earlier = self._earlier(source)
         result = self._results.add(source, settings, automatic=automatic)
         task = asyncio.create_task(self._work(result, earlier))
@@ -60,24 +60,24 @@ class Jobs:
         """End all."""
         await asyncio.gather(*(self.cancel(identifier) for identifier in list(self._tasks)))
 
-    def _earlier(self, source: Source) -> str | None:
+    def _earlier(self, source: AnalysedSource) -> str | None:
         """The network of the last result of the same sources."""
         done = (r for r in self._results.all() if r.source == source and r.state == "done")
         last = next(done, None)
         return None if last is None else str(self._results.output(last) / "network.json")
 
-    async def _work(self, result: Result, earlier: str | None) -> None:
+    async def _work(self, result: StoredResult, earlier: str | None) -> None:
         async with self._turn:
-            self._results.step(result.id, Step("starting", 0, 0))
+            self._results.step(result.id, JobStep("starting", 0, 0))
             try:
                 end = await self._run(self._job(result, earlier), lambda step: self._results.step(result.id, step))
             except OSError as error:  # no process, no memory, no folder
-                end = End("failed", f"The analysis cannot be started: {error.strerror or error}.")
+                end = JobEnd("failed", f"The analysis cannot be started: {error.strerror or error}.")
             self._results.end(result.id, end.end, end.message)
         if result.automatic:
             self._forget_before(result)
 
-    def _job(self, result: Result, earlier: str | None) -> Job:
+    def _job(self, result: StoredResult, earlier: str | None) -> Job:
         source = result.source
         upload = self._results.upload(source)
         uploaded = source.kind != "workspace"
@@ -91,7 +91,7 @@ class Jobs:
             limits=self._limits,
         )
 
-    def _forget_before(self, result: Result) -> None:
+    def _forget_before(self, result: StoredResult) -> None:
         """What a change of the workspace asked for is of no use once the next one is there."""
         for other in self._results.all():
             if (

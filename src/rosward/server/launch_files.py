@@ -17,7 +17,7 @@ from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.source_tree import SourceTree
 from rosward.deployment import tree
 from rosward.deployment.execution.findings import FindingLog
-from rosward.deployment.execution.generated import Generated
+from rosward.deployment.execution.generated import GeneratedFiles
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.scene import Scene
 from rosward.deployment.execution.substitutions import SUBSTITUTIONS
@@ -33,7 +33,7 @@ from rosward.source.discover import discover
 from rosward.source.surroundings import surroundings
 from rosward.source.workspace import SourceFile
 
-__all__ = ["Argument", "LaunchFile", "launch_files"]
+__all__ = ["LaunchFile", "OfferedArgument", "launch_files"]
 
 _MOST_FILES: Final = 200
 _MOST_ARGUMENTS: Final = 100
@@ -41,7 +41,7 @@ _LONGEST: Final = 500
 _SMALL: Final = Budget(steps=50_000, entry_steps=10_000, seconds=3.0)
 
 
-class Argument(NamedTuple):
+class OfferedArgument(NamedTuple):
     """A launch argument; `default` is None where it has to be given, `*` stands for what is not known of it."""
 
     name: str
@@ -55,7 +55,7 @@ class LaunchFile(NamedTuple):
 
     file: str
     package: str
-    arguments: tuple[Argument, ...]
+    arguments: tuple[OfferedArgument, ...]
 
 
 def launch_files(root: Path, distro: str, env: Mapping[str, str] | None = None) -> tuple[LaunchFile, ...]:
@@ -74,9 +74,9 @@ def _launch_files(root: Path, distro: Distro, variables: Mapping[str, str]) -> t
 def _read(file: SourceFile, library: Library, files: WorkspaceFiles, distro: Distro) -> LaunchFile:
     findings = FindingLog()
     python = LaunchPython(library, _SMALL)
-    scene = Scene(files, python, findings, Generated(files, findings), distro, SUBSTITUTIONS, library.environment)
+    scene = Scene(files, python, findings, GeneratedFiles(files, findings), distro, SUBSTITUTIONS, library.environment)
     description = Descriptions(files, python, findings).read(file.relative, "any", scene)
-    arguments: dict[str, Argument] = {}
+    arguments: dict[str, OfferedArgument] = {}
     for declared in _declared(description.actions if description is not None else ()):
         name = _shown(declared.name, scene)
         if name and "*" not in name and len(arguments) < _MOST_ARGUMENTS:
@@ -84,7 +84,7 @@ def _read(file: SourceFile, library: Library, files: WorkspaceFiles, distro: Dis
     return LaunchFile(file.relative, file.package.name if file.package is not None else "", tuple(arguments.values()))
 
 
-def _declared(actions: Sequence[tree.Action]) -> Iterator[tree.Declare]:
+def _declared(actions: Sequence[tree.LaunchAction]) -> Iterator[tree.Declare]:
     """The declarations, also those in groups and behind conditions of the Python around them."""
     waiting = list(reversed(actions))
     while waiting:
@@ -95,10 +95,10 @@ def _declared(actions: Sequence[tree.Action]) -> Iterator[tree.Declare]:
             waiting += reversed(action.actions)
 
 
-def _argument(name: str, declared: tree.Declare, scene: Scene) -> Argument:
+def _argument(name: str, declared: tree.Declare, scene: Scene) -> OfferedArgument:
     default = None if declared.default is None else _shown(declared.default, scene)
     choices = tuple(_shown(choice, scene) for choice in declared.choices or ())
-    return Argument(name, default, choices, _shown(declared.description, scene))
+    return OfferedArgument(name, default, choices, _shown(declared.description, scene))
 
 
 def _shown(template: tree.Template, scene: Scene) -> str:

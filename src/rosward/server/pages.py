@@ -22,7 +22,7 @@ from rosward.safe import printable
 from rosward.server.examples import Example
 from rosward.server.limits import Limits
 from rosward.server.places import NOT_SOURCE, NOT_SOURCE_FOLDERS
-from rosward.server.results import Result
+from rosward.server.results import StoredResult
 from rosward.server.settings import ENCLAVES, Settings
 from rosward.server.shown import in_short
 
@@ -85,7 +85,7 @@ class Pages:
         }
         return self._render("start.html.j2", examples=examples, names_paths=names_paths, rules=_in_script(rules))
 
-    def result(self, result: Result, example: Example | None, changes: str, *, watched: bool) -> str:
+    def result(self, result: StoredResult, example: Example | None, changes: str, *, watched: bool) -> str:
         """The page of one result, whatever its state."""
         summary = {**_NOTHING, **result.summary}
         facts = {**in_short(result, watched=watched), "settings_document": result.settings.document()}

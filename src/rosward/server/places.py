@@ -26,7 +26,7 @@ __all__ = [
     "NOT_SOURCE_FOLDERS",
     "LeftOut",
     "Places",
-    "RefusedError",
+    "UploadRefusedError",
     "read_left_out",
     "why_left_out",
     "write_left_out",
@@ -43,7 +43,7 @@ NOT_SOURCE: Final = frozenset(ending for line in _NOT_SOURCE for ending in line.
 NOT_SOURCE_FOLDERS: Final = frozenset({"__pycache__", "__MACOSX", "node_modules"})
 
 
-class RefusedError(Exception):
+class UploadRefusedError(Exception):
     """What was handed in is not taken; the message says why."""
 
 
@@ -88,7 +88,7 @@ class Places:
         parts = self._parts(name)
         self._files += 1
         if self._files > self._limits.files:
-            raise RefusedError(f"more than {self._limits.files:,} files")
+            raise UploadRefusedError(f"more than {self._limits.files:,} files")
         for count in range(1, len(parts) + 1):
             self._enter("/".join(parts[:count]), is_file=count == len(parts))
         return "/".join(parts)
@@ -96,19 +96,19 @@ class Places:
     def _parts(self, name: str) -> list[str]:
         shown = printable(name[:120])
         if not name.isprintable():
-            raise RefusedError(f"{shown}: a name with characters that cannot be printed")
+            raise UploadRefusedError(f"{shown}: a name with characters that cannot be printed")
         if "\\" in name or name.startswith("/") or _DRIVE.match(name):
-            raise RefusedError(f"{shown}: not a path below the folder (absolute, a drive, or with backslashes)")
+            raise UploadRefusedError(f"{shown}: not a path below the folder (absolute, a drive, or with backslashes)")
         parts = [part for part in name.split("/") if part not in {"", "."}]
         if ".." in parts:
-            raise RefusedError(f"{shown}: a path that leaves the folder")
+            raise UploadRefusedError(f"{shown}: a path that leaves the folder")
         if not parts:
-            raise RefusedError("a file without a name")
+            raise UploadRefusedError("a file without a name")
         if len(parts) > self._limits.depth:
-            raise RefusedError(f"{shown}: more than {self._limits.depth} folders within each other")
+            raise UploadRefusedError(f"{shown}: more than {self._limits.depth} folders within each other")
         sizes = [len(part.encode("utf-8", "surrogatepass")) for part in parts]
         if max(sizes) > _LONGEST_PART or sum(sizes) + len(sizes) > self._limits.name:
-            raise RefusedError(f"{shown}…: a name that is too long")
+            raise UploadRefusedError(f"{shown}…: a name that is too long")
         return parts
 
     def _enter(self, path: str, *, is_file: bool) -> None:
@@ -117,6 +117,6 @@ class Places:
         if known is None:
             self._known[key] = (path, is_file)
         elif known[0] != path:
-            raise RefusedError(f"{printable(path)} and {printable(known[0])}: the same name on some machines")
+            raise UploadRefusedError(f"{printable(path)} and {printable(known[0])}: the same name on some machines")
         elif known[1] or is_file:
-            raise RefusedError(f"{printable(path)}: there twice")
+            raise UploadRefusedError(f"{printable(path)}: there twice")

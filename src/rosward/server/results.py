@@ -27,13 +27,13 @@ from typing import Any, Final, final
 
 from rosward.findings import Finding
 from rosward.outputs.whole_files import write_text
-from rosward.server.job import Step
+from rosward.server.job import JobStep
 from rosward.server.limits import Limits
-from rosward.server.places import RefusedError
+from rosward.server.places import UploadRefusedError
 from rosward.server.settings import Settings, read_settings
 from rosward.source.text import read_bytes
 
-__all__ = ["ENDED", "Result", "Results", "Source"]
+__all__ = ["ENDED", "AnalysedSource", "Results", "StoredResult"]
 
 ENDED: Final = frozenset({"done", "failed", "cancelled"})
 _STATES: Final = frozenset({"waiting", "running"}) | ENDED
@@ -44,7 +44,7 @@ _LARGEST: Final = 16_000_000
 
 @final
 @dataclass(frozen=True)
-class Source:
+class AnalysedSource:
     """What is analysed: `key` is the path of a workspace, else the id of the folder into which it was uploaded. `zipped`: it came as a zip."""
 
     kind: str
@@ -55,17 +55,17 @@ class Source:
 
 @final
 @dataclass(frozen=True)
-class Result:
+class StoredResult:
     """One analysis. `state` is waiting, running, done, failed or cancelled; `automatic`: a change of the workspace asked for it."""
 
     id: str
-    source: Source
+    source: AnalysedSource
     settings: Settings
     created: float
     state: str = "waiting"
     message: str = ""
     automatic: bool = False
-    step: Step | None = None
+    step: JobStep | None = None
     summary: dict[str, object] = field(default_factory=dict)
 
     @property
@@ -83,29 +83,29 @@ class Results:
         self._folder = folder
         self._limits = limits
         self._changed = changed
-        self._results: dict[str, Result] = {}
+        self._results: dict[str, StoredResult] = {}
         for name in ("results", "sources"):
             (folder / name).mkdir(mode=0o700, parents=True, exist_ok=True)
         for result in sorted(self._read(), key=lambda r: r.created):
             self._results[result.id] = result
 
-    def all(self) -> list[Result]:
+    def all(self) -> list[StoredResult]:
         """All, newest first."""
         return list(reversed(self._results.values()))
 
-    def get(self, identifier: str) -> Result | None:
+    def get(self, identifier: str) -> StoredResult | None:
         """The result of an id."""
         return self._results.get(identifier)
 
-    def output(self, result: Result) -> Path:
+    def output(self, result: StoredResult) -> Path:
         """The folder of its outputs."""
         return self._folder / "results" / result.id / "out"
 
-    def root(self, source: Source) -> Path:
+    def root(self, source: AnalysedSource) -> Path:
         """The folder (or file) that is analysed."""
         return Path(source.key) if source.kind == "workspace" else self.upload(source) / "tree"
 
-    def upload(self, source: Source) -> Path:
+    def upload(self, source: AnalysedSource) -> Path:
         """The folder of what was uploaded, with notes on it."""
         return self._folder / "sources" / source.key
 
@@ -121,9 +121,9 @@ class Results:
         """Remove what was uploaded."""
         shutil.rmtree(self._folder / "sources" / key, ignore_errors=True)
 
-    def add(self, source: Source, settings: Settings, *, automatic: bool = False) -> Result:
+    def add(self, source: AnalysedSource, settings: Settings, *, automatic: bool = False) -> StoredResult:
         """A new result, which waits."""
-        result = Result(secrets.token_hex(8), source, settings, time.time(), automatic=automatic)
+        result = StoredResult(secrets.token_hex(8), source, settings, time.time(), automatic=automatic)
         self.output(result).mkdir(mode=0o700, parents=True)
         self._results[result.id] = result
         self._keep(result)
@@ -133,7 +133,7 @@ class Results:
         self._changed()
         return result
 
-    def step(self, identifier: str, step: Step) -> None:
+    def step(self, identifier: str, step: JobStep) -> None:
         """Progress of a result."""
         known = self._results.get(identifier)
         if known is not None:
@@ -149,7 +149,7 @@ class Results:
         if state == "done":
             try:
                 summary = _read_json(self.output(known) / "summary.json")
-            except RefusedError:
+            except UploadRefusedError:
                 state, message = "failed", "The result cannot be read."
         if state != "done":
             shutil.rmtree(self.output(known), ignore_errors=True)
@@ -172,7 +172,7 @@ class Results:
         """Something that is shown with the results has changed."""
         self._changed()
 
-    def _keep(self, result: Result) -> None:
+    def _keep(self, result: StoredResult) -> None:
         document = {
             "id": result.id,
             "source": vars(result.source),
@@ -184,47 +184,47 @@ class Results:
         }
         write_text(str(self.output(result).parent), "result.json", json.dumps(document))
 
-    def _read(self) -> list[Result]:
+    def _read(self) -> list[StoredResult]:
         """The results that an earlier server left here."""
-        found: list[Result] = []
+        found: list[StoredResult] = []
         for entry in os.scandir(self._folder / "results"):
             if _ID.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
                 try:
                     found.append(self._read_one(entry.name))
-                except (RefusedError, KeyError, TypeError, ValueError):
+                except (UploadRefusedError, KeyError, TypeError, ValueError):
                     continue
         return found
 
-    def _read_one(self, identifier: str) -> Result:
+    def _read_one(self, identifier: str) -> StoredResult:
         folder = self._folder / "results" / identifier
         document = _read_json(folder / "result.json")
-        source = Source(**_fields(document["source"], kind=str, key=str, title=str, zipped=bool))
+        source = AnalysedSource(**_fields(document["source"], kind=str, key=str, title=str, zipped=bool))
         whole = _fields(document, created=float, state=str, message=str, automatic=bool)
         if source.kind not in _KINDS or whole["state"] not in _STATES or not math.isfinite(whole["created"]):
-            raise RefusedError("another form")
+            raise UploadRefusedError("another form")
         if source.kind != "workspace" and not _ID.fullmatch(source.key):
-            raise RefusedError("another form")
+            raise UploadRefusedError("another form")
         if whole["state"] not in ENDED:
             whole |= {"state": "failed", "message": "The server ended before it did."}
         summary = _read_json(folder / "out" / "summary.json") if whole["state"] == "done" else {}
-        return Result(identifier, source, read_settings(document["settings"]), **whole, summary=summary)
+        return StoredResult(identifier, source, read_settings(document["settings"]), **whole, summary=summary)
 
 
 def _fields(document: object, **kinds: type) -> dict[str, Any]:
     """The fields of a JSON object, each of its kind. Raises RefusedError."""
     if not isinstance(document, dict) or any(not isinstance(document.get(name), kind) for name, kind in kinds.items()):
-        raise RefusedError("another form")
+        raise UploadRefusedError("another form")
     return {name: document[name] for name in kinds}
 
 
 def _read_json(file: Path) -> dict[str, object]:
     data = read_bytes(file, file.name, _LARGEST)
     if isinstance(data, Finding) or file.is_symlink():
-        raise RefusedError("no file of ours")
+        raise UploadRefusedError("no file of ours")
     try:
         document = json.loads(data)
     except (ValueError, RecursionError) as error:
-        raise RefusedError(str(error)) from error
+        raise UploadRefusedError(str(error)) from error
     if not isinstance(document, dict):
-        raise RefusedError("another form")
+        raise UploadRefusedError("another form")
     return document

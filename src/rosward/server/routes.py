@@ -31,8 +31,8 @@ from starlette.types import Receive, Scope, Send
 from rosward.findings import Finding
 from rosward.safe import encodable, printable
 from rosward.server.pages import ASSETS, asset
-from rosward.server.places import RefusedError
-from rosward.server.results import Result
+from rosward.server.places import UploadRefusedError
+from rosward.server.results import StoredResult
 from rosward.server.security import REPORT_POLICY
 from rosward.server.server import Server
 from rosward.server.settings import read_settings
@@ -82,7 +82,7 @@ def _refusing(answer: Answer) -> Answer:
     async def answered(request: Request) -> Response:
         try:
             return await answer(request)
-        except RefusedError as error:
+        except UploadRefusedError as error:
             return JSONResponse({"error": printable(str(error))}, 400)
         except OSError as error:  # no room on the disk, no file descriptor, a folder that somebody removed
             reason = printable(error.strerror or str(error))
@@ -167,7 +167,7 @@ class _Asked(NamedTuple):
                 came = await asyncio.wait_for(read_upload(request, folder, server.limits), server.limits.sending)
             except asyncio.TimeoutError as error:
                 server.results.drop_upload(key)
-                raise RefusedError(f"it took more than {server.limits.sending:g} seconds") from error
+                raise UploadRefusedError(f"it took more than {server.limits.sending:g} seconds") from error
             except BaseException:
                 server.results.drop_upload(key)
                 raise
@@ -177,9 +177,11 @@ class _Asked(NamedTuple):
         body = await self._body(request)
         path = body.get("path")
         if not self.server.names_paths:
-            raise RefusedError("this server can be reached from other machines: it opens no folders that a page names")
+            raise UploadRefusedError(
+                "this server can be reached from other machines: it opens no folders that a page names"
+            )
         if not isinstance(path, str):
-            raise RefusedError("name a folder or a file")
+            raise UploadRefusedError("name a folder or a file")
         settings = read_settings(body.get("settings", {}))
         return _started(self.server.open_workspace(path, settings, watch=body.get("watch") is True))
 
@@ -202,7 +204,7 @@ class _Asked(NamedTuple):
     async def watch(self, request: Request) -> Response:
         body, result = await self._body(request), self._wanted(request)
         if result.source.kind != "workspace":
-            raise RefusedError("only a folder of this machine can be watched")
+            raise UploadRefusedError("only a folder of this machine can be watched")
         if body.get("on") is True:
             self.server.watches.start(result.source)
         else:
@@ -220,15 +222,15 @@ class _Asked(NamedTuple):
         try:
             return await asyncio.wait_for(_read_json(request), silence)
         except asyncio.TimeoutError as error:
-            raise RefusedError(f"the request was not whole after {silence:g} seconds") from error
+            raise UploadRefusedError(f"the request was not whole after {silence:g} seconds") from error
 
-    def _of(self, request: Request) -> Result | None:
+    def _of(self, request: Request) -> StoredResult | None:
         return self.server.results.get(request.path_params["id"])
 
-    def _wanted(self, request: Request) -> Result:
+    def _wanted(self, request: Request) -> StoredResult:
         result = self._of(request)
         if result is None:
-            raise RefusedError("this result is not there any more")
+            raise UploadRefusedError("this result is not there any more")
         return result
 
 
@@ -247,11 +249,11 @@ class _Released(StreamingResponse):
             self._place.release()
 
 
-def _started(result: Result) -> Response:
+def _started(result: StoredResult) -> Response:
     return JSONResponse({"id": result.id}, 201)
 
 
-def _files(result: Result) -> frozenset[str]:
+def _files(result: StoredResult) -> frozenset[str]:
     files = result.summary.get("files")
     return frozenset([*map(str, files), "outputs.zip"]) if isinstance(files, list) else frozenset()
 
@@ -273,11 +275,11 @@ async def _read_json(request: Request) -> dict[str, object]:
     async for part in request.stream():
         data += part
         if len(data) > _LONGEST_BODY:
-            raise RefusedError("too much was sent")
+            raise UploadRefusedError("too much was sent")
     try:
         document = json.loads(data or b"{}")
     except (ValueError, RecursionError) as error:
-        raise RefusedError("this is no JSON") from error
+        raise UploadRefusedError("this is no JSON") from error
     if not isinstance(document, dict):
-        raise RefusedError("this is no JSON object")
+        raise UploadRefusedError("this is no JSON object")
     return document

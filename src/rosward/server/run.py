@@ -25,7 +25,7 @@ import uvicorn
 from rosward.server.app import application
 from rosward.server.connections import MOST_CONNECTIONS, PatientProtocol
 from rosward.server.limits import Limits
-from rosward.server.places import RefusedError
+from rosward.server.places import UploadRefusedError
 from rosward.server.security import Access, Hosts
 from rosward.server.server import Server, workspace_at
 from rosward.server.settings import Settings
@@ -108,7 +108,7 @@ def _check(path: str | None) -> None:
     try:
         if path is not None:
             workspace_at(path)
-    except RefusedError as error:
+    except UploadRefusedError as error:
         raise CannotServeError(str(error)) from error
 
 

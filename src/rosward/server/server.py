@@ -15,8 +15,8 @@ from rosward.server.jobs import Jobs, Runner
 from rosward.server.limits import Limits
 from rosward.server.news import News
 from rosward.server.pages import Pages
-from rosward.server.places import RefusedError
-from rosward.server.results import Result, Results, Source
+from rosward.server.places import UploadRefusedError
+from rosward.server.results import AnalysedSource, Results, StoredResult
 from rosward.server.settings import Settings
 from rosward.server.watching import Watches
 from rosward.server.workers import run_job
@@ -56,14 +56,14 @@ class Server:
         await self.watches.close()
         await self.jobs.close()
 
-    def open_workspace(self, path: str, settings: Settings, *, watch: bool) -> Result:
+    def open_workspace(self, path: str, settings: Settings, *, watch: bool) -> StoredResult:
         """Analyse a workspace of this machine. Raises RefusedError."""
         source = workspace_at(path)
         if watch:
             self.watches.start(source)
         return self.jobs.submit(source, settings)
 
-    def open_example(self, example: Example) -> Result:
+    def open_example(self, example: Example) -> StoredResult:
         """Analyse an example. Raises RefusedError."""
         known = (r.source for r in self.results.all())
         title = example.title
@@ -72,46 +72,46 @@ class Server:
             return self.jobs.submit(source, example.settings)
         key, folder = self.results.new_upload()
         write_example(example, folder)
-        return self._submit(Source("example", key, title), example.settings)
+        return self._submit(AnalysedSource("example", key, title), example.settings)
 
-    def _submit(self, source: Source, settings: Settings) -> Result:
+    def _submit(self, source: AnalysedSource, settings: Settings) -> StoredResult:
         """Analyse what was uploaded; where that is refused, it is removed."""
         try:
             return self.jobs.submit(source, settings)
-        except RefusedError:
+        except UploadRefusedError:
             self.results.drop_upload(source.key)
             raise
 
-    def open_upload(self, key: str, title: str, settings: Settings, *, zipped: bool) -> Result:
+    def open_upload(self, key: str, title: str, settings: Settings, *, zipped: bool) -> StoredResult:
         """Analyse an upload. Raises RefusedError."""
-        return self._submit(Source("upload", key, title, zipped), settings)
+        return self._submit(AnalysedSource("upload", key, title, zipped), settings)
 
-    def again(self, result: Result, settings: Settings) -> Result:
+    def again(self, result: StoredResult, settings: Settings) -> StoredResult:
         """Analyse the same sources with other settings. Raises RefusedError."""
         if result.source.kind == "workspace":
             workspace_at(result.source.key)
         return self.jobs.submit(result.source, settings)
 
-    async def remove(self, result: Result) -> None:
+    async def remove(self, result: StoredResult) -> None:
         """Remove a result, and cancel it where it runs."""
         await self.jobs.cancel(result.id)
         self.results.delete(result.id)
 
-    def example_of(self, result: Result) -> Example | None:
+    def example_of(self, result: StoredResult) -> Example | None:
         """The example that a result is of."""
         same = (e for e in self.examples.values() if result.source.kind == "example" and e.title == result.source.title)
         return next(same, None)
 
 
-def workspace_at(path: str) -> Source:
+def workspace_at(path: str) -> AnalysedSource:
     """A workspace by a path that the user wrote. Raises RefusedError."""
     if not path.strip() or "\0" in path or len(path) > 4_000:
-        raise RefusedError("name a folder or a file")
+        raise UploadRefusedError("name a folder or a file")
     absolute = Path(os.path.abspath(os.path.expanduser(path.strip())))  # noqa: PTH100, PTH111
     try:
         there = absolute.is_dir() or absolute.is_file()
     except OSError:
         there = False
     if not there:
-        raise RefusedError(f"there is no folder or file {absolute}")
-    return Source("workspace", str(absolute), absolute.name or str(absolute))
+        raise UploadRefusedError(f"there is no folder or file {absolute}")
+    return AnalysedSource("workspace", str(absolute), absolute.name or str(absolute))

@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 
 from rosward.network.checks import UnknownNames
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
-from rosward.server.places import RefusedError
+from rosward.server.places import UploadRefusedError
 from rosward.source.surroundings import SurroundingsError, checked_variable, surroundings
 
 __all__ = ["ENCLAVES", "Settings", "read_settings"]
@@ -63,24 +63,24 @@ class Settings(NamedTuple):
 def read_settings(document: object) -> Settings:
     """The settings that a decoded JSON document holds. Raises RefusedError."""
     if not isinstance(document, dict) or set(document) - set(Settings._fields):
-        raise RefusedError("settings of another form")
+        raise UploadRefusedError("settings of another form")
     distro, unknown, enclaves = (
         document.get("distro", DEFAULT_DISTRO),
         document.get("unknown", "deny"),
         document.get("enclaves"),
     )
     if distro not in DISTROS:
-        raise RefusedError(f"the distro is one of {', '.join(DISTROS)}")
+        raise UploadRefusedError(f"the distro is one of {', '.join(DISTROS)}")
     if unknown not in ("deny", "wildcard"):
-        raise RefusedError("unknown names are denied (deny) or get a wildcard (wildcard)")
+        raise UploadRefusedError("unknown names are denied (deny) or get a wildcard (wildcard)")
     if enclaves is not None and enclaves not in ENCLAVES:
-        raise RefusedError(f"enclaves are one of {', '.join(ENCLAVES)}")
+        raise UploadRefusedError(f"enclaves are one of {', '.join(ENCLAVES)}")
     tests, all_launch = document.get("tests", False), document.get("all_launch", False)
     if not isinstance(tests, bool) or not isinstance(all_launch, bool):
-        raise RefusedError("tests and all_launch are true or false")
+        raise UploadRefusedError("tests and all_launch are true or false")
     launch, arguments = _launch(document.get("launch", [])), _pairs(document.get("arguments", {}), "arguments")
     if arguments and not (launch or all_launch):
-        raise RefusedError("launch arguments need a launch file")
+        raise UploadRefusedError("launch arguments need a launch file")
     return Settings(
         str(distro),
         "wildcard" if unknown == "wildcard" else "deny",
@@ -95,9 +95,9 @@ def read_settings(document: object) -> Settings:
 
 def _launch(value: object) -> tuple[str, ...]:
     if not isinstance(value, list) or len(value) > _MOST_LAUNCHES or not all(isinstance(v, str) for v in value):
-        raise RefusedError("launch is a list of launch files of the sources")
+        raise UploadRefusedError("launch is a list of launch files of the sources")
     if any(not v or len(v) > _LONGEST or not v.isprintable() or _OUTSIDE.search(v) for v in value):
-        raise RefusedError("a launch file is named by its path below the folder of the sources")
+        raise UploadRefusedError("a launch file is named by its path below the folder of the sources")
     return tuple(dict.fromkeys(value))
 
 
@@ -106,14 +106,14 @@ def _environment(value: object, distro: str) -> tuple[tuple[str, str], ...]:
     try:
         surroundings(distro, dict(checked_variable(*pair) for pair in pairs))
     except SurroundingsError as error:
-        raise RefusedError(str(error)) from error
+        raise UploadRefusedError(str(error)) from error
     return pairs
 
 
 def _pairs(value: object, what: str) -> tuple[tuple[str, str], ...]:
     if not isinstance(value, dict) or len(value) > _MOST_ARGUMENTS:
-        raise RefusedError(f"{what} are names and values")
+        raise UploadRefusedError(f"{what} are names and values")
     pairs = [(name, text) for name, text in value.items() if isinstance(name, str) and isinstance(text, str)]
     if len(pairs) < len(value) or any(not n or max(len(n), len(t)) > _LONGEST for n, t in pairs):
-        raise RefusedError(f"{what} are names and values")
+        raise UploadRefusedError(f"{what} are names and values")
     return tuple(pairs)

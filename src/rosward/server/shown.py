@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rosward.safe import encodable
-from rosward.server.results import Result
+from rosward.server.results import StoredResult
 
 __all__ = ["in_short", "numbers_of"]
 
 
-def in_short(result: Result, *, watched: bool) -> dict[str, object]:
+def in_short(result: StoredResult, *, watched: bool) -> dict[str, object]:
     """One row of the list."""
     return {
         "id": result.id,

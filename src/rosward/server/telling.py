@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from typing import Final, TextIO, final
 
-from rosward.server.job import End, Step, line_of_end, line_of_step
+from rosward.server.job import JobEnd, JobStep, line_of_end, line_of_step
 
 __all__ = ["Teller"]
 
@@ -29,9 +29,9 @@ class Teller:
         now = self._clock()
         if what != self._what or now - self._last >= _PAUSE:
             self._what, self._last = what, now
-            self._write(line_of_step(Step(what, done, count)))
+            self._write(line_of_step(JobStep(what, done, count)))
 
-    def end(self, end: End) -> None:
+    def end(self, end: JobEnd) -> None:
         """Tell how it ended."""
         self._write(line_of_end(end))
 

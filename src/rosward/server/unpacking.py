@@ -21,7 +21,7 @@ from typing import Final
 
 from rosward.safe import printable
 from rosward.server.limits import Limits
-from rosward.server.places import LeftOut, Places, RefusedError, why_left_out
+from rosward.server.places import LeftOut, Places, UploadRefusedError, why_left_out
 
 __all__ = ["unpack"]
 
@@ -45,7 +45,7 @@ def unpack(archive: Path, folder: Path, limits: Limits, progress: Callable[[int,
         with zipfile.ZipFile(archive) as opened:
             return _unpack(opened, archive.stat().st_size, folder, limits, progress)
     except _BROKEN as error:
-        raise RefusedError(f"this is no zip that can be read: {printable(str(error))[:200]}") from error
+        raise UploadRefusedError(f"this is no zip that can be read: {printable(str(error))[:200]}") from error
 
 
 def _check_directory(archive: Path, limits: Limits) -> None:
@@ -56,12 +56,12 @@ def _check_directory(archive: Path, limits: Limits) -> None:
         tail = file.read()
     end = tail.rfind(_END)
     if end < 0 or len(tail) - end < _END_SIZE:
-        raise RefusedError("this is no zip that can be read: its end is missing")
+        raise UploadRefusedError("this is no zip that can be read: its end is missing")
     if tail[max(0, end - _LOCATOR_SIZE) : end].startswith(_LOCATOR_64):
-        raise RefusedError("a zip in the form for very large archives (zip64)")
+        raise UploadRefusedError("a zip in the form for very large archives (zip64)")
     entries, length = struct.unpack_from("<HL", tail, end + 10)
     if entries > 2 * limits.files or length > 2 * limits.files * (_ENTRY_SIZE + limits.name):
-        raise RefusedError(f"more than {limits.files:,} files")
+        raise UploadRefusedError(f"more than {limits.files:,} files")
 
 
 def _unpack(
@@ -69,9 +69,9 @@ def _unpack(
 ) -> list[LeftOut]:
     entries = opened.infolist()
     if len(entries) > 2 * limits.files:
-        raise RefusedError(f"more than {limits.files:,} files")
+        raise UploadRefusedError(f"more than {limits.files:,} files")
     if sum(entry.compress_size for entry in entries) > size:
-        raise RefusedError("entries that overlap")
+        raise UploadRefusedError("entries that overlap")
     places = Places(limits)
     left_out: list[LeftOut] = []
     chosen: list[tuple[zipfile.ZipInfo, str]] = []
@@ -90,7 +90,7 @@ def _unpack(
         elif name != "./":
             Places(limits).add(name)  # it says nothing that the files in it do not, but it must not leave the folder
     if sum(entry.file_size for entry, _ in chosen) > limits.unpacked:
-        raise RefusedError(f"more than {limits.unpacked:,} bytes once it is unpacked")
+        raise UploadRefusedError(f"more than {limits.unpacked:,} bytes once it is unpacked")
     written = 0
     for number, (entry, path) in enumerate(chosen):
         progress(number, len(chosen))
@@ -106,13 +106,13 @@ def _why_left_out(entry: zipfile.ZipInfo, path: str, limits: Limits) -> str:
     if kind not in {0, stat.S_IFREG}:
         return "not a regular file"
     if entry.flag_bits & 0x1:
-        raise RefusedError(f"{path}: encrypted")
+        raise UploadRefusedError(f"{path}: encrypted")
     if entry.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
-        raise RefusedError(f"{path}: packed by a method that is not read")
+        raise UploadRefusedError(f"{path}: packed by a method that is not read")
     if entry.file_size > limits.file:
         return f"larger than {limits.file:,} bytes"
     if entry.file_size > _SMALL and entry.file_size > limits.ratio * max(1, entry.compress_size):
-        raise RefusedError(f"{path}: unpacks to more than {limits.ratio} times its size")
+        raise UploadRefusedError(f"{path}: unpacks to more than {limits.ratio} times its size")
     return ""
 
 
@@ -125,6 +125,6 @@ def _write(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, path: Path, limits: 
         while block := source.read(_BLOCK):
             count += len(block)
             if count > min(left, limits.file):
-                raise RefusedError(f"{path.name}: larger than the archive says")
+                raise UploadRefusedError(f"{path.name}: larger than the archive says")
             target.write(block)
     return count

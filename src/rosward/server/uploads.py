@@ -22,7 +22,7 @@ from starlette.types import Message
 
 from rosward.safe import printable
 from rosward.server.limits import Limits
-from rosward.server.places import LeftOut, Places, RefusedError, why_left_out, write_left_out
+from rosward.server.places import LeftOut, Places, UploadRefusedError, why_left_out, write_left_out
 from rosward.server.settings import Settings, read_settings
 
 __all__ = ["Uploaded", "read_upload"]
@@ -60,7 +60,7 @@ async def _form(request: Request, limits: Limits) -> FormData:
         try:
             message = await asyncio.wait_for(request.receive(), limits.silence)
         except asyncio.TimeoutError as error:
-            raise RefusedError(f"nothing was sent for {limits.silence:g} seconds") from error
+            raise UploadRefusedError(f"nothing was sent for {limits.silence:g} seconds") from error
         count += len(message.get("body", b""))
         if count > limits.upload:
             raise _too_large(limits)
@@ -69,20 +69,20 @@ async def _form(request: Request, limits: Limits) -> FormData:
     try:
         return await Request(request.scope, receive).form(max_files=limits.files, max_fields=_MOST_FIELDS)
     except HTTPException as error:
-        raise RefusedError(printable(error.detail)) from error
+        raise UploadRefusedError(printable(error.detail)) from error
 
 
 async def _keep(form: FormData, folder: Path, limits: Limits) -> Uploaded:
     files = [(part.filename or "", part) for part in form.getlist("file") if isinstance(part, UploadFile)]
     settings = read_settings(_json(form.get("settings"), {}))
     if not files:
-        raise RefusedError("no file was sent")
+        raise UploadRefusedError("no file was sent")
     if len(files) == 1 and files[0][0].lower().endswith(".zip"):
         name = Places(limits).add(files[0][0])
         await _write(files[0][1], folder / "upload.zip", limits.upload)
         return Uploaded(name, zipped=True, settings=settings)
     if any(name.lower().endswith(".zip") for name, _ in files):
-        raise RefusedError("a zip is taken alone: without other files, and one at a time")
+        raise UploadRefusedError("a zip is taken alone: without other files, and one at a time")
     left_out = _not_sent(form.get("left_out"))
     places = Places(limits)
     for path, part in [(places.add(name), part) for name, part in files]:
@@ -104,7 +104,7 @@ async def _write(part: UploadFile, path: Path, most: int) -> None:
         while block := await part.read(_BLOCK):
             count += len(block)
             if count > most:
-                raise RefusedError(f"{path.name}: too large")
+                raise UploadRefusedError(f"{path.name}: too large")
             target.write(block)
 
 
@@ -130,10 +130,10 @@ def _json(field: object, otherwise: object) -> object:
     try:
         return json.loads(field)
     except (ValueError, RecursionError) as error:
-        raise RefusedError("a field that is no JSON") from error
+        raise UploadRefusedError("a field that is no JSON") from error
 
 
-def _too_large(limits: Limits) -> RefusedError:
-    return RefusedError(
+def _too_large(limits: Limits) -> UploadRefusedError:
+    return UploadRefusedError(
         f"more than {limits.upload // 2**20} MB: leave out data and pictures, or name the folder on this machine"
     )

@@ -17,8 +17,8 @@ from watchfiles import awatch
 
 from rosward.server.jobs import Jobs
 from rosward.server.limits import Limits
-from rosward.server.places import RefusedError, why_left_out
-from rosward.server.results import ENDED, Results, Source
+from rosward.server.places import UploadRefusedError, why_left_out
+from rosward.server.results import ENDED, AnalysedSource, Results
 
 __all__ = ["Watches"]
 
@@ -42,19 +42,19 @@ class Watches:
         self._own = own.resolve()
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
-    def watches(self, source: Source) -> bool:
+    def watches(self, source: AnalysedSource) -> bool:
         """Whether a workspace is watched."""
         return source.kind == "workspace" and source.key in self._tasks
 
-    def start(self, source: Source) -> None:
+    def start(self, source: AnalysedSource) -> None:
         """Watch a workspace. Raises RefusedError where there are too many."""
         if source.kind != "workspace" or source.key in self._tasks:
             return
         if len(self._tasks) >= self._limits.watched:
-            raise RefusedError(f"{self._limits.watched} workspaces are watched already")
+            raise UploadRefusedError(f"{self._limits.watched} workspaces are watched already")
         self._tasks[source.key] = asyncio.create_task(self._watch(source))
 
-    async def stop(self, source: Source) -> None:
+    async def stop(self, source: AnalysedSource) -> None:
         """Watch it no more."""
         task = self._tasks.pop(source.key, None)
         if task is not None:
@@ -65,9 +65,9 @@ class Watches:
     async def close(self) -> None:
         """Watch nothing any more."""
         for key in list(self._tasks):
-            await self.stop(Source("workspace", key, ""))
+            await self.stop(AnalysedSource("workspace", key, ""))
 
-    async def _watch(self, source: Source) -> None:
+    async def _watch(self, source: AnalysedSource) -> None:
         path = Path(source.key)
         folder = path if path.is_dir() else path.parent
         try:
@@ -93,7 +93,7 @@ class Watches:
         hidden = why_left_out(f"{name}/")  # also of a folder that has come
         return name.partition("/")[0] not in _BUILT and not hidden and not why_left_out(name) and not name.endswith("~")
 
-    async def _again(self, source: Source) -> None:
+    async def _again(self, source: AnalysedSource) -> None:
         """Analyse it with the settings of the last result, instead of what is still under way for an earlier change."""
         known = [r for r in self._results.all() if r.source.key == source.key and r.source.kind == "workspace"]
         for result in known:
@@ -102,5 +102,5 @@ class Watches:
                 self._results.delete(result.id)
         settings = next((r.settings for r in known), None)
         if settings is not None:
-            with contextlib.suppress(RefusedError):  # too many wait: the next change comes
+            with contextlib.suppress(UploadRefusedError):  # too many wait: the next change comes
                 self._jobs.submit(source, settings, automatic=True)

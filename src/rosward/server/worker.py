@@ -21,9 +21,9 @@ from typing import NoReturn, TextIO
 from rosward.pipeline import NothingToReadError, UnknownRequestError
 from rosward.safe import printable
 from rosward.server.analysis import analyse
-from rosward.server.job import End, Job, read_job
+from rosward.server.job import Job, JobEnd, read_job
 from rosward.server.limits import Limits
-from rosward.server.places import RefusedError
+from rosward.server.places import UploadRefusedError
 from rosward.server.telling import Teller
 
 __all__ = ["main"]
@@ -112,20 +112,20 @@ def _bound(limits: Limits) -> None:
             resource.setrlimit(kind, (wanted, wanted))
 
 
-def _end_of(job: Job, teller: Teller) -> End:
+def _end_of(job: Job, teller: Teller) -> JobEnd:
     try:
         analyse(job, teller)
-    except (RefusedError, UnknownRequestError) as error:
-        return End("failed", printable(str(error)))
+    except (UploadRefusedError, UnknownRequestError) as error:
+        return JobEnd("failed", printable(str(error)))
     except NothingToReadError:
-        return End("failed", "There is no Python file and no launch file in it. C++ is not read.")
+        return JobEnd("failed", "There is no Python file and no launch file in it. C++ is not read.")
     except MemoryError:
-        return End("failed", f"It needs more than {job.limits.memory // 2**20:,} MB of memory.")
+        return JobEnd("failed", f"It needs more than {job.limits.memory // 2**20:,} MB of memory.")
     except OSError as error:
-        return End("failed", f"The result cannot be written: {error.strerror or error}.")
+        return JobEnd("failed", f"The result cannot be written: {error.strerror or error}.")
     except Exception as error:
         print(printable(traceback.format_exc()).replace("\\x0a", "\n"), file=sys.stderr)  # noqa: T201
-        return End(
+        return JobEnd(
             "failed", f"The analysis failed ({type(error).__name__}). This is a fault of rosward: please report it."
         )
-    return End("done")
+    return JobEnd("done")

@@ -19,14 +19,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from rosward.server.job import LONGEST_LINE, End, Job, Step, read_line
+from rosward.server.job import LONGEST_LINE, Job, JobEnd, JobStep, read_line
 
 __all__ = ["run_job"]
 
 _START: Final = "import sys; sys.path[:] = sys.argv[1:]; from rosward.server.worker import main; main()"
 
 
-async def run_job(job: Job, tell: Callable[[Step], None]) -> End:
+async def run_job(job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
     """Do a job in a process of its own; if this is cancelled, the process is killed."""
     process = await asyncio.create_subprocess_exec(
         sys.executable,
@@ -43,7 +43,7 @@ async def run_job(job: Job, tell: Callable[[Step], None]) -> End:
     try:
         return await asyncio.wait_for(_talk(process, job, tell), job.limits.seconds)
     except asyncio.TimeoutError:
-        return End("failed", f"It took more than {job.limits.seconds:g} seconds.")
+        return JobEnd("failed", f"It took more than {job.limits.seconds:g} seconds.")
     finally:
         _kill(process)
         await process.wait()
@@ -56,7 +56,7 @@ def _search_path() -> list[str]:
     return list(dict.fromkeys([*(p for p in sys.path if os.path.isabs(p) and p != here), own]))  # noqa: PTH117
 
 
-async def _talk(process: Process, job: Job, tell: Callable[[Step], None]) -> End:
+async def _talk(process: Process, job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
     assert process.stdin is not None
     assert process.stdout is not None
     with contextlib.suppress(ConnectionError):
@@ -64,7 +64,7 @@ async def _talk(process: Process, job: Job, tell: Callable[[Step], None]) -> End
         await process.stdin.drain()
     while line := await _line(process.stdout):
         said = read_line(line)
-        if isinstance(said, End):
+        if isinstance(said, JobEnd):
             return said
         if said is not None:
             tell(said)
@@ -78,15 +78,15 @@ async def _line(stream: asyncio.StreamReader) -> bytes:
         return b"\n"
 
 
-def _ended_early(status: int) -> End:
+def _ended_early(status: int) -> JobEnd:
     if status == -getattr(signal, "SIGXCPU", 0):
-        return End("failed", "It took too much time.")
+        return JobEnd("failed", "It took too much time.")
     if status < 0:
-        return End(
+        return JobEnd(
             "failed",
             f"The analysis was killed ({signal.Signals(-status).name}): it may need more memory than there is.",
         )
-    return End("failed", f"The analysis ended with status {status}.")
+    return JobEnd("failed", f"The analysis ended with status {status}.")
 
 
 def _kill(process: Process) -> None:

@@ -20,11 +20,11 @@ from rosward.findings import Finding
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake_files import PackageFiles
 from rosward.source.cmake_install import CMakeTarget, Targets, below_share, by_option, shared
-from rosward.source.cmake_text import Argument, Command, parse_cmake
+from rosward.source.cmake_text import CMakeArgument, Command, parse_cmake
 from rosward.source.entry_points import EntryPoint, read_setup_cfg
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
-from rosward.source.workspace import Generated
+from rosward.source.workspace import GeneratedModule
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -55,7 +55,7 @@ _INSTALL_FOLDERS: Final = MappingProxyType(
 )
 
 
-class Script(NamedTuple):
+class InstalledScript(NamedTuple):
     """A file, by its path, that is installed as the executable `name`."""
 
     name: str
@@ -66,14 +66,14 @@ class Script(NamedTuple):
 class CMakeProject(NamedTuple):
     """What is installed as executables and in the share folder, the folders of Python packages, and what could not be read."""
 
-    scripts: tuple[Script, ...] = ()
+    scripts: tuple[InstalledScript, ...] = ()
     python_roots: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
     shared: tuple[Shared, ...] = ()
     all_shared: bool = True
     targets: tuple[CMakeTarget, ...] = ()
     entry_points: tuple[EntryPoint, ...] = ()
-    generated: tuple[Generated, ...] = ()
+    generated: tuple[GeneratedModule, ...] = ()
 
 
 def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERYWHERE) -> CMakeProject:
@@ -112,13 +112,13 @@ class _Reader:
             "CMAKE_INSTALL_PREFIX": "",
         }
         self._functions: dict[str, tuple[list[str], list[Command]]] = {}
-        self.scripts: list[Script] = []
+        self.scripts: list[InstalledScript] = []
         self.shared: list[Shared] = []
         self.all_shared = True
         self.targets = Targets(package)
         self.python_roots: list[str] = []
         self.entry_points: list[EntryPoint] = []
-        self.generated: list[Generated] = []
+        self.generated: list[GeneratedModule] = []
         self.findings: list[Finding] = []
 
     def read(self, folder: str, depth: int, name: str = "CMakeLists.txt") -> None:
@@ -185,7 +185,7 @@ class _Reader:
             case "generate_parameter_module" if len(arguments) >= 2:
                 source = os.path.normpath(os.path.join(self._folder, arguments[1]))  # noqa: PTH118
                 made = self._variables["PROJECT_NAME"], arguments[0], source, "".join(arguments[2:3])
-                self.generated.append(Generated(*made, self._place(command)))
+                self.generated.append(GeneratedModule(*made, self._place(command)))
             case "ament_python_install_package" if arguments:
                 self._python_package(arguments)
             case "add_subdirectory" if arguments:
@@ -270,7 +270,7 @@ class _Reader:
             case _:
                 pass
 
-    def _expand(self, arguments: tuple[Argument, ...]) -> list[str]:
+    def _expand(self, arguments: tuple[CMakeArgument, ...]) -> list[str]:
         """The arguments with variables put in; what is not quoted falls apart at its semicolons."""
         result: list[str] = []
         for argument in arguments:
@@ -359,7 +359,7 @@ class _Reader:
                 if full is None:  # outside, or made by the build
                     self._doubt(f"The program {path!r} is not within the package.", command)
                 else:
-                    self.scripts.append(Script(name, full, place))
+                    self.scripts.append(InstalledScript(name, full, place))
 
     def _install_folders(
         self, paths: list[str], options: dict[str, list[str]], place: Place, *, all_of_them: bool
@@ -372,7 +372,7 @@ class _Reader:
             start = self._inside(path)
             if start is not None:
                 found = self._files.below(start, matching=matching, unwanted=unwanted, executable=not all_of_them)
-                self.scripts += [Script(name, full, place) for name, full in found]
+                self.scripts += [InstalledScript(name, full, place) for name, full in found]
 
     def _share(self, what: str, path: str, into: str, options: dict[str, list[str]], command: Command) -> None:
         full = self._inside(path)

@@ -31,7 +31,7 @@ _BRACKET: Final = re.compile(r"(\#?)\[(=*)\[")
 _NAME: Final = re.compile(r"[A-Za-z_]\w*")
 
 
-class Argument(NamedTuple):
+class CMakeArgument(NamedTuple):
     """One argument as written; in a `literal` (bracket) one nothing is replaced, a `quoted` one is not split."""
 
     text: str
@@ -43,7 +43,7 @@ class Command(NamedTuple):
     """One command; its name is in lower case, since CMake does not tell cases apart."""
 
     name: str
-    arguments: tuple[Argument, ...]
+    arguments: tuple[CMakeArgument, ...]
     line: int
 
 
@@ -51,7 +51,7 @@ def parse_cmake(text: str) -> tuple[list[Command], tuple[str, int] | None]:
     """The commands of `text`, as far as they can be read, and what is wrong after them, and in which line."""
     commands: list[Command] = []
     name: str | None = None
-    arguments: list[Argument] = []
+    arguments: list[CMakeArgument] = []
     depth = start = 0
     line = 1
     for kind, content, line in _tokens(text):
@@ -66,16 +66,16 @@ def parse_cmake(text: str) -> tuple[list[Command], tuple[str, int] | None]:
                 return commands, (f"CMake expects a command, not {content[:40]!r}.", line)
         elif kind == "open":
             depth += 1
-            arguments.append(Argument("("))
+            arguments.append(CMakeArgument("("))
         elif kind == "close":
             depth -= 1
             if depth:
-                arguments.append(Argument(")"))
+                arguments.append(CMakeArgument(")"))
             elif name is not None:
                 commands.append(Command(name, tuple(arguments), start))
                 name = None
         else:
-            arguments.append(Argument(content, quoted=kind != "word", literal=kind == "bracket"))
+            arguments.append(CMakeArgument(content, quoted=kind != "word", literal=kind == "bracket"))
     if depth:
         return commands, ("This command is not closed.", start)
     if name is not None:

@@ -25,7 +25,7 @@ from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
-from rosward.source.packages import Described, describe, is_build_script
+from rosward.source.packages import DescribedPackage, describe, is_build_script
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import PYTHON_LIMIT, place_name, read_bytes
 from rosward.source.walk import DESCRIPTIONS, Tree, walk
@@ -136,7 +136,7 @@ def _description(package: Package) -> str:
     return f"{package.relative}/{name}" if package.relative not in ("", ".") else name
 
 
-def _targets(described: list[tuple[Package, Described]]) -> tuple[Target, ...]:
+def _targets(described: list[tuple[Package, DescribedPackage]]) -> tuple[Target, ...]:
     """The programs and components that CMake builds."""
     found = [
         Target(package, target.name, target.kind, target.place, target.plugin)
@@ -191,12 +191,12 @@ def _is_launch(path: str) -> bool:
 
 def _describe_all(
     tree: Tree, around: list[tuple[str, set[str]]], root: Path, environment: Mapping[str, str], *, net: bool
-) -> tuple[list[tuple[Package, Described]], list[Finding]]:
+) -> tuple[list[tuple[Package, DescribedPackage]], list[Finding]]:
     """The packages below the paths and those `around` them."""
     folders = dict(tree.descriptions)
     for above in around:
         folders.setdefault(*above)
-    found: list[tuple[Package, Described]] = []
+    found: list[tuple[Package, DescribedPackage]] = []
     failed: list[Finding] = []
     for folder, names in sorted(folders.items()):
         place = Place(place_name(os.path.join(folder, min(names, default="")), root))  # noqa: PTH118
@@ -228,7 +228,10 @@ def _is_file(folder: str, name: str) -> bool:
 
 
 def _executables(
-    described: list[tuple[Package, Described]], resolver: ImportResolver, taken: set[str] | None, starts: list[str]
+    described: list[tuple[Package, DescribedPackage]],
+    resolver: ImportResolver,
+    taken: set[str] | None,
+    starts: list[str],
 ) -> tuple[list[Executable], list[Finding]]:
     """The executables in the order of packages and names.
 

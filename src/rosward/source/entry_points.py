@@ -37,7 +37,7 @@ class EntryPoint(NamedTuple):
     place: Place
 
 
-class Declared(NamedTuple):
+class PythonSide(NamedTuple):
     """What the build description of a package declares of its Python side.
 
     `scripts` are files, relative to the package, that are installed as they are. `package_dir` maps a Python package
@@ -55,12 +55,12 @@ class Declared(NamedTuple):
     all_data: bool = True
     generated: tuple[tuple[str, str, str, Place], ...] = ()
 
-    def __or__(self, other: object) -> Declared:
+    def __or__(self, other: object) -> PythonSide:
         """Both together; what `self` says of name and folders comes first."""
-        if not isinstance(other, Declared):
+        if not isinstance(other, PythonSide):
             return NotImplemented
         known = {entry[:3] for entry in self.entry_points}
-        return Declared(
+        return PythonSide(
             self.name or other.name,
             self.entry_points + tuple(entry for entry in other.entry_points if entry[:3] not in known),
             self.scripts + other.scripts,
@@ -99,17 +99,17 @@ def text_lines(text: str) -> list[str]:
     return [line for line in map(str.strip, text.splitlines()) if line and not line.startswith(("#", ";"))]
 
 
-def read_setup_cfg(path: str, file: str) -> Declared:
+def read_setup_cfg(path: str, file: str) -> PythonSide:
     """What the `setup.cfg` at `path`, called `file`, declares."""
     text = _read_text(path, file)
     if isinstance(text, Finding):
-        return Declared(findings=(text,))
+        return PythonSide(findings=(text,))
     config = configparser.RawConfigParser(strict=False)
     try:
         config.read_string(text)
     except configparser.Error as error:
         line = getattr(error, "lineno", None) or next((number for number, _ in getattr(error, "errors", ())), 0)
-        return Declared(
+        return PythonSide(
             findings=(Finding("RW008", "The setup.cfg is not in the form of a configuration file.", Place(file, line)),)
         )
     lines = _Lines(text, file)
@@ -122,7 +122,7 @@ def read_setup_cfg(path: str, file: str) -> Declared:
     ]
     points, findings = entry_points((command, lines.of(command)) for command in commands)
     folders = [line.partition("=") for line in re.split(r"[\n,]", get("options", "package_dir")) if "=" in line]
-    return Declared(
+    return PythonSide(
         get("metadata", "name"),
         points,
         tuple((script, lines.of(script)) for script in text_lines(get("options", "scripts"))),
@@ -131,17 +131,17 @@ def read_setup_cfg(path: str, file: str) -> Declared:
     )
 
 
-def read_pyproject(path: str, file: str) -> Declared:
+def read_pyproject(path: str, file: str) -> PythonSide:
     """What the `pyproject.toml` at `path`, called `file`, declares."""
     text = _read_text(path, file)
     if isinstance(text, Finding):
-        return Declared(findings=(text,))
+        return PythonSide(findings=(text,))
     try:
         document = read_toml(text)
     except ValueError as error:
         line = re.search(r"at line (\d+)", str(error))
         place = Place(file, int(line[1]) if line else 0)
-        return Declared(findings=(Finding("RW008", "The pyproject.toml is not TOML.", place),))
+        return PythonSide(findings=(Finding("RW008", "The pyproject.toml is not TOML.", place),))
     lines = _Lines(text, file)
     project = _table(document, "project")
     poetry = _table(document, "tool", "poetry")
@@ -154,7 +154,7 @@ def read_pyproject(path: str, file: str) -> Declared:
     points, findings = entry_points(commands)
     setuptools = _table(document, "tool", "setuptools")
     files = setuptools.get("script-files")
-    return Declared(
+    return PythonSide(
         str(project.get("name") or poetry.get("name") or ""),
         points,
         tuple((script, lines.of(script)) for script in files if isinstance(script, str))

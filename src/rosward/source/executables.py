@@ -18,12 +18,12 @@ from rosward.source.workspace import Executable, ExecutableKind
 if TYPE_CHECKING:
     from rosward.source.imports import ImportResolver
     from rosward.source.location import Place
-    from rosward.source.packages import Described
+    from rosward.source.packages import DescribedPackage
 
 _SHEBANG: Final = re.compile(rb"#![^\n]*\bpython[0-9.]*\b")
 
 
-def executables(described: Described, resolver: ImportResolver) -> tuple[list[Executable], list[Finding]]:
+def executables(described: DescribedPackage, resolver: ImportResolver) -> tuple[list[Executable], list[Finding]]:
     """The executables of one package whose source is Python, and what is wrong with them."""
     package = described.package
     found: list[Executable] = []

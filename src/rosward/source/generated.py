@@ -15,7 +15,7 @@ from typing import NamedTuple, final
 from rosward.findings import Finding
 from rosward.source.boundary import Boundary
 from rosward.source.text import place_name
-from rosward.source.workspace import Generated, Package, SourceFile, Workspace
+from rosward.source.workspace import GeneratedModule, Package, SourceFile, Workspace
 
 
 class Made(NamedTuple):
@@ -53,9 +53,11 @@ class GeneratedModules:
         return self._made.get("".join([path, *(os.sep + name for name in rest)]))
 
 
-def there(generated: Sequence[Generated], boundary: Boundary) -> tuple[tuple[Generated, ...], list[Finding]]:
+def there(
+    generated: Sequence[GeneratedModule], boundary: Boundary
+) -> tuple[tuple[GeneratedModule, ...], list[Finding]]:
     """The modules whose descriptions are there, and what is wrong with the others."""
-    found: dict[str, Generated] = {}
+    found: dict[str, GeneratedModule] = {}
     findings = []
     for each in generated:
         names = each.name, *(each.validation.split(".") if each.validation else ())

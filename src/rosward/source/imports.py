@@ -35,7 +35,7 @@ _NEVER_GUESSED: Final = STANDARD_LIBRARY | {
 }  # fmt: skip
 
 
-class Resolution(NamedTuple):
+class ImportTarget(NamedTuple):
     """What a module name means: its whole dotted `name`, its `file` (of a package, its `__init__.py`), its `folder`.
 
     A namespace package has a folder and no file, a plain module a file and no folder. A `guess` holds only if the
@@ -72,10 +72,10 @@ class ImportResolver:
         self._tops: dict[str, dict[str, None]] = {}
         self._by_stem: dict[str, list[SourceFile]] = {}
         self._generated = GeneratedModules(workspace)
-        self._cache: dict[tuple[str, str], Resolution | None] = {}
+        self._cache: dict[tuple[str, str], ImportTarget | None] = {}
         self._index(workspace)
 
-    def resolve(self, module: str, level: int, importer: SourceFile) -> Resolution | None:
+    def resolve(self, module: str, level: int, importer: SourceFile) -> ImportTarget | None:
         """What `import module`, or with `level` dots `from ..module import x`, means; `None` if it leads outside."""
         name = "." * level + module
         key = (name, os.fspath(importer.path))
@@ -83,7 +83,7 @@ class ImportResolver:
             self._cache[key] = self._relative(module, level, importer) if level else self._absolute(module, importer)
         return self._cache[key]
 
-    def submodule(self, parent: Resolution, name: str) -> Resolution | None:
+    def submodule(self, parent: ImportTarget, name: str) -> ImportTarget | None:
         """The module `name` in the package `parent`."""
         if parent.folder is None:
             return None
@@ -95,7 +95,7 @@ class ImportResolver:
         found = self.resolve(name, 0, importer)
         return found.file if found else None
 
-    def entry_module(self, name: str, package: Package) -> Resolution | None:
+    def entry_module(self, name: str, package: Package) -> ImportTarget | None:
         """What the entry point module `name` of an installed `package` means."""
         parts = name.split(".")
         for roots in (self._roots[package], self._other_roots(parts[0], package.path)):
@@ -104,13 +104,13 @@ class ImportResolver:
                 return found
         return self._guess(parts, package, package.path)
 
-    def in_folder(self, folder: str, name: str) -> Resolution | None:
+    def in_folder(self, folder: str, name: str) -> ImportTarget | None:
         """What `import name` means, where a folder below that of all sources is the first in `sys.path`."""
         path = self._inside(folder)
         found = None if path is None else self._descend(path, name.split("."), None)
         return found if found is not None and found.file is not None else None
 
-    def named(self, name: str) -> list[tuple[str, Resolution]]:
+    def named(self, name: str) -> list[tuple[str, ImportTarget]]:
         """All files of the sources that the absolute `name` may mean, each with the folder that `sys.path` would hold."""
         if name.partition(".")[0] in _NEVER_GUESSED:
             return []
@@ -119,7 +119,7 @@ class ImportResolver:
         return [
             (
                 place_name(os.fspath(file.path.parents[up if file.is_package else up - 1]), self._root),
-                Resolution(name, file, os.fspath(file.path.parent) if file.is_package else None, guess=True),
+                ImportTarget(name, file, os.fspath(file.path.parent) if file.is_package else None, guess=True),
             )
             for file in self._that_end_with(parts)
         ]
@@ -176,7 +176,7 @@ class ImportResolver:
             roots.sort(key=lambda root: (-_common(Path(root).parts, near.parts), root))
         return roots
 
-    def _absolute(self, name: str, importer: SourceFile) -> Resolution | None:
+    def _absolute(self, name: str, importer: SourceFile) -> ImportTarget | None:
         parts = name.split(".")
         top = parts[0]
         if top in BUILT_IN or not all(parts):
@@ -184,7 +184,7 @@ class ImportResolver:
         folder = os.fspath(importer.path.parent)
         inside = self._layout.python_root(folder, importer.package) != folder  # a module of a Python package
         script = os.fspath(importer.path) in self._scripts or not inside
-        nearest: Resolution | None = None
+        nearest: ImportTarget | None = None
         if script:
             nearest = self._first([folder], parts, package=importer.package)
             if nearest is None or nearest.file is None:
@@ -207,7 +207,7 @@ class ImportResolver:
             return None
         return found or self._guess(parts, importer.package, importer.path)
 
-    def _relative(self, module: str, level: int, importer: SourceFile) -> Resolution | None:
+    def _relative(self, module: str, level: int, importer: SourceFile) -> ImportTarget | None:
         folder = os.fspath(importer.path.parent)
         root = self._layout.python_root(folder, importer.package)
         for _ in range(level - 1):
@@ -226,9 +226,9 @@ class ImportResolver:
 
     def _first(
         self, roots: Iterable[str], parts: list[str], *, package: Package | None = None, guess: bool = False
-    ) -> Resolution | None:
+    ) -> ImportTarget | None:
         """The first root that has the whole name; a namespace package counts only if no root has a file."""
-        namespace: Resolution | None = None
+        namespace: ImportTarget | None = None
         for root in roots:
             found = self._descend(root, parts, package)
             if found is None:
@@ -238,7 +238,7 @@ class ImportResolver:
             namespace = namespace or found._replace(guess=guess)
         return namespace
 
-    def _descend(self, folder: str, parts: list[str], package: Package | None) -> Resolution | None:
+    def _descend(self, folder: str, parts: list[str], package: Package | None) -> ImportTarget | None:
         """The module that `parts` name below `folder`; as at run time a package goes before a module of its name."""
         layout = self._layout
         for index, part in enumerate(parts):
@@ -247,26 +247,26 @@ class ImportResolver:
             if part in listing.folders and (part not in listing.modules or layout.listing(inner).is_package):
                 folder = inner
             elif part in listing.modules and index == len(parts) - 1:
-                return Resolution(".".join(parts), self.file_at(f"{inner}.py", package), None)
+                return ImportTarget(".".join(parts), self.file_at(f"{inner}.py", package), None)
             elif index >= len(parts) - 2 and (made := self._generated.at(inner, parts[index + 1 :])) is not None:
-                return Resolution(".".join(parts), made.file, made.folder)
+                return ImportTarget(".".join(parts), made.file, made.folder)
             else:
                 return None
         if layout.listing(folder).is_package:
-            return Resolution(".".join(parts), self.file_at(f"{folder}{os.sep}__init__.py", package), folder)
+            return ImportTarget(".".join(parts), self.file_at(f"{folder}{os.sep}__init__.py", package), folder)
         held = layout.holds_python(folder) or self._generated.at(folder, []) is not None
-        return Resolution(".".join(parts), None, folder) if held else None
+        return ImportTarget(".".join(parts), None, folder) if held else None
 
-    def _beside(self, parts: list[str], importer: SourceFile) -> Resolution | None:
+    def _beside(self, parts: list[str], importer: SourceFile) -> ImportTarget | None:
         """A script that is installed into the same folder, whatever folder it comes from."""
         if importer.package is None or len(parts) > 1 or os.fspath(importer.path) not in self._scripts:
             return None
         for file, name in self._scripts.values():
             if file.package is importer.package and name == f"{parts[0]}.py":
-                return Resolution(parts[0], file, None)
+                return ImportTarget(parts[0], file, None)
         return None
 
-    def _guess(self, parts: list[str], package: Package | None, near: Path) -> Resolution | None:
+    def _guess(self, parts: list[str], package: Package | None, near: Path) -> ImportTarget | None:
         """The one file that could be meant if `sys.path` held its folder."""
         if parts[0] in _NEVER_GUESSED:
             return None
@@ -275,7 +275,7 @@ class ImportResolver:
         for candidates in (own, found):
             if len(candidates) == 1:
                 file = candidates[0]
-                return Resolution(
+                return ImportTarget(
                     ".".join(parts), file, os.fspath(file.path.parent) if file.is_package else None, guess=True
                 )
         return None

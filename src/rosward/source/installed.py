@@ -61,7 +61,7 @@ class Installed:
 
     def __init__(self, workspace: Workspace, underlays: Sequence[Path] = ()) -> None:
         self._workspace = workspace
-        self._sources = _Sources(workspace, absolute=False)
+        self._sources = _SourceWorkspace(workspace, absolute=False)
         self._environment = workspace.environment
         self._underlays = [Path(os.path.abspath(path)) for path in underlays]  # noqa: PTH100
         self._layers: list[_Layer] | None = None
@@ -157,11 +157,11 @@ def _normal(relative: str) -> str | None:
 def _layer(path: Path, environment: Mapping[str, str]) -> _Layer:
     if any((path / mark).exists() for mark in _PREFIX_MARKS):
         return _Prefix(path)
-    return _Sources(discover([path], environment=environment), absolute=True)
+    return _SourceWorkspace(discover([path], environment=environment), absolute=True)
 
 
 @final
-class _Sources:
+class _SourceWorkspace:
     """A workspace of sources; the files of another one than that which is analysed have absolute names."""
 
     def __init__(self, workspace: Workspace, *, absolute: bool) -> None:

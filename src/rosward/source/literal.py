@@ -44,7 +44,7 @@ _TEXT_METHODS: Final = frozenset(
 
 
 @final
-class Unknown:
+class UnknownLiteral:
     """The value that cannot be told."""
 
     __slots__ = ()
@@ -53,11 +53,11 @@ class Unknown:
         return "UNKNOWN"
 
 
-UNKNOWN: Final = Unknown()
+UNKNOWN: Final = UnknownLiteral()
 
 
 @final
-class Scope:
+class LiteralScope:
     """The names that are known so far, and how many more steps may be taken; inner scopes share the steps."""
 
     __slots__ = ("_fuel", "_names", "_outer", "environment", "glob")
@@ -65,7 +65,7 @@ class Scope:
     def __init__(
         self,
         names: dict[str, Any],
-        outer: Scope | None = None,
+        outer: LiteralScope | None = None,
         *,
         glob: Callable[[str, bool], Any] | None = None,
         environment: Mapping[str, str] = ROS_2,
@@ -78,9 +78,9 @@ class Scope:
         """The environment variables that are known."""
         self._fuel: list[int] = outer._fuel if outer is not None else [200_000]
 
-    def inner(self) -> Scope:
+    def inner(self) -> LiteralScope:
         """A scope that sees the same names and keeps its own to itself."""
-        return Scope({}, self)
+        return LiteralScope({}, self)
 
     def bind(self, name: str, value: Any) -> None:
         """Let `name` stand for `value` from here on."""
@@ -88,7 +88,7 @@ class Scope:
 
     def value(self, name: str) -> Any:
         """What `name` stands for."""
-        scope: Scope | None = self
+        scope: LiteralScope | None = self
         while scope is not None:
             if name in scope._names:
                 return scope._names[name]
@@ -101,7 +101,7 @@ class Scope:
         return self._fuel[0] > 0
 
 
-def evaluate(node: ast.expr | None, scope: Scope) -> Any:
+def evaluate(node: ast.expr | None, scope: LiteralScope) -> Any:
     """The value of `node` under the names of `scope`; `UNKNOWN` where it cannot be told."""
     if not scope.step():
         return UNKNOWN
@@ -119,7 +119,7 @@ def _bounded(value: Any) -> Any:
     return value
 
 
-def _evaluate(node: ast.expr | None, scope: Scope) -> Any:
+def _evaluate(node: ast.expr | None, scope: LiteralScope) -> Any:
     match node:
         case ast.Constant(value=str() | int() | float() | None as value):
             return value
@@ -157,7 +157,7 @@ def _evaluate(node: ast.expr | None, scope: Scope) -> Any:
             return UNKNOWN
 
 
-def _elements(elements: list[ast.expr], scope: Scope) -> Any:
+def _elements(elements: list[ast.expr], scope: LiteralScope) -> Any:
     """The items; one that cannot be told stays in its place as `UNKNOWN`."""
     items: list[Any] = []
     for element in elements:
@@ -169,7 +169,7 @@ def _elements(elements: list[ast.expr], scope: Scope) -> Any:
     return items
 
 
-def _dict(keys: list[ast.expr | None], values: list[ast.expr], scope: Scope) -> Any:
+def _dict(keys: list[ast.expr | None], values: list[ast.expr], scope: LiteralScope) -> Any:
     result: dict[Any, Any] = {}
     for key, value in zip(keys, values, strict=True):
         if key is None:  # {**other}
@@ -180,7 +180,7 @@ def _dict(keys: list[ast.expr | None], values: list[ast.expr], scope: Scope) -> 
     return result
 
 
-def _format_part(part: ast.expr, scope: Scope) -> Any:
+def _format_part(part: ast.expr, scope: LiteralScope) -> Any:
     if not isinstance(part, ast.FormattedValue):
         return evaluate(part, scope)
     value = evaluate(part.value, scope)
@@ -260,7 +260,7 @@ def _wide(text: str) -> bool:
     return any(a in "%:0123456789" and b.isdigit() for a, b in itertools.pairwise(text))
 
 
-def _comprehend(element: ast.expr, generators: list[ast.comprehension], scope: Scope, found: list[Any]) -> None:
+def _comprehend(element: ast.expr, generators: list[ast.comprehension], scope: LiteralScope, found: list[Any]) -> None:
     if len(found) > _SIZE_LIMIT:
         return
     if not generators:
@@ -284,7 +284,7 @@ def _comprehend(element: ast.expr, generators: list[ast.comprehension], scope: S
             _comprehend(element, rest, inner, found)
 
 
-def bind(target: ast.expr, value: Any, scope: Scope) -> None:
+def bind(target: ast.expr, value: Any, scope: LiteralScope) -> None:
     """Bind the names in `target` to `value`."""
     if isinstance(target, ast.Name):
         scope.bind(target.id, value)
@@ -294,7 +294,7 @@ def bind(target: ast.expr, value: Any, scope: Scope) -> None:
             bind(element, value[index] if exact else UNKNOWN, scope)
 
 
-def _call(node: ast.Call, scope: Scope) -> Any:
+def _call(node: ast.Call, scope: LiteralScope) -> Any:
     arguments = _elements(node.args, scope)
     keywords = {keyword.arg: evaluate(keyword.value, scope) for keyword in node.keywords}
     if None in keywords:

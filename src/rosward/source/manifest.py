@@ -19,7 +19,7 @@ from rosward.findings import Finding
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import read_bytes
-from rosward.source.xml_events import RefusedError, parse
+from rosward.source.xml_events import RefusedXmlError, parse
 
 MANIFEST_LIMIT: Final = 1_000_000
 _DEPTH_LIMIT: Final = 50
@@ -96,13 +96,13 @@ class _Outline:
         self._path.append(tag)
         self._text.clear()
         if len(self._path) > _DEPTH_LIMIT:
-            raise RefusedError("The package.xml is nested too deeply.")
+            raise RefusedXmlError("The package.xml is nested too deeply.")
         self._count += 1
         if self._count > _ELEMENT_LIMIT:
-            raise RefusedError("The package.xml has too many elements.")
+            raise RefusedXmlError("The package.xml has too many elements.")
         condition = attributes.get("condition", "")
         if len(condition) > _CONDITION_LIMIT or condition.count("(") > 3:
-            raise RefusedError("The package.xml has a condition that is too complex to evaluate.")
+            raise RefusedXmlError("The package.xml has a condition that is too complex to evaluate.")
 
     def _end(self, _: str) -> None:
         if self._path == ["package", "name"] and not self.name:

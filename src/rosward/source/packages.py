@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake import CMakeProject, read_cmake
 from rosward.source.cmake_install import below_share
-from rosward.source.entry_points import Declared, read_pyproject, read_setup_cfg
+from rosward.source.entry_points import PythonSide, read_pyproject, read_setup_cfg
 from rosward.source.generated import there
 from rosward.source.location import Place
 from rosward.source.manifest import Manifest, read_manifest
 from rosward.source.setup_py import read_setup_py
 from rosward.source.text import place_name, read_bytes
-from rosward.source.workspace import Generated, Package, Shared
+from rosward.source.workspace import GeneratedModule, Package, Shared
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping
@@ -30,18 +30,18 @@ if TYPE_CHECKING:
     from rosward.findings import Finding
 
 
-class Described(NamedTuple):
+class DescribedPackage(NamedTuple):
     """A package with what its build descriptions declare."""
 
     package: Package
-    declared: Declared
+    declared: PythonSide
     cmake: CMakeProject
     findings: tuple[Finding, ...]
 
 
 def describe(
     folder: str, names: Collection[str], root: Path, environment: Mapping[str, str], boundary: Boundary = EVERYWHERE
-) -> Described | None:
+) -> DescribedPackage | None:
     """The package in `folder`, where the files `names` stand; `None` if they do not make one."""
 
     def file(name: str) -> tuple[str, str]:
@@ -55,7 +55,7 @@ def describe(
         findings += [problem] if problem is not None else []
     elif "setup.py" not in names or not is_build_script(file("setup.py")[0]):
         return None
-    declared = Declared()
+    declared = PythonSide()
     if "setup.py" in names:
         declared |= read_setup_py(*file("setup.py"), environment)
     if "setup.cfg" in names:
@@ -68,7 +68,7 @@ def describe(
     cmake = CMakeProject()
     if "CMakeLists.txt" in names and not builds_python:
         cmake = read_cmake(folder, manifest.name, root, boundary)
-        declared |= Declared(entry_points=cmake.entry_points)
+        declared |= PythonSide(entry_points=cmake.entry_points)
     roots = [_root(folder, package, where) for package, where in declared.package_dir]
     roots += cmake.python_roots
     relative = place_name(folder, root)
@@ -81,7 +81,7 @@ def describe(
     if "package.xml" in names:
         shared += (Shared("package.xml", file("package.xml")[0], Place(file("package.xml")[1])),)
     made = [
-        Generated(manifest.name, name, os.path.normpath(os.path.join(folder, source)), validation, place)  # noqa: PTH118
+        GeneratedModule(manifest.name, name, os.path.normpath(os.path.join(folder, source)), validation, place)  # noqa: PTH118
         for name, source, validation, place in declared.generated
     ]
     generated, missing = there([*made, *cmake.generated], boundary)
@@ -89,10 +89,10 @@ def describe(
     package = Package(
         manifest.name, Path(folder), relative, manifest.build_type, manifest.depends, inside, shared, whole, generated
     )
-    return Described(package, declared, cmake, (*findings, *declared.findings, *cmake.findings))
+    return DescribedPackage(package, declared, cmake, (*findings, *declared.findings, *cmake.findings))
 
 
-def _data(folder: str, package: str, declared: Declared) -> tuple[Shared, ...]:
+def _data(folder: str, package: str, declared: PythonSide) -> tuple[Shared, ...]:
     """The `data_files` that go to the share folder of the package."""
     found: list[Shared] = []
     for destination, source, place in declared.data_files:

@@ -18,7 +18,7 @@ from types import MappingProxyType
 from typing import Final, NamedTuple
 
 from rosward.source.location import Place
-from rosward.source.parameter_yaml import MAP, Check, Constant, Described, Library, read_parameters
+from rosward.source.parameter_yaml import MAP, Check, Constant, DescribedParameter, ParameterLibrary, read_parameters
 from rosward.source.yaml_nodes import Malformed
 
 _WRONG: Final = MappingProxyType(
@@ -147,7 +147,7 @@ class _Text:
             self.lines.append(line or self._line)
 
 
-def _params(library: Library, out: _Text) -> None:
+def _params(library: ParameterLibrary, out: _Text) -> None:
     """The class of what a listener gives, and that of each group; all is given when one is made, so that nothing is there before its value."""
     for path, line in {"": library.line, **dict(library.groups)}.items():
         fields = [p for p in library.parameters if _above(p.name) == path]
@@ -186,14 +186,14 @@ class _Mapped(NamedTuple):
     """A parameter of which there is one for each entry: the group that has the entries, the groups that one is made of
     for each, the lists of their names, and its path in an entry."""
 
-    parameter: Described
+    parameter: DescribedParameter
     group: str
     maps: tuple[str, ...]
     keys: tuple[str, ...]
     field: str
 
 
-def _mapped(parameter: Described, fixed: list[Described], file: str) -> _Mapped:
+def _mapped(parameter: DescribedParameter, fixed: list[DescribedParameter], file: str) -> _Mapped:
     maps = [index for index, part in enumerate(parameter.parts) if MAP in part]
     if maps != list(range(maps[0], maps[-1] + 1)) or not all(parameter.parts[i].startswith(MAP) for i in maps):
         raise Malformed(
@@ -213,11 +213,11 @@ def _mapped(parameter: Described, fixed: list[Described], file: str) -> _Mapped:
     return _Mapped(parameter, ".".join(group), paths, tuple(keys), ".".join(parameter.parts[maps[-1] + 1 :]))
 
 
-def _at(parameter: Described, file: str) -> Place:
+def _at(parameter: DescribedParameter, file: str) -> Place:
     return Place(file, parameter.line)
 
 
-def _declare(fixed: list[Described], mapped: list[_Mapped], out: _Text) -> None:
+def _declare(fixed: list[DescribedParameter], mapped: list[_Mapped], out: _Text) -> None:
     out.add(2, "def declare_params(self):")
     for write in (_declared, _checked):
         for parameter in fixed:
@@ -245,7 +245,7 @@ def _read_lists(mapped: list[_Mapped], out: _Text) -> None:
         out.add(3, f"{_variable(key)} = _rosward_generated.value(self.node_, self.prefix_ + {key!r})", line)
 
 
-def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
+def _get(library: ParameterLibrary, mapped: list[_Mapped], out: _Text) -> None:
     """`get_params`: objects for all groups, from the innermost, of what the node has now."""
     lists = {path: key for each in mapped for path, key in zip(each.maps, each.keys, strict=True)}
     out.add(
@@ -257,7 +257,9 @@ def _get(library: Library, mapped: list[_Mapped], out: _Text) -> None:
     out.add(3, "params_.stamp_ = self.params_.stamp_\nreturn params_")
 
 
-def _build(library: Library, path: str, lists: dict[str, str], entry: tuple[str, list[str]], out: _Text) -> None:
+def _build(
+    library: ParameterLibrary, path: str, lists: dict[str, str], entry: tuple[str, list[str]], out: _Text
+) -> None:
     """The object of a group; `entry` are the group with entries that it is in, and the variables with their names."""
     group, keys = entry
     depth = 3 + len(keys)
@@ -310,7 +312,7 @@ def _loop(key: str, number: int) -> str:
     return f"for key_{number} in {_variable(key)}:"
 
 
-def _declared(parameter: Described, depth: int, out: _Text) -> None:
+def _declared(parameter: DescribedParameter, depth: int, out: _Text) -> None:
     word = parameter.type.replace("int", "integer").upper()
     value = f"rclpy.Parameter.Type.{word}" if parameter.default is None else _constant(parameter.default)
     out.add(depth, "if not self.node_.has_parameter(name):", parameter.line)
@@ -318,7 +320,7 @@ def _declared(parameter: Described, depth: int, out: _Text) -> None:
     out.add(depth + 1, f"self.node_.declare_parameter(name, {value}, {descriptor})", parameter.line)
 
 
-def _checked(parameter: Described, depth: int, out: _Text) -> None:
+def _checked(parameter: DescribedParameter, depth: int, out: _Text) -> None:
     """Raise where a value is wrong."""
     if any(check.own for check in parameter.checks):
         out.add(depth, "param = self.node_.get_parameter(name)", parameter.line)
@@ -328,7 +330,7 @@ def _checked(parameter: Described, depth: int, out: _Text) -> None:
         out.add(depth, f"_rosward_generated.check(not ({_wrong(check)}), name, {check.name!r})", parameter.line)
 
 
-def _accepts(library: Library, out: _Text) -> None:
+def _accepts(library: ParameterLibrary, out: _Text) -> None:
     """What functions of the package say of a new value: all are asked that may be, since they may do anything."""
     out.add(2, "def _rosward_accepts(self, param):")
     for parameter in library.parameters:

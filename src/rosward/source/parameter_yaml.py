@@ -49,7 +49,7 @@ class Check(NamedTuple):
     own: bool = False
 
 
-class Described(NamedTuple):
+class DescribedParameter(NamedTuple):
     """One parameter: its path with dots, its type without what fixes its size, its default (None: it has none)."""
 
     name: str
@@ -65,16 +65,16 @@ class Described(NamedTuple):
         return self.name.split(".")
 
 
-class Library(NamedTuple):
+class ParameterLibrary(NamedTuple):
     """What a file describes: the name of the class that is imported, its groups (paths with dots) and its parameters, as they stand in it."""
 
     name: str
     groups: tuple[tuple[str, int], ...]
-    parameters: tuple[Described, ...]
+    parameters: tuple[DescribedParameter, ...]
     line: int
 
 
-def read_parameters(text: str, file: str) -> Library:
+def read_parameters(text: str, file: str) -> ParameterLibrary:
     """What a file describes. Raises `Malformed`."""
     root = read_yaml(text, file)
     whole = root.mapping()
@@ -83,11 +83,11 @@ def read_parameters(text: str, file: str) -> Library:
     ((name, inside),) = whole.items()
     _identifier(name, inside.named)
     groups: list[tuple[str, int]] = []
-    found: list[Described] = []
+    found: list[DescribedParameter] = []
     if not _is_group(inside):
         raise Malformed("a group of parameters is expected here", inside.place)
     _read(inside, "", groups, found)
-    return Library(name, tuple(groups), tuple(found), inside.named.line)
+    return ParameterLibrary(name, tuple(groups), tuple(found), inside.named.line)
 
 
 def _is_group(item: Item) -> bool:
@@ -98,7 +98,7 @@ def _is_group(item: Item) -> bool:
     return isinstance(next(iter(inside.values())).value, dict)
 
 
-def _read(item: Item, above: str, groups: list[tuple[str, int]], found: list[Described]) -> None:
+def _read(item: Item, above: str, groups: list[tuple[str, int]], found: list[DescribedParameter]) -> None:
     for key, inner in item.mapping().items():
         if not isinstance(inner.value, dict):
             continue  # the generator passes over it
@@ -121,7 +121,7 @@ def _identifier(name: str, place: Place) -> None:
         raise Malformed(f"{name[:100]!r} is no name that the module can have", place)
 
 
-def _parameter(name: str, item: Item) -> Described | None:
+def _parameter(name: str, item: Item) -> DescribedParameter | None:
     inside = item.mapping(_KEYS)
     if MAP in name.rpartition(".")[2]:
         raise Malformed(f"parameter {name} is named like a group of entries", item.named)
@@ -141,7 +141,7 @@ def _parameter(name: str, item: Item) -> Described | None:
     checks = list(_checks(inside["validation"]) if "validation" in inside else ())
     if fixed:
         checks.append(Check("size_lt", (int(fixed[2]) + 1,)))
-    return Described(name, type_, value, flag is not None and bool(flag.value), tuple(checks), item.named.line)
+    return DescribedParameter(name, type_, value, flag is not None and bool(flag.value), tuple(checks), item.named.line)
 
 
 def _default(item: Item, base: str, *, array: bool) -> Constant:

@@ -18,9 +18,9 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.findings import Finding
-from rosward.source.entry_points import DESCRIPTION_LIMIT, Declared, entry_points, text_lines
+from rosward.source.entry_points import DESCRIPTION_LIMIT, PythonSide, entry_points, text_lines
 from rosward.source.glob import glob
-from rosward.source.literal import UNKNOWN, Scope, bind, evaluate
+from rosward.source.literal import UNKNOWN, LiteralScope, bind, evaluate
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import decode, read_bytes
@@ -31,12 +31,12 @@ if TYPE_CHECKING:
 _COMMANDS: Final = ("console_scripts", "gui_scripts")
 
 
-def read_setup_py(path: str, file: str, environment: Mapping[str, str] = ROS_2) -> Declared:
+def read_setup_py(path: str, file: str, environment: Mapping[str, str] = ROS_2) -> PythonSide:
     """What the `setup.py` at `path`, called `file`, declares where these environment variables are set."""
     data = read_bytes(path, file, DESCRIPTION_LIMIT)
     source = data if isinstance(data, Finding) else decode(data, file)
     if isinstance(source, Finding):
-        return Declared(findings=(Finding("RW008", source.message, source.place),))
+        return PythonSide(findings=(Finding("RW008", source.message, source.place),))
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -44,27 +44,27 @@ def read_setup_py(path: str, file: str, environment: Mapping[str, str] = ROS_2) 
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 0
         message = f"The setup.py is not Python {sys.version_info[0]}: {error}."
-        return Declared(findings=(Finding("RW008", message, Place(file, line)),))
+        return PythonSide(findings=(Finding("RW008", message, Place(file, line)),))
     try:
-        return _Script(path, file, environment).read(tree)
+        return _SetupScript(path, file, environment).read(tree)
     except RecursionError:
-        return Declared(findings=(Finding("RW008", "The setup.py is nested too deeply.", Place(file)),))
+        return PythonSide(findings=(Finding("RW008", "The setup.py is nested too deeply.", Place(file)),))
 
 
-class _Script:
+class _SetupScript:
     """One `setup.py` in the course of being read."""
 
     def __init__(self, path: str, file: str, environment: Mapping[str, str]) -> None:
         self._file = file
         self._folder = os.path.dirname(path)  # noqa: PTH120
-        self._scope = Scope({"__name__": "__main__"}, glob=self._glob, environment=environment)
+        self._scope = LiteralScope({"__name__": "__main__"}, glob=self._glob, environment=environment)
         self._lines: dict[str, int] = {}
         self._findings: list[Finding] = []
         self._generated: list[tuple[str, str, str, Place]] = []
         self._stores: Counter[str] = Counter()
         """How often each name is assigned."""
 
-    def read(self, tree: ast.Module) -> Declared:
+    def read(self, tree: ast.Module) -> PythonSide:
         for node in ast.walk(tree):
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
                 self._stores[node.id] += 1
@@ -72,7 +72,7 @@ class _Script:
                 self._lines.setdefault(node.value, node.lineno)
                 if "=" in node.value:  # 'talker = ' + package + '.talker:main'
                     self._lines.setdefault(_head(node.value), node.lineno)
-        result = Declared()
+        result = PythonSide()
         for call in self._calls(tree.body):
             result |= self._setup(call)
         return result._replace(
@@ -169,7 +169,7 @@ class _Script:
         else:
             self._doubt("arguments of generate_parameter_module()", call.lineno)
 
-    def _setup(self, call: ast.Call) -> Declared:
+    def _setup(self, call: ast.Call) -> PythonSide:
         keywords: dict[str, tuple[Any, int]] = {}
         for keyword in call.keywords:
             value = evaluate(keyword.value, self._scope)
@@ -187,7 +187,7 @@ class _Script:
         data = list(self._data_files(*keywords.get("data_files", ([], 0))))
         points, findings = entry_points(self._commands(*keywords.get("entry_points", ({}, 0))))
         self._findings += findings
-        return Declared(
+        return PythonSide(
             name if isinstance(name, str) else "",
             points,
             tuple(self._texts("scripts", *keywords.get("scripts", ([], 0)))),

@@ -40,7 +40,7 @@ class Shared(NamedTuple):
     whole: bool = True
 
 
-class Generated(NamedTuple):
+class GeneratedModule(NamedTuple):
     """A Python module `package.name` that the build makes of the parameters that the file `source` describes.
 
     `validation` is the module with validators of its own, '' where there is none.
@@ -72,7 +72,7 @@ class Package:
     python_roots: tuple[Path, ...] = ()
     shared: tuple[Shared, ...] = ()
     all_shared: bool = True
-    generated: tuple[Generated, ...] = ()
+    generated: tuple[GeneratedModule, ...] = ()
 
     def __repr__(self) -> str:
         return f"<package {self.name} at {self.relative}>"

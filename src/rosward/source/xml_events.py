@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from xml.parsers.expat import ExpatError, XMLParserType, errors
 
-__all__ = ["RefusedError", "parse"]
+__all__ = ["RefusedXmlError", "parse"]
 
 
-class RefusedError(Exception):
+class RefusedXmlError(Exception):
     """The document is not read any further; the message says why."""
 
 
@@ -21,12 +21,12 @@ def parse(parser: XMLParserType, data: bytes, file: str, language: str = "") -> 
     """What is wrong with a document, and in which line. `file` is what messages call it, `language` what it should be."""
 
     def doctype(*_: object) -> None:
-        raise RefusedError(f"{file} has a document type declaration; entities are not read.")
+        raise RefusedXmlError(f"{file} has a document type declaration; entities are not read.")
 
     parser.StartDoctypeDeclHandler = doctype
     try:
         parser.Parse(data, True)
-    except RefusedError as error:
+    except RefusedXmlError as error:
         return str(error), parser.CurrentLineNumber
     except ExpatError as error:
         return f"{file} is not well-formed{language}: {errors.messages[error.code]}.", error.lineno

@@ -21,7 +21,7 @@ from rosward.suppression.comments import IgnoreComment, ignore_comments
 from rosward.suppression.fingerprints import fingerprints
 from rosward.suppression.ignore_in import IgnoredPaths, IgnoreIn
 
-__all__ = ["Judged", "RelatedPlace", "Reviewed", "Sources", "Wishes", "judged", "of_no_file", "review"]
+__all__ = ["Judged", "RelatedPlace", "Reviewed", "SourceTexts", "Wishes", "judged", "of_no_file", "review"]
 
 
 class RelatedPlace(NamedTuple):
@@ -84,7 +84,7 @@ class Wishes(NamedTuple):
         return finding.rule.severity is not Severity.ERROR or finding.code in self.accepted
 
 
-class Sources:
+class SourceTexts:
     """The text of the files that were read, again: lines for fingerprints, comments. Each file is read once."""
 
     def __init__(self, root: Path, files: Iterable[SourceFile]) -> None:
@@ -123,7 +123,7 @@ def _below_repository(root: Path) -> str:
     return ""
 
 
-def review(findings: Sequence[Finding], sources: Sources, wishes: Wishes, *, unused: bool) -> Reviewed:
+def review(findings: Sequence[Finding], sources: SourceTexts, wishes: Wishes, *, unused: bool) -> Reviewed:
     """Sort the findings. `unused` says whether a comment without a finding is told: not where only parts of the sources are started."""
     by_path = IgnoredPaths(wishes.ignore_in, sources.root)
     comments = _Comments(sources, sources.files if unused else dict.fromkeys(f.place.file for f in findings))
@@ -142,7 +142,7 @@ def review(findings: Sequence[Finding], sources: Sources, wishes: Wishes, *, unu
     return Reviewed(judged(kept, sources, wishes.baseline), ignored, accepted)
 
 
-def judged(findings: Sequence[Finding], sources: Sources, baseline: Collection[str] = ()) -> tuple[Judged, ...]:
+def judged(findings: Sequence[Finding], sources: SourceTexts, baseline: Collection[str] = ()) -> tuple[Judged, ...]:
     """The findings with their fingerprints."""
     marks = fingerprints(findings, sources.line_at, sources.prefix)
     return tuple(
@@ -160,7 +160,7 @@ def of_no_file(findings: Collection[Finding]) -> tuple[Judged, ...]:
 class _Comments:
     """The ignore comments of the files, and which of their codes met a finding."""
 
-    def __init__(self, sources: Sources, files: Iterable[str]) -> None:
+    def __init__(self, sources: SourceTexts, files: Iterable[str]) -> None:
         self._at: dict[tuple[str, int], list[IgnoreComment]] = {}
         self._met: dict[tuple[str, IgnoreComment], set[str]] = {}
         for file in files:

@@ -18,12 +18,19 @@ from functools import partial
 from pathlib import Path
 from typing import Final, final
 
-from rosward.deployment.declared.found import Found, Open, ReadFile
-from rosward.deployment.declared.items import Steps, expansions, type_value
+from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile
+from rosward.deployment.declared.items import ItemLimit, expansions, type_value
 from rosward.deployment.declared.programs import READERS
 from rosward.deployment.declared.read import read_package
-from rosward.deployment.declared.shapes import DeclaredParameter, Endpoint, Group, NodeShape, Package, Program
-from rosward.deployment.declared.text import Parameters, Scope, as_value, expand, joined
+from rosward.deployment.declared.shapes import (
+    DeclaredParameter,
+    EndpointGroup,
+    EndpointTemplate,
+    NodeShape,
+    PackageDeclaration,
+    Program,
+)
+from rosward.deployment.declared.text import DeclaredParameters, TemplateScope, as_value, expand, joined
 from rosward.domain.choice import lift, options
 from rosward.domain.series import Series
 from rosward.domain.text import pattern
@@ -62,7 +69,7 @@ class Declarations:
         self._net = net
         self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
         self._places.append(("models:nodes/", MODELS))
-        self._packages: dict[str, tuple[Package, ...]] = {}
+        self._packages: dict[str, tuple[PackageDeclaration, ...]] = {}
         self.findings = Findings()
 
     def executable(self, package: str, name: str) -> Program | None:
@@ -73,7 +80,7 @@ class Declarations:
         """The declared component of a package, by the name of its plugin."""
         return next((p.components[plugin] for p in self._of(package) if plugin in p.components), None)
 
-    def interface(self, package: str, name: str) -> Group | None:
+    def interface(self, package: str, name: str) -> EndpointGroup | None:
         """A named group of a package."""
         return next((p.interfaces[name] for p in self._of(package) if name in p.interfaces), None)
 
@@ -81,12 +88,12 @@ class Declarations:
         """Whether anything is declared of a package."""
         return bool(self._of(package))
 
-    def _of(self, package: str) -> tuple[Package, ...]:
+    def _of(self, package: str) -> tuple[PackageDeclaration, ...]:
         if package not in self._packages:
             self._packages[package] = tuple(self._read(package)) if _NAME.fullmatch(package) else ()
         return self._packages[package]
 
-    def _read(self, package: str) -> Iterator[Package]:
+    def _read(self, package: str) -> Iterator[PackageDeclaration]:
         for label, folder in self._places:
             path = folder / f"{package}.yaml"
             if not path.is_file():
@@ -118,7 +125,7 @@ def declared(
     read_file: ReadFile = no_file,
 ) -> EffectLog:
     """The effects of a process that runs `program`, started at `place`. `read_file` gives the text of a file that an argument names."""
-    return _Execution(program, configuration, place, declarations, distro, read_file).run()
+    return _DeclaredProcess(program, configuration, place, declarations, distro, read_file).run()
 
 
 class _Pass(enum.Enum):
@@ -129,7 +136,7 @@ class _Pass(enum.Enum):
 
 
 @final
-class _Execution:
+class _DeclaredProcess:
     """One process: walks the groups of its nodes and notes their effects."""
 
     def __init__(
@@ -151,14 +158,14 @@ class _Execution:
         self._log = EffectLog()
         self._log.configuration = configuration
         self._done: set[tuple[object, ...]] = set()
-        self._steps = Steps(_MOST_STEPS)
+        self._steps = ItemLimit(_MOST_STEPS)
         parsed = parse_arguments([pattern(w) for w in configuration.own])
         self._arguments = tuple(configuration.own[i] for i in parsed.positions.user)
 
     def run(self) -> EffectLog:
         """The effects of all nodes."""
-        scope = Scope(Parameters({}, ()), self._arguments, {}, Const("/"), lambda name, _: name)
-        main: Scope | None = None
+        scope = TemplateScope(DeclaredParameters({}, ()), self._arguments, {}, Const("/"), lambda name, _: name)
+        main: TemplateScope | None = None
         for shape in self._program.nodes:
             for bound, certain in expansions(shape.group, main or scope, self._distro, self._steps):
                 inner, address = self._node(shape, bound, first=main is None, certain=certain)
@@ -176,7 +183,7 @@ class _Execution:
         self._log.ends.append(frozenset(self._done))
         return self._log
 
-    def _node(self, shape: NodeShape, scope: Scope, *, first: bool, certain: bool) -> tuple[Scope, int]:
+    def _node(self, shape: NodeShape, scope: TemplateScope, *, first: bool, certain: bool) -> tuple[TemplateScope, int]:
         address = len(self._log.nodes) + 1
         given = self._configuration
         loaded = (
@@ -204,7 +211,7 @@ class _Execution:
             self._done.add(("node", address))
         return self._scope(effect, scope, first=first), address
 
-    def _scope(self, effect: NodeEffect, outer: Scope, *, first: bool) -> Scope:
+    def _scope(self, effect: NodeEffect, outer: TemplateScope, *, first: bool) -> TemplateScope:
         """What templates of a node see: its parameters and its names."""
         own, space = final_name(self._log, effect)
         name, namespace = pattern(own), pattern(space)
@@ -214,14 +221,14 @@ class _Execution:
             line = read_words(words, self._configuration)
             given |= given_to(names.fully_qualified(namespace, name), line.parameters)
             missing += line.missing
-        parameters = Parameters(given, missing)
+        parameters = DeclaredParameters(given, missing)
         rules = tuple(r.rule for r in remaps_of(self._log, effect))
 
         def resolve(topic: Value, remapped: bool) -> Value:
             return _resolved(topic, rules if remapped else (), name, namespace)
 
         variables = {**outer.variables, "node": qualified(space, own), "node_name": own}
-        scope = Scope(
+        scope = TemplateScope(
             parameters,
             self._arguments,
             variables,
@@ -233,7 +240,14 @@ class _Execution:
         return scope
 
     def _contents(
-        self, group: Group, scope: Scope, address: int, way: tuple[str, ...], pass_: _Pass, *, certain: bool
+        self,
+        group: EndpointGroup,
+        scope: TemplateScope,
+        address: int,
+        way: tuple[str, ...],
+        pass_: _Pass,
+        *,
+        certain: bool,
     ) -> None:
         """What stands in a group, whose conditions hold (or, where it is not `certain`, may hold).
 
@@ -267,11 +281,11 @@ class _Execution:
                 self._contents(each, bound, address, (*way, home), pass_, certain=sure and holds)
 
     @staticmethod
-    def _cases(group: Group, scope: Scope) -> list[tuple[Group, bool]]:
+    def _cases(group: EndpointGroup, scope: TemplateScope) -> list[tuple[EndpointGroup, bool]]:
         if group.switch is None:
             return []
         table = dict(group.cases)
-        found: list[Group] = []
+        found: list[EndpointGroup] = []
         several = options(expand(group.switch, scope))
         for option in several:
             if isinstance(option, Const):
@@ -281,7 +295,7 @@ class _Execution:
                 found += [*table.values(), *([group.otherwise] if group.otherwise is not None else [])]
         return [(g, len(several) == 1 and len(found) == 1) for g in dict.fromkeys(found)]
 
-    def _declare(self, parameter: DeclaredParameter, address: int, scope: Scope, pass_: _Pass) -> None:
+    def _declare(self, parameter: DeclaredParameter, address: int, scope: TemplateScope, pass_: _Pass) -> None:
         for name in options(expand(parameter.name, scope)):
             if not isinstance(name, Const):
                 continue
@@ -293,13 +307,13 @@ class _Execution:
             value = scope.parameters.value(text)
             self._log.parameters[ParameterEffect(address, Const(text), default, value, NONE, self._place)] = None
 
-    def _endpoint(self, endpoint: Endpoint, scope: Scope, address: int, *, certain: bool) -> None:
+    def _endpoint(self, endpoint: EndpointTemplate, scope: TemplateScope, address: int, *, certain: bool) -> None:
         if not endpoint.window.has(self._distro):
             return
-        as_group = Group(when=endpoint.when)
+        as_group = EndpointGroup(when=endpoint.when)
         for bound, holds in expansions(as_group, scope, self._distro, self._steps):
             self._add(
-                Found(
+                FoundEndpoint(
                     endpoint.kind,
                     expand(endpoint.name, bound),
                     expand(endpoint.type, bound),
@@ -309,7 +323,7 @@ class _Execution:
                 address,
             )
 
-    def _read(self, scope: Scope, address: int | None, *, certain: bool) -> None:
+    def _read(self, scope: TemplateScope, address: int | None, *, certain: bool) -> None:
         """What the program's reader finds in its arguments and files."""
         if self._program.reader is None:
             return
@@ -324,7 +338,7 @@ class _Execution:
             elif address is not None:
                 self._add(found._replace(certain=certain and found.certain), address)
 
-    def _add(self, found: Found, address: int) -> None:
+    def _add(self, found: FoundEndpoint, address: int) -> None:
         if len(self._log.entities) >= _MOST_ENDPOINTS:
             self._limit(f"has more than {_MOST_ENDPOINTS} endpoints")
             return

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Final, NamedTuple
 
-from rosward.deployment.declared.text import Scope
+from rosward.deployment.declared.text import TemplateScope
 from rosward.domain.choice import options
 from rosward.domain.values import EMPTY, Const, Value
 from rosward.ros.entities import Qos
@@ -18,7 +18,7 @@ from rosward.ros.entities import Qos
 DEFAULT_QOS: Final = Qos("reliable", "volatile", "keep_last", 10)
 
 
-class Found(NamedTuple):
+class FoundEndpoint(NamedTuple):
     """One endpoint. `type` is the text of a type."""
 
     kind: str
@@ -37,7 +37,7 @@ class Open(NamedTuple):
 ReadFile = Callable[[Value], "str | None"]
 """The text of the file that a path names; None where it is not among the sources."""
 
-Reader = Callable[[Scope, ReadFile], Iterator["Found | Open"]]
+Reader = Callable[[TemplateScope, ReadFile], Iterator["FoundEndpoint | Open"]]
 
 
 def file_text(path: Value, read: ReadFile) -> str | None:

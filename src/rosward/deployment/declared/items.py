@@ -11,8 +11,8 @@ import re
 from collections.abc import Iterator
 from typing import Final, final
 
-from rosward.deployment.declared.shapes import Group, Loop
-from rosward.deployment.declared.text import Scope, expand, holds
+from rosward.deployment.declared.shapes import EndpointGroup, Loop
+from rosward.deployment.declared.text import TemplateScope, expand, holds
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
@@ -26,7 +26,7 @@ _PARTS: Final = {"publisher": "msg", "subscription": "msg", "service": "srv", "a
 
 
 @final
-class Steps:
+class ItemLimit:
     """How many groups and items are still looked at: files of users can ask for any number."""
 
     def __init__(self, left: int) -> None:
@@ -38,7 +38,9 @@ class Steps:
         return self.left >= 0
 
 
-def expansions(group: Group, scope: Scope, distro: Distro, steps: Steps) -> Iterator[tuple[Scope, bool]]:
+def expansions(
+    group: EndpointGroup, scope: TemplateScope, distro: Distro, steps: ItemLimit
+) -> Iterator[tuple[TemplateScope, bool]]:
     """The scopes in which a group exists, and whether it surely does."""
     if not group.window.has(distro):
         return
@@ -50,7 +52,7 @@ def expansions(group: Group, scope: Scope, distro: Distro, steps: Steps) -> Iter
             yield bound, sure and None not in answers
 
 
-def _bound(loops: tuple[Loop, ...], scope: Scope) -> Iterator[tuple[Scope, bool]]:
+def _bound(loops: tuple[Loop, ...], scope: TemplateScope) -> Iterator[tuple[TemplateScope, bool]]:
     if not loops:
         yield scope, True
         return
@@ -59,7 +61,7 @@ def _bound(loops: tuple[Loop, ...], scope: Scope) -> Iterator[tuple[Scope, bool]
             yield inner, sure and also
 
 
-def _items(loop: Loop, scope: Scope) -> list[tuple[Value, bool]]:
+def _items(loop: Loop, scope: TemplateScope) -> list[tuple[Value, bool]]:
     if loop.source == "values":
         return [(expand(v, scope), True) for v in loop.values]
     of = expand(loop.of, scope)
@@ -89,7 +91,7 @@ def _elements(value: Value, source: str) -> list[tuple[Value, bool]]:
     return [(Unknown(reasons_of(value), "str"), False)]
 
 
-def _family(name: str, scope: Scope) -> list[tuple[Value, bool]]:
+def _family(name: str, scope: TemplateScope) -> list[tuple[Value, bool]]:
     """`odom0`, `odom1`, … as long as they are given; and any other where what is given is not wholly known."""
     before, _, behind = name.partition("{n}")
     found: list[tuple[Value, bool]] = []
@@ -105,7 +107,7 @@ def _family(name: str, scope: Scope) -> list[tuple[Value, bool]]:
     return found
 
 
-def _hole(scope: Scope, name: str) -> Value:
+def _hole(scope: TemplateScope, name: str) -> Value:
     return Unknown(scope.parameters.missing or (Reason(Cause.PARAMETER, name, Place("")),), "str")
 
 

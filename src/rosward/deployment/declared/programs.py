@@ -13,9 +13,9 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.declared.found import Found, Open, Reader, ReadFile, constant, file_text
+from rosward.deployment.declared.found import FoundEndpoint, Open, Reader, ReadFile, constant, file_text
 from rosward.deployment.declared.rviz import rviz
-from rosward.deployment.declared.text import Scope, as_text
+from rosward.deployment.declared.text import TemplateScope, as_text
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import concat, origins_of, parts_of
 from rosward.domain.values import EMPTY, Const, Unknown, Value
@@ -25,7 +25,7 @@ from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 _QUEUE: Final = 10
 
 
-def gz_bridge(scope: Scope, read: ReadFile) -> Iterator[Found | Open]:
+def gz_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | Open]:
     """ros_gz_bridge's parameter_bridge: `/topic@type@gz_type`, `/topic@type[gz_type`, `/topic@type]gz_type`, `/service@type`; its config_file.
 
     Read from gazebosim/ros_gz (ros2 a4d00a9, October 2024): parameter_bridge.cpp, ros_gz_bridge.cpp, bridge_config.cpp.
@@ -51,17 +51,17 @@ def gz_bridge(scope: Scope, read: ReadFile) -> Iterator[Found | Open]:
         yield Open(f"the file that its parameter config_file names cannot be read: {error.message}")
 
 
-def _bridged(word: Value) -> list[Found]:
+def _bridged(word: Value) -> list[FoundEndpoint]:
     name, mark, rest = _cut(word, "@")
     if not mark or name == EMPTY:
         return []
     type_, mark, _ = _cut(rest, "@[]")
     text = constant(type_)
     if text is not None and "/srv/" in text:
-        return [Found("service_server", name, type_, None)]
+        return [FoundEndpoint("service_server", name, type_, None)]
     if not mark:
         return []
-    subscription, publisher = Found("subscription", name, type_), Found("publisher", name, type_)
+    subscription, publisher = FoundEndpoint("subscription", name, type_), FoundEndpoint("publisher", name, type_)
     return {"@": [publisher, subscription], "[": [publisher], "]": [subscription]}[mark]
 
 
@@ -85,30 +85,30 @@ def _values(parts: tuple[object, ...]) -> list[Value]:
     return [Const(p) if isinstance(p, str) else Unknown(getattr(p, "reasons", ()), "str") for p in parts]
 
 
-def _configured(file: Item) -> Iterator[Found | Open]:
+def _configured(file: Item) -> Iterator[FoundEndpoint | Open]:
     """The entries of the YAML file of a bridge."""
     for entry in file.items():
         shape = entry.mapping()
         words = {k: str(v.value) for k, v in shape.items() if v.value is not None}
         type_ = Const(words.get("ros_type_name", ""))
         if "service_name" in words:
-            yield Found("service_server", Const(words["service_name"]), type_, None)
+            yield FoundEndpoint("service_server", Const(words["service_name"]), type_, None)
             continue
         name = Const(words.get("topic_name") or words.get("ros_topic_name") or words.get("gz_topic_name", ""))
         direction = words.get("direction", "BIDIRECTIONAL")
         if not name.value or not type_.value:
             continue  # the bridge leaves it out, too
         if direction in ("BIDIRECTIONAL", "GZ_TO_ROS"):
-            yield Found("publisher", name, type_, _depth(words.get("publisher_queue")))
+            yield FoundEndpoint("publisher", name, type_, _depth(words.get("publisher_queue")))
         if direction in ("BIDIRECTIONAL", "ROS_TO_GZ"):
-            yield Found("subscription", name, type_, _depth(words.get("subscriber_queue")))
+            yield FoundEndpoint("subscription", name, type_, _depth(words.get("subscriber_queue")))
 
 
 def _depth(text: str | None) -> Qos:
     return Qos("reliable", "volatile", "keep_last", int(text) if text and text.isdigit() else _QUEUE)
 
 
-def gz_image_bridge(scope: Scope, read: ReadFile) -> Iterator[Found | Open]:  # noqa: ARG001 (the shape of a Reader)
+def gz_image_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | Open]:  # noqa: ARG001 (the shape of a Reader)
     """ros_gz_image's image_bridge: each argument is a topic, published by image_transport.
 
     Read from gazebosim/ros_gz (ros2 a4d00a9, October 2024): image_bridge.cpp.
@@ -118,17 +118,17 @@ def gz_image_bridge(scope: Scope, read: ReadFile) -> Iterator[Found | Open]:  # 
             yield from published_images(scope.resolve(as_text(topic), True), certain=len(options(word)) == 1)
 
 
-def published_images(topic: Value, *, certain: bool = True) -> Iterator[Found]:
+def published_images(topic: Value, *, certain: bool = True) -> Iterator[FoundEndpoint]:
     """What image_transport advertises for a topic: one topic of each transport that is installed."""
     qos = Qos("reliable", "volatile", "keep_last", 1)
-    yield Found("publisher", topic, Const("sensor_msgs/msg/Image"), qos, certain)
+    yield FoundEndpoint("publisher", topic, Const("sensor_msgs/msg/Image"), qos, certain)
     for transport, type_ in (
         ("compressed", "sensor_msgs/msg/CompressedImage"),
         ("compressedDepth", "sensor_msgs/msg/CompressedImage"),
         ("theora", "theora_image_transport/msg/Packet"),
         ("zstd", "sensor_msgs/msg/CompressedImage"),
     ):
-        yield Found("publisher", concat((topic, Const(f"/{transport}"))), Const(type_), qos, certain=False)
+        yield FoundEndpoint("publisher", concat((topic, Const(f"/{transport}"))), Const(type_), qos, certain=False)
 
 
 READERS: Final[Mapping[str, Reader]] = MappingProxyType(

@@ -14,14 +14,14 @@ from collections.abc import Mapping
 from typing import Final
 
 from rosward.deployment.declared.shapes import (
-    Condition,
+    DeclaredCondition,
     DeclaredParameter,
-    Endpoint,
-    Group,
-    Include,
+    EndpointGroup,
+    EndpointTemplate,
+    IncludedDeclaration,
     Loop,
     NodeShape,
-    Package,
+    PackageDeclaration,
     Program,
     Scalar,
     Window,
@@ -85,7 +85,9 @@ _POLICIES: Final = {
 _MORE_QOS: Final = frozenset(("deadline_ns", "lifespan_ns", "liveliness", "liveliness_lease_duration_ns"))
 
 
-def read_package(text: str, file: str, package: str | None = None) -> tuple[Package | None, tuple[Finding, ...]]:
+def read_package(
+    text: str, file: str, package: str | None = None
+) -> tuple[PackageDeclaration | None, tuple[Finding, ...]]:
     """The package that a file declares, or why it cannot be read. `package`: the name that the file has to give."""
     try:
         item = read_yaml(text, file)
@@ -94,7 +96,7 @@ def read_package(text: str, file: str, package: str | None = None) -> tuple[Pack
         return None, (Finding("RW324", f"The declared interface cannot be read: {error.message}.", error.place),)
 
 
-def _package(item: Item, wanted: str | None) -> Package:
+def _package(item: Item, wanted: str | None) -> PackageDeclaration:
     top = item.mapping(_FILE)
     if "nodl_version" not in top or top["nodl_version"].value != 2:
         raise Malformed("nodl_version: 2 is expected", item.place)
@@ -113,7 +115,7 @@ def _package(item: Item, wanted: str | None) -> Package:
     }
     executables, components = _shared(top, "executables", programs), _shared(top, "components", programs)
     _check_includes(interfaces, name, item.place)
-    return Package(name, executables, components, interfaces)
+    return PackageDeclaration(name, executables, components, interfaces)
 
 
 def _shared(top: Mapping[str, Item], kind: str, programs: Mapping[str, Mapping[str, Program]]) -> dict[str, Program]:
@@ -132,7 +134,7 @@ def _shared(top: Mapping[str, Item], kind: str, programs: Mapping[str, Mapping[s
     return found
 
 
-def _check_includes(interfaces: Mapping[str, Group], package: str, place: Place) -> None:
+def _check_includes(interfaces: Mapping[str, EndpointGroup], package: str, place: Place) -> None:
     """No group of a file includes itself; what other files have is bounded when it is executed."""
     if len(interfaces) > _MOST_INTERFACES:
         raise Malformed(f"more than {_MOST_INTERFACES} interfaces", place)
@@ -156,7 +158,7 @@ def _check_includes(interfaces: Mapping[str, Group], package: str, place: Place)
             visit(each, ())
 
 
-def _includes(group: Group) -> tuple[Include, ...]:
+def _includes(group: EndpointGroup) -> tuple[IncludedDeclaration, ...]:
     inner = (*group.groups, *(g for _, g in group.cases), *((group.otherwise,) if group.otherwise else ()))
     return (*group.includes, *(i for g in inner for i in _includes(g)))
 
@@ -216,7 +218,7 @@ def _text(of: Mapping[str, Item], key: str) -> str | None:
     return of[key].text() if key in of else None
 
 
-def _group(item: Item) -> Group:
+def _group(item: Item) -> EndpointGroup:
     shape = item.mapping(_GROUP)
     loops = tuple(_loop(each) for each in _one_or_many(shape, "for_each"))
     return _content(shape)._replace(when=_when(shape), window=_window(shape), loops=loops)
@@ -228,12 +230,12 @@ def _one_or_many(of: Mapping[str, Item], key: str) -> list[Item]:
     return of[key].items() if isinstance(of[key].value, list) else [of[key]]
 
 
-def _content(shape: Mapping[str, Item]) -> Group:
+def _content(shape: Mapping[str, Item]) -> EndpointGroup:
     cases = tuple((name, _group(each)) for name, each in _mapping(shape, "cases").items())
     if ("switch" in shape) != ("cases" in shape) or ("otherwise" in shape and "switch" not in shape):
         place = next(v.place for k, v in shape.items() if k in ("switch", "cases", "otherwise"))
         raise Malformed("'switch', 'cases' and 'otherwise' belong together", place)
-    return Group(
+    return EndpointGroup(
         parameters=tuple(_parameter(n, i) for n, i in _mapping(shape, "parameters").items()),
         endpoints=tuple(_endpoint(each, key) for key in KINDS for each in _items(shape, key)),
         includes=tuple(_include(each) for each in _items(shape, "include")),
@@ -245,14 +247,14 @@ def _content(shape: Mapping[str, Item]) -> Group:
     )
 
 
-def _include(item: Item) -> Include:
+def _include(item: Item) -> IncludedDeclaration:
     if isinstance(item.value, str):
-        return Include(item.value, (), item.place)
+        return IncludedDeclaration(item.value, (), item.place)
     shape = item.mapping(frozenset(("interface", "with")))
     if "interface" not in shape:
         raise Malformed("'interface' is missing: the name of what is included", item.place)
     variables = tuple((k, v.text()) for k, v in _mapping(shape, "with").items())
-    return Include(shape["interface"].text(), variables, item.place)
+    return IncludedDeclaration(shape["interface"].text(), variables, item.place)
 
 
 def _loop(item: Item) -> Loop:
@@ -280,14 +282,14 @@ def _distro(shape: Mapping[str, Item], key: str) -> Distro | None:
     return known[shape[key].text()] if key in shape else None
 
 
-def _when(shape: Mapping[str, Item]) -> tuple[Condition, ...]:
+def _when(shape: Mapping[str, Item]) -> tuple[DeclaredCondition, ...]:
     return tuple(_condition(each) for each in _one_or_many(shape, "when"))
 
 
-def _condition(item: Item) -> Condition:
+def _condition(item: Item) -> DeclaredCondition:
     shape = item.mapping(_CONDITION)
     if set(shape) == {"installed"}:
-        return Condition(shape["installed"].text(), "installed", ())
+        return DeclaredCondition(shape["installed"].text(), "installed", ())
     subjects = [k for k in ("param", "argument", "value") if k in shape]
     tests = [k for k in ("is", "not", "in", "set") if k in shape]
     if len(subjects) != 1 or len(tests) != 1:
@@ -303,7 +305,7 @@ def _condition(item: Item) -> Condition:
         values = (shape["set"].flag(),)
     else:
         values = (shape[test].scalar(),)
-    return Condition(template, test, values)
+    return DeclaredCondition(template, test, values)
 
 
 def _parameter(name: str, item: Item) -> DeclaredParameter:
@@ -315,7 +317,7 @@ def _parameter(name: str, item: Item) -> DeclaredParameter:
     return DeclaredParameter(name, _text(shape, "type"), default, item.place, _window(shape))
 
 
-def _endpoint(item: Item, key: str) -> Endpoint:
+def _endpoint(item: Item, key: str) -> EndpointTemplate:
     shape = item.mapping(_ENDPOINT)
     for needed in ("name", "type"):
         if needed not in shape:
@@ -329,7 +331,7 @@ def _endpoint(item: Item, key: str) -> Endpoint:
     qos = _qos(shape["qos"]) if "qos" in shape else None
     if qos is None and part == "msg":
         raise Malformed("'qos' is missing", item.place)
-    return Endpoint(KINDS[key], name, type_, qos, _when(shape), _window(shape), item.place)
+    return EndpointTemplate(KINDS[key], name, type_, qos, _when(shape), _window(shape), item.place)
 
 
 def _is_type(type_: str, part: str) -> bool:

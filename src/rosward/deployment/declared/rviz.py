@@ -16,8 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Final
 
-from rosward.deployment.declared.found import Found, Open, ReadFile, file_text
-from rosward.deployment.declared.text import Scope, argument
+from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile, file_text
+from rosward.deployment.declared.text import TemplateScope, argument
 from rosward.domain.choice import reasons_of
 from rosward.domain.values import EMPTY, Const
 from rosward.ros.entities import Qos
@@ -73,10 +73,10 @@ _SENSOR: Final = Qos("best_effort", "volatile", "keep_last", 5)
 _DEFAULT: Final = Qos("reliable", "volatile", "keep_last", 5)
 _DEEPEST: Final = 20
 
-Found_ = Iterator["Found | Open"]
+Found_ = Iterator["FoundEndpoint | Open"]
 
 
-def rviz(scope: Scope, read: ReadFile) -> Found_:
+def rviz(scope: TemplateScope, read: ReadFile) -> Found_:
     """What the configuration of rviz2 makes it subscribe to and publish."""
     path = argument("-d", scope)
     path = argument("--display-config", scope) if path == EMPTY else path
@@ -116,8 +116,8 @@ def _word(item: Item | None, key: str) -> str:
     return found.value if found is not None and isinstance(found.value, str) else ""
 
 
-def _endpoint(kind: str, name: str, type_: str, qos: Qos | None, *, certain: bool = True) -> Found:
-    return Found(kind, Const(name), Const(type_), qos, certain)
+def _endpoint(kind: str, name: str, type_: str, qos: Qos | None, *, certain: bool = True) -> FoundEndpoint:
+    return FoundEndpoint(kind, Const(name), Const(type_), qos, certain)
 
 
 def _panels(panels: Item | None) -> Found_:
@@ -147,7 +147,7 @@ def _displays(displays: Item | None, depth: int, *, shown: bool) -> Found_:
             yield from _displays(_child(display, "Displays"), depth + 1, shown=certain)
         elif library in ("rviz_default_plugins", "rviz"):
             for found in _display(display, name):
-                yield found._replace(certain=certain) if isinstance(found, Found) else found
+                yield found._replace(certain=certain) if isinstance(found, FoundEndpoint) else found
         elif f"{library}/{name}" in _OF_OTHERS:
             topic, type_ = _word(display, "Topic"), _OF_OTHERS[f"{library}/{name}"]
             if topic:

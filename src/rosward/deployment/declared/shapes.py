@@ -17,7 +17,7 @@ from rosward.source.location import Place
 Scalar = bool | int | float | str
 
 
-class Condition(NamedTuple):
+class DeclaredCondition(NamedTuple):
     """One condition: the text `subject` (a template, `${param:x}` …) compared by `test`: is, not, in, set, installed.
 
     `installed` asks for a package of the machine that it runs on, which is never known.
@@ -53,14 +53,14 @@ class Window(NamedTuple):
         return after and (self.until is None or self.until.has(distro))
 
 
-class Endpoint(NamedTuple):
+class EndpointTemplate(NamedTuple):
     """One endpoint; `name` and `type` are templates."""
 
     kind: str
     name: str
     type: str
     qos: Qos | None
-    when: tuple[Condition, ...]
+    when: tuple[DeclaredCondition, ...]
     window: Window
     place: Place
 
@@ -75,7 +75,7 @@ class DeclaredParameter(NamedTuple):
     window: Window = Window()
 
 
-class Include(NamedTuple):
+class IncludedDeclaration(NamedTuple):
     """Another group by its name, `name` or `package/name`, with variables."""
 
     name: str
@@ -83,22 +83,22 @@ class Include(NamedTuple):
     place: Place
 
 
-class Group(NamedTuple):
+class EndpointGroup(NamedTuple):
     """Endpoints and parameters that exist together, under conditions or for each of several items.
 
     `cases`: for the value of `switch` the group of that value, else `otherwise`. `open` says what cannot be said: the interface has more than this.
     """
 
-    when: tuple[Condition, ...] = ()
+    when: tuple[DeclaredCondition, ...] = ()
     window: Window = Window()
     loops: tuple[Loop, ...] = ()
     parameters: tuple[DeclaredParameter, ...] = ()
-    endpoints: tuple[Endpoint, ...] = ()
-    includes: tuple[Include, ...] = ()
-    groups: tuple[Group, ...] = ()
+    endpoints: tuple[EndpointTemplate, ...] = ()
+    includes: tuple[IncludedDeclaration, ...] = ()
+    groups: tuple[EndpointGroup, ...] = ()
     switch: str | None = None
-    cases: tuple[tuple[str, Group], ...] = ()
-    otherwise: Group | None = None
+    cases: tuple[tuple[str, EndpointGroup], ...] = ()
+    otherwise: EndpointGroup | None = None
     open: str | None = None
 
 
@@ -112,7 +112,7 @@ class NodeShape(NamedTuple):
     options: tuple[tuple[str, bool], ...]
     arguments: tuple[str, ...]
     client_library: ClientLibrary
-    group: Group
+    group: EndpointGroup
     place: Place
 
 
@@ -129,10 +129,10 @@ class Program(NamedTuple):
     place: Place
 
 
-class Package(NamedTuple):
+class PackageDeclaration(NamedTuple):
     """One file: the programs of a package and its named groups."""
 
     name: str
     executables: dict[str, Program]
     components: dict[str, Program]
-    interfaces: dict[str, Group]
+    interfaces: dict[str, EndpointGroup]

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, NamedTuple
 
-from rosward.deployment.declared.shapes import Condition, DeclaredParameter
+from rosward.deployment.declared.shapes import DeclaredCondition, DeclaredParameter
 from rosward.domain.choice import join, lift, lift2, options, reasons_of
 from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
@@ -27,7 +27,7 @@ _MADE: Final = {"random": Cause.RANDOM, "address": Cause.ANEW}
 """What is made when the program runs: where a name given at the start takes its place, and where nothing does."""
 
 
-class Parameters:
+class DeclaredParameters:
     """The parameters of one node: what it is given, else its defaults. `missing`: why some that are given may not be known."""
 
     def __init__(self, given: Mapping[str, Value], missing: tuple[Reason, ...]) -> None:
@@ -73,24 +73,24 @@ def as_value(default: object, name: str) -> Value:
     return Const(default, frozenset((origin,))) if isinstance(default, (bool, int, float, str)) else Unknown(())
 
 
-class Scope(NamedTuple):
+class TemplateScope(NamedTuple):
     """What templates can speak of. `outer`: the parameters of the first node, for those behind it.
 
     `resolve` gives the full name of a topic of the node, behind its remap rules or before them."""
 
-    parameters: Parameters
+    parameters: DeclaredParameters
     arguments: Sequence[Value]
     variables: Mapping[str, Value]
     namespace: Value
     resolve: Callable[[Value, bool], Value]
-    outer: Parameters | None = None
+    outer: DeclaredParameters | None = None
 
-    def bound(self, variable: str, value: Value) -> Scope:
+    def bound(self, variable: str, value: Value) -> TemplateScope:
         """The same with one more variable."""
         return self._replace(variables={**self.variables, variable: value})
 
 
-def expand(template: str, scope: Scope, depth: int = 0) -> Value:
+def expand(template: str, scope: TemplateScope, depth: int = 0) -> Value:
     """The text that a template stands for."""
     found: Value = EMPTY
     rest = template
@@ -131,11 +131,11 @@ def _matching(rest: str) -> tuple[str, str]:
     return rest, ""
 
 
-def _spoken(expression: Value, scope: Scope) -> Value:
+def _spoken(expression: Value, scope: TemplateScope) -> Value:
     return lift(lambda each: _one(each, scope), expression)
 
 
-def _one(expression: Value, scope: Scope) -> Value:
+def _one(expression: Value, scope: TemplateScope) -> Value:
     kind, colon, _ = _text(expression).partition(":")
     if kind in ("resolved", "expanded", "parent", "outer") and colon:
         rest = _behind_colon(expression)
@@ -166,11 +166,11 @@ def _one(expression: Value, scope: Scope) -> Value:
     )
 
 
-def _prefix(scope: Scope) -> Value:
+def _prefix(scope: TemplateScope) -> Value:
     return lift(lambda v: EMPTY if isinstance(v, Const) and v.value == "/" else v, scope.namespace)
 
 
-def _outer(name: Value, scope: Scope) -> Value:
+def _outer(name: Value, scope: TemplateScope) -> Value:
     """A relative name is below the namespace of the first node; an absolute one stays."""
     if _text(name).startswith("/"):
         return name
@@ -206,7 +206,7 @@ def _parent(name: Value) -> Value:
     return Unknown(reasons_of(name), "str")
 
 
-def argument(name: str, scope: Scope) -> Value:
+def argument(name: str, scope: TemplateScope) -> Value:
     """A word of the program's own arguments, by its number or by the flag before it; empty where there is none."""
     words = scope.arguments
     unclear = [w for w in words if not isinstance(w, Const)]
@@ -221,7 +221,7 @@ def argument(name: str, scope: Scope) -> Value:
     return Unknown(tuple(r for w in unclear for r in reasons_of(w)), "str") if unclear else EMPTY
 
 
-def operand(name: str, scope: Scope) -> Value:
+def operand(name: str, scope: TemplateScope) -> Value:
     """`N:--flag,-f`: the N-th word that is no option and not behind one; the flags named are those that take no word."""
     number, _, flags = name.partition(":")
     plain = frozenset(flags.split(","))
@@ -239,7 +239,7 @@ def operand(name: str, scope: Scope) -> Value:
     return found[at - 1] if 0 < at <= len(found) else EMPTY
 
 
-def has_argument(name: str, scope: Scope) -> bool | None:
+def has_argument(name: str, scope: TemplateScope) -> bool | None:
     """Whether an argument is given; None where a word that is not known may be it."""
     if name.isdigit():
         return int(name) <= len(scope.arguments)
@@ -249,7 +249,7 @@ def has_argument(name: str, scope: Scope) -> bool | None:
     return None if len(known) < len(scope.arguments) else False
 
 
-def holds(condition: Condition, scope: Scope) -> bool | None:
+def holds(condition: DeclaredCondition, scope: TemplateScope) -> bool | None:
     """Whether a condition holds; None where that is not known."""
     if condition.test == "installed":
         return None
@@ -261,13 +261,13 @@ def holds(condition: Condition, scope: Scope) -> bool | None:
     return answers.pop() if len(answers) == 1 else None
 
 
-def _spoken_subject(subject: str, scope: Scope) -> tuple[str, str, str]:
+def _spoken_subject(subject: str, scope: TemplateScope) -> tuple[str, str, str]:
     """The kind and the name in `${param:NAME}`, NAME itself expanded."""
     inner = expand(subject[2:-1], scope)
     return str(inner.value).partition(":") if isinstance(inner, Const) else ("", "", "")
 
 
-def _compare(value: Value, condition: Condition) -> bool | None:
+def _compare(value: Value, condition: DeclaredCondition) -> bool | None:
     same = any(_same(value, wanted) for wanted in condition.values)
     if isinstance(value, Text):
         if not any(isinstance(w, str) and _may_be(value, w) for w in condition.values):

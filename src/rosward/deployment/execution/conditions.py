@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _TRUE, _FALSE = ("true", "1"), ("false", "0")
 
 
-class Verdict(NamedTuple):
+class Truth(NamedTuple):
     """Whether a condition can be true and can be false; `why` says what it depends on where both are possible."""
 
     true: bool = True
@@ -40,16 +40,16 @@ class Verdict(NamedTuple):
         """Whether both are possible."""
         return self.true and self.false
 
-    def negated(self) -> Verdict:
+    def negated(self) -> Truth:
         """The verdict on `not`."""
-        return Verdict(self.false, self.true, self.why, self.variables)
+        return Truth(self.false, self.true, self.why, self.variables)
 
 
-YES = Verdict(false=False)
-NO = Verdict(true=False)
+YES = Truth(false=False)
+NO = Truth(true=False)
 
 
-def decide(condition: Condition | None, scene: Scene) -> Verdict:
+def decide(condition: Condition | None, scene: Scene) -> Truth:
     """Whether an action with this condition is executed. What is not known is told (RW316)."""
     if condition is None:
         return YES
@@ -63,7 +63,7 @@ def decide(condition: Condition | None, scene: Scene) -> Verdict:
     return verdict
 
 
-def _verdict(condition: Condition, scene: Scene) -> Verdict:
+def _verdict(condition: Condition, scene: Scene) -> Truth:
     if condition.kind in ("if", "unless"):
         text = condition.arguments[0] if condition.arguments else ()
         verdict = _of_text(scene.text(text), text, condition, scene)
@@ -72,20 +72,20 @@ def _verdict(condition: Condition, scene: Scene) -> Verdict:
         verdict = _comparison(condition, scene)
         return verdict.negated() if condition.kind == "not-equals" else verdict
     if condition.value is None:
-        return Verdict(why="a condition that cannot be read")
+        return Truth(why="a condition that cannot be read")
     return _of_bool(scene.python.test(condition.value, scene))
 
 
-def _of_text(text: Value, template: Template, condition: Condition, scene: Scene) -> Verdict:
+def _of_text(text: Value, template: Template, condition: Condition, scene: Scene) -> Truth:
     """`true`, `1`, `false`, `0` in any case, without the blanks around; anything else raises an exception."""
-    verdicts: list[Verdict] = []
+    verdicts: list[Truth] = []
     for option in options(text):
         plain = str(option.value).strip().lower() if isinstance(option, Const) else None
         if plain in _TRUE or plain in _FALSE:
             verdicts.append(_settled(plain in _TRUE, origins_of(option)))
         elif plain is not None:
             scene.fails(f"the condition is {plain!r}, neither true nor false", condition.place)
-            verdicts.append(Verdict(why=f"the text {plain!r}"))
+            verdicts.append(Truth(why=f"the text {plain!r}"))
         else:
             if isinstance(option, Unknown) and option.variable:
                 scene.variables.is_condition(option.variable)
@@ -93,24 +93,24 @@ def _of_text(text: Value, template: Template, condition: Condition, scene: Scene
     return _joined(verdicts, template)
 
 
-def _settled(truth: bool, origins: Origins) -> Verdict:
+def _settled(truth: bool, origins: Origins) -> Truth:
     """A known truth counts unless it comes from a default that somebody may change."""
     open_ones = sorted(o for o in origins if not o.settled)
     if not open_ones:
-        return Verdict(truth, not truth)
+        return Truth(truth, not truth)
     names = tuple(o.name for o in open_ones) if all(o.kind == ORIGIN for o in open_ones) else ()
-    return Verdict(why=", ".join(f"the {o.kind} '{o.name}'" for o in open_ones), variables=names)
+    return Truth(why=", ".join(f"the {o.kind} '{o.name}'" for o in open_ones), variables=names)
 
 
-def _not_known(value: Value) -> Verdict:
+def _not_known(value: Value) -> Truth:
     """Both, because of what keeps a value from being known."""
     reasons = reasons_of(value)
     names = [r.subject for r in reasons if r.cause is Cause.ENVIRONMENT]
-    return Verdict(why=_reasons(value), variables=tuple(names) if len(names) == len(reasons) else ())
+    return Truth(why=_reasons(value), variables=tuple(names) if len(names) == len(reasons) else ())
 
 
-def _of_bool(value: Value) -> Verdict:
-    verdicts: list[Verdict] = []
+def _of_bool(value: Value) -> Truth:
+    verdicts: list[Truth] = []
     for option in options(value):
         if isinstance(option, Const):
             verdicts.append(_settled(bool(option.value), option.origins))
@@ -119,14 +119,14 @@ def _of_bool(value: Value) -> Verdict:
     return _joined(verdicts, ())
 
 
-def _joined(verdicts: list[Verdict], template: Template) -> Verdict:
+def _joined(verdicts: list[Truth], template: Template) -> Truth:
     true, false = any(v.true for v in verdicts), any(v.false for v in verdicts)
     if not (true and false):
-        return Verdict(true, false)
+        return Truth(true, false)
     why = dict.fromkeys(v.why for v in verdicts if v.why)
     every = [v for v in verdicts if v.open]
     names = dict.fromkeys(n for v in every for n in v.variables) if all(v.variables for v in every) else {}
-    return Verdict(why="; ".join(why) or _names(template), variables=tuple(names))
+    return Truth(why="; ".join(why) or _names(template), variables=tuple(names))
 
 
 def _reasons(value: Value) -> str:
@@ -145,16 +145,16 @@ def _names(template: Template) -> str:
     return ", ".join(found) or "a value with several alternatives"
 
 
-def _comparison(condition: Condition, scene: Scene) -> Verdict:
+def _comparison(condition: Condition, scene: Scene) -> Truth:
     """LaunchConfigurationEquals: false where the configuration is not set; None as the expected text is true then."""
     name = scene.text(condition.arguments[0]) if condition.arguments else Unknown(())
     expected = scene.text(condition.arguments[1]) if len(condition.arguments) > 1 else None
     plain = plain_text(name)
     if plain is None:
-        return Verdict(why=_reasons(name))
+        return Truth(why=_reasons(name))
     scene.asked.add(plain)
     held = scene.context.held(plain)
-    verdicts: list[Verdict] = []
+    verdicts: list[Truth] = []
     if held is None or held.value is None or not held.sure:
         verdicts.append(YES if expected is None else NO)
     if held is not None and held.value is not None:
@@ -165,7 +165,7 @@ def _comparison(condition: Condition, scene: Scene) -> Verdict:
     return _joined(verdicts, (Substitution("var", ((name,),), condition.place),))
 
 
-def _same(left: Value, right: Value, scene: Scene, place: Place) -> Verdict:
+def _same(left: Value, right: Value, scene: Scene, place: Place) -> Truth:
     if isinstance(left, Const) and isinstance(right, Const):
         scene.variables.of_default(left.origins, right, place)
         scene.variables.of_default(right.origins, left, place)

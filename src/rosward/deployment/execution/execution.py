@@ -14,14 +14,14 @@ from typing import Final, final
 
 from rosward.deployment.execution.context import ROS_NAMESPACE
 from rosward.deployment.execution.findings import FindingLog
-from rosward.deployment.execution.generated import Generated
+from rosward.deployment.execution.generated import GeneratedFiles
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.launch_files import LaunchFiles
 from rosward.deployment.execution.nodes import At
 from rosward.deployment.execution.perform_names import with_origin
 from rosward.deployment.execution.scene import Scene
 from rosward.deployment.execution.substitutions import SUBSTITUTIONS
-from rosward.deployment.execution.system import Budget, System
+from rosward.deployment.execution.system import LaunchBudget, RunningLaunch
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.started import Started
@@ -72,7 +72,7 @@ class Execution:
 
     def run(self, file: str, path: Value | None = None) -> tuple[Started, ...]:
         """What the file (named as in the workspace) starts. `path` is where it is installed: what $(dirname) is made of."""
-        generated = Generated(self._files, self._findings)
+        generated = GeneratedFiles(self._files, self._findings)
         scene = Scene(
             self._files,
             self._python,
@@ -87,7 +87,7 @@ class Execution:
         for name, value in self._arguments.items():
             scene.set_configuration(name, _given(name, value))
         descriptions = Descriptions(self._files, self._python, self._findings, net=self._net)
-        system = System(scene, descriptions, Budget(self._limit, net=self._net))
+        system = RunningLaunch(scene, descriptions, LaunchBudget(self._limit, net=self._net))
         system.run(file, path or _in_sources(file), At())
         asked = self._arguments if scene.asked_all else scene.asked
         self.known = frozenset(name for name in scene.asked if name != ROS_NAMESPACE)

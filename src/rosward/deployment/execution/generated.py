@@ -54,7 +54,7 @@ class Performs(Protocol):
 
 
 @final
-class Generated:
+class GeneratedFiles:
     """Files that were written, by path, and files that were read, each once."""
 
     def __init__(self, files: LaunchFiles, findings: FindingLog) -> None:

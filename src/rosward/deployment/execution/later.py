@@ -30,7 +30,7 @@ _DOUBTFUL: Final = {
 class Later(NamedTuple):
     """Actions that wait. `time` orders timers; `files` is the current launch file, which a timer keeps and an event handler lacks."""
 
-    actions: tuple[tree.Action, ...]
+    actions: tuple[tree.LaunchAction, ...]
     at: At
     place: Place
     function: Value | None = None
@@ -50,12 +50,12 @@ class Agenda:
         self._seen: set[Value] = set()
         self._executed: dict[Value, At] = {}
 
-    def see(self, action: tree.Action) -> None:
+    def see(self, action: tree.LaunchAction) -> None:
         """An action that exists: handlers that wait for it wait until it is executed."""
         if action.identity is not None:
             self._seen.add(action.identity)
 
-    def see_inside(self, action: tree.Action) -> None:
+    def see_inside(self, action: tree.LaunchAction) -> None:
         """The actions that an action holds exist, though it is not (or not yet) executed."""
         left = list(_inside(action))
         while left:
@@ -63,7 +63,7 @@ class Agenda:
             self.see(found)
             left.extend(_inside(found))
 
-    def executed(self, action: tree.Action, at: At) -> None:
+    def executed(self, action: tree.LaunchAction, at: At) -> None:
         """An action is executed."""
         if action.identity is not None:
             self._executed[action.identity] = at
@@ -84,7 +84,7 @@ class Agenda:
         self._handlers.append(Later(handler.actions, at, handler.place, handler.function, handler.target))
         self.see_inside(handler)
 
-    def add_on_exit(self, actions: tuple[tree.Action, ...], place: Place, at: At) -> None:
+    def add_on_exit(self, actions: tuple[tree.LaunchAction, ...], place: Place, at: At) -> None:
         """What a process that was started lets start when it ends."""
         if actions:
             handler = tree.OnEvent(place=place, event="process-exit", actions=actions)
@@ -122,7 +122,7 @@ class Agenda:
         return at
 
 
-def _inside(action: tree.Action) -> tuple[tree.Action, ...]:
+def _inside(action: tree.LaunchAction) -> tuple[tree.LaunchAction, ...]:
     """The actions that an action holds."""
     if isinstance(action, (tree.Group, tree.Maybe, tree.Timer, tree.OnEvent)):
         return action.actions

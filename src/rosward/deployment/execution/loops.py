@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from rosward.deployment.execution.conditions import YES, Verdict
+from rosward.deployment.execution.conditions import YES, Truth
 from rosward.deployment.execution.yaml_values import load_yaml, plain_text, value_of
 from rosward.deployment.tree import ForEach
 from rosward.domain.choice import options, reasons_of
@@ -27,7 +27,7 @@ class Turn(NamedTuple):
     """One turn: its variables, and whether it surely happens."""
 
     variables: dict[str, Value]
-    verdict: Verdict = YES
+    verdict: Truth = YES
 
 
 def turns(action: ForEach, scene: Scene) -> list[Turn]:
@@ -40,7 +40,7 @@ def turns(action: ForEach, scene: Scene) -> list[Turn]:
             found.append(_unknown_turn(action, option, scene))
             continue
         several = len(values) > 1 or not all(o.settled for o in origins_of(option))
-        verdict = Verdict(why="the turns of a loop") if several else YES
+        verdict = Truth(why="the turns of a loop") if several else YES
         rows = _indices(plain, action, scene) if action.count else _rows(plain, origins_of(option), action, scene)
         found += [Turn(row, verdict) for row in rows]
     if len(found) > MAX_TURNS:
@@ -54,7 +54,7 @@ def _unknown_turn(action: ForEach, value: Value, scene: Scene) -> Turn:
     scene.findings.tell("RW313", f"The turns of the loop are not known: {why}.", action.place)
     hint = "int" if action.count else ""
     names = [action.index_name or "i"] if action.count else []
-    return Turn({name: Unknown(reasons, hint) for name in names}, Verdict(why=why))
+    return Turn({name: Unknown(reasons, hint) for name in names}, Truth(why=why))
 
 
 def _indices(text: str, action: ForEach, scene: Scene) -> list[dict[str, Value]]:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.deployment.execution.component_parameters import ComponentParameters
 from rosward.deployment.execution.namespaces import full_name, prefixed, scopes
-from rosward.deployment.execution.parameters import Parameters
+from rosward.deployment.execution.parameters import LaunchedParameters
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Component, NodeKind, StartNode, Template
@@ -90,7 +90,7 @@ def _node(action: StartNode, state: RosState, scene: Scene, at: At) -> Started:
         words += [_ROS_ARGS, *(scene.text(word) for word in action.ros_arguments)]
     words.append(_ROS_ARGS)
     words += _identity(name, namespace)
-    parameters = Parameters(scene, scopes(namespace, name), name)
+    parameters = LaunchedParameters(scene, scopes(namespace, name), name)
     parameters.add_global(state.parameters)
     parameters.add(action.parameters)
     remaps = _remaps(action.remappings, state, scene)

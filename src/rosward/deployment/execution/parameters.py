@@ -28,9 +28,9 @@ from rosward.deployment.execution.yaml_values import (
 from rosward.deployment.started import Setting
 from rosward.deployment.tree import (
     Literal,
+    ParameterArgument,
     ParameterData,
     ParameterFile,
-    ParameterRule,
     ParameterSource,
     ParameterTable,
     Several,
@@ -94,7 +94,7 @@ def _list(value: Tuple, failed: Failed) -> Value:
 
 
 @final
-class Parameters:
+class LaunchedParameters:
     """The parameters of one node, in the order of the command line."""
 
     def __init__(self, scene: Scene, scopes: tuple[str, ...], name: Value | None) -> None:
@@ -161,7 +161,7 @@ class Parameters:
 
         return lift(one, as_rcl_reads(value))
 
-    def _given_rule(self, rule: ParameterRule) -> None:
+    def _given_rule(self, rule: ParameterArgument) -> None:
         name = self._scene.text(rule.name)
         value = evaluate(rule.data, name, self._scene, rule.place)
         self.settings.append(Setting("rule", readable(name), value, place=rule.place))

@@ -41,7 +41,7 @@ class GlobalFile(NamedTuple):
     node: Value | None = None
 
 
-Entry = Remap | GlobalParameter | GlobalFile
+ListedEntry = Remap | GlobalParameter | GlobalFile
 
 
 class RosScope(NamedTuple):
@@ -57,7 +57,7 @@ class RosState(NamedTuple):
     """All scopes, the current one last, and the lists that they share. Changed by making a new one."""
 
     scopes: tuple[RosScope, ...] = (RosScope(),)
-    lists: tuple[tuple[Entry, ...], ...] = ()
+    lists: tuple[tuple[ListedEntry, ...], ...] = ()
 
     @property
     def namespace(self) -> Value | None:
@@ -74,7 +74,7 @@ class RosState(NamedTuple):
         """The parameters and parameter files for all nodes that hold now."""
         return tuple(e for e in self._list(self.scopes[-1].parameters) if not isinstance(e, Remap))
 
-    def _list(self, position: int) -> tuple[Entry, ...]:
+    def _list(self, position: int) -> tuple[ListedEntry, ...]:
         return () if position == NO_LIST else self.lists[position]
 
     def pushed(self) -> RosState:
@@ -93,7 +93,7 @@ class RosState(NamedTuple):
         """Another pushed namespace, already joined with what was pushed before."""
         return self._replace(scopes=(*self.scopes[:-1], self.scopes[-1]._replace(namespace=namespace)))
 
-    def added(self, entry: Entry) -> RosState:
+    def added(self, entry: ListedEntry) -> RosState:
         """One more rule or parameter at the end of the list that the current scope sees."""
         scope = self.scopes[-1]
         position = scope.remaps if isinstance(entry, Remap) else scope.parameters

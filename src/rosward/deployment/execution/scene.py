@@ -11,7 +11,7 @@ from typing import Final, final
 
 from rosward.deployment.execution.context import Context
 from rosward.deployment.execution.findings import FindingLog
-from rosward.deployment.execution.generated import Generated
+from rosward.deployment.execution.generated import GeneratedFiles
 from rosward.deployment.execution.launch_files import LaunchFiles
 from rosward.deployment.performer import PythonCode
 from rosward.deployment.tree import Substitution, Template
@@ -66,7 +66,7 @@ class Scene:
         files: LaunchFiles,
         python: PythonCode,
         findings: FindingLog,
-        generated: Generated,
+        generated: GeneratedFiles,
         distro: Distro,
         substitutions: Mapping[str, Performing],
         shell: Shell | None = None,

@@ -30,7 +30,7 @@ SETTINGS: Final = (
     tree.Declare,
     tree.SetConfiguration,
     tree.Environ,
-    tree.Scope,
+    tree.ScopeChange,
     tree.PushNamespace,
     tree.SetRemap,
     tree.SetParameter,
@@ -41,7 +41,7 @@ Setting = (
     tree.Declare
     | tree.SetConfiguration
     | tree.Environ
-    | tree.Scope
+    | tree.ScopeChange
     | tree.PushNamespace
     | tree.SetRemap
     | tree.SetParameter
@@ -57,7 +57,7 @@ def change(action: Setting, scene: Scene) -> None:
         set_configuration(scene.text(action.name), value, scene)
     elif isinstance(action, tree.Environ):
         _environ(action, scene)
-    elif isinstance(action, tree.Scope):
+    elif isinstance(action, tree.ScopeChange):
         _scope(action, scene)
     elif isinstance(action, tree.PushNamespace):
         _push_namespace(action, scene)
@@ -178,7 +178,7 @@ def _extended(name: str, value: Value, separator: Value, action: tree.Environ, s
     return join_all(found)
 
 
-def _scope(action: tree.Scope, scene: Scene) -> None:
+def _scope(action: tree.ScopeChange, scene: Scene) -> None:
     context = scene.context
     done = True
     if action.what == "configurations":
@@ -218,7 +218,7 @@ def _set_parameter(action: tree.SetParameter, scene: Scene) -> None:
         if source.substitutions:
             path = scene.generated.performed(scene, path, place)
         added.append(GlobalFile(path, place, node))
-    elif isinstance(source, tree.ParameterRule):
+    elif isinstance(source, tree.ParameterArgument):
         name = scene.text(source.name)
         added.append(GlobalParameter(name, evaluate(source.data, name, scene, place), place))
     else:

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Final, final
 
 from rosward.deployment import tree
-from rosward.deployment.execution.conditions import Verdict, decide
+from rosward.deployment.execution.conditions import Truth, decide
 from rosward.deployment.execution.includes import Descriptions
 from rosward.deployment.execution.later import Agenda, Later
 from rosward.deployment.execution.loops import Turn, turns
@@ -39,7 +39,7 @@ MAX_NESTING: Final = 90
 
 
 @final
-class Budget:
+class LaunchBudget:
     """How many actions are executed in all, whatever includes what; and `net`, see `guard.py`."""
 
     def __init__(self, actions: int, *, net: bool = True) -> None:
@@ -48,10 +48,10 @@ class Budget:
 
 
 @final
-class System:
+class RunningLaunch:
     """One launch: its context, what it has started, and what still waits."""
 
-    def __init__(self, scene: Scene, descriptions: Descriptions, budget: Budget) -> None:
+    def __init__(self, scene: Scene, descriptions: Descriptions, budget: LaunchBudget) -> None:
         self.scene = scene
         self.started: list[Started] = []
         self._descriptions = descriptions
@@ -72,7 +72,7 @@ class System:
 
     # Order
 
-    def walk(self, actions: Iterable[tree.Action], at: At) -> None:
+    def walk(self, actions: Iterable[tree.LaunchAction], at: At) -> None:
         """Execute actions one after the other."""
         for action in actions:
             if not self._allowed(action.place, at):
@@ -84,7 +84,7 @@ class System:
             else:
                 self._agenda.see_inside(action)
 
-    def _by(self, verdict: Verdict, execute: Callable[[At], None], at: At) -> None:
+    def _by(self, verdict: Truth, execute: Callable[[At], None], at: At) -> None:
         """Execute, or where that is open, join the state behind with the state before."""
         if not verdict.open:
             execute(at)
@@ -101,13 +101,13 @@ class System:
         self.scene.findings.tell("RW201", f"The execution of launch files ends here: {what}.", place)
         return False
 
-    def _execute(self, action: tree.Action, at: At) -> None:
+    def _execute(self, action: tree.LaunchAction, at: At) -> None:
         missing = "what this starts or sets is missing"
         failed = guarded(lambda: self._execute_kind(action, at), action.place, missing, net=self._budget.net)
         if failed is not None:
             self.scene.findings.add(failed)
 
-    def _execute_kind(self, action: tree.Action, at: At) -> None:
+    def _execute_kind(self, action: tree.LaunchAction, at: At) -> None:
         self._agenda.executed(action, at)
         inner = at._replace(depth=at.depth + 1)
         if isinstance(action, SETTINGS):
@@ -126,7 +126,7 @@ class System:
             message = f"Whether this is part of the launch description depends on {action.why}. Both ways are taken."
             self.scene.findings.tell("RW316", message, action.place)
             for each in action.actions:
-                self._by(Verdict(why=action.why), partial(self.walk, (each,)), inner)
+                self._by(Truth(why=action.why), partial(self.walk, (each,)), inner)
         elif isinstance(action, (tree.Timer, tree.OnEvent)):
             self._wait(action, inner)
         elif isinstance(action, tree.Opaque):
@@ -138,7 +138,7 @@ class System:
 
     def _called(
         self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], *, context: bool
-    ) -> tuple[tree.Action, ...]:
+    ) -> tuple[tree.LaunchAction, ...]:
         return self.scene.python.actions(function, args, kwargs, self.scene, context=context)
 
     # What starts something
@@ -207,7 +207,7 @@ class System:
             scene.set_variable(name, value)
         for name, value in launch.arguments.items():
             scene.set_configuration(name, value)
-        system = System(scene, self._descriptions, self._budget)
+        system = RunningLaunch(scene, self._descriptions, self._budget)
         system.run(file, path, inner.inside(file))
         self.started += system.started
 
@@ -238,7 +238,7 @@ class System:
             return
         paths = options(self.scene.text(action.path))
         for path in paths:
-            verdict = Verdict(why="which launch file is meant") if len(paths) > 1 else Verdict(false=False)
+            verdict = Truth(why="which launch file is meant") if len(paths) > 1 else Truth(false=False)
             self._by(verdict, partial(self._include_file, action, path), inner)
 
     def _include_file(self, action: tree.Include, path: Value, at: At) -> None:
@@ -282,7 +282,7 @@ class System:
         self.scene.context.files = later.files
         self.scene.turn = {}
         at = self._agenda.circumstances(later)
-        verdict = Verdict(why=at.why[-1]) if at.conditional and at.why else Verdict(false=False)
+        verdict = Truth(why=at.why[-1]) if at.conditional and at.why else Truth(false=False)
         self._by(verdict, lambda way: self._react(later, way), at)
 
     def _react(self, later: Later, at: At) -> None:

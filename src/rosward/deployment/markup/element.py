@@ -80,7 +80,7 @@ class Refusals:
 
 
 @final
-class Element:
+class Tag:
     """A tag with what belongs to it. Everything that is asked for counts as read; `finish` tells of the rest.
 
     `groups` are the nested elements by tag: in XML the children, in YAML the lists of mappings below a key.
@@ -97,8 +97,8 @@ class Element:
         refusals: Refusals,
         *,
         attributes: Mapping[str, Attribute],
-        groups: Mapping[str, tuple[Element, ...]],
-        body: tuple[Element, ...] | None,
+        groups: Mapping[str, tuple[Tag, ...]],
+        body: tuple[Tag, ...] | None,
     ) -> None:
         self.tag = tag
         self.place = place
@@ -203,7 +203,7 @@ class Element:
         if not (typed and _is_duration(found.text)):
             self.refuse(f"{name!r} of <{self.tag}> is not a float from zero up; it takes no substitution.", found.place)
 
-    def elements(self, name: str) -> tuple[Element, ...]:
+    def elements(self, name: str) -> tuple[Tag, ...]:
         """The nested elements of that tag."""
         self._seen.add(name)
         if self.format is Format.YAML and name in self._attributes:
@@ -211,7 +211,7 @@ class Element:
             self.refuse(f"{name!r} of <{self.tag}> is no list of mappings, as launch expects it.")
         return self._groups.get(name, ())
 
-    def children(self) -> tuple[Element, ...]:
+    def children(self) -> tuple[Tag, ...]:
         """All that is nested, in order: actions."""
         if self.format is Format.XML:
             self._seen.update(self._groups)

@@ -13,28 +13,28 @@ from collections.abc import Iterable
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.markup.element import Element
+from rosward.deployment.markup.element import Tag
 from rosward.deployment.markup.tags_gazebo import READERS as OF_GAZEBO
 from rosward.deployment.markup.tags_launch import READERS as OF_LAUNCH
 from rosward.deployment.markup.tags_nested import READERS as OF_NESTED
 from rosward.deployment.markup.tags_nodes import READERS as OF_NODES
 from rosward.deployment.markup.tags_ros import READERS as OF_ROS
-from rosward.deployment.tree import Action, Unread
+from rosward.deployment.tree import LaunchAction, Unread
 
 _SIMPLE: Final = MappingProxyType({**OF_LAUNCH, **OF_ROS, **OF_NODES, **OF_GAZEBO})
 
 
-def read_description(root: Element) -> tuple[Action, ...]:
+def read_description(root: Tag) -> tuple[LaunchAction, ...]:
     """The actions of the element <launch>; its attributes are not checked by launch either."""
     return read_actions(root.children())
 
 
-def read_actions(elements: Iterable[Element]) -> tuple[Action, ...]:
+def read_actions(elements: Iterable[Tag]) -> tuple[LaunchAction, ...]:
     """One action for each element."""
     return tuple([_read(each) for each in elements])
 
 
-def _read(element: Element) -> Action:
+def _read(element: Tag) -> LaunchAction:
     nested = OF_NESTED.get(element.tag)
     simple = _SIMPLE.get(element.tag)
     if nested is not None:

@@ -12,9 +12,9 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
-from rosward.deployment.markup.element import Element
+from rosward.deployment.markup.element import Tag
 from rosward.deployment.markup.tags_launch import Reader
-from rosward.deployment.tree import Action, Include, Substitution, Template
+from rosward.deployment.tree import Include, LaunchAction, Substitution, Template
 from rosward.domain.values import Const
 
 
@@ -52,7 +52,7 @@ _TAGS: Final = MappingProxyType(
 )
 
 
-def _include(element: Element) -> Action:
+def _include(element: Tag) -> LaunchAction:
     tag = _TAGS[element.tag]
     place = element.place
     arguments: list[tuple[Template, Template]] = [((Const(n),), element.required(n)) for n in tag.required]

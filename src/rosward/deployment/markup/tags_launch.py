@@ -13,17 +13,17 @@ from collections.abc import Callable
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.markup.element import Element
+from rosward.deployment.markup.element import Tag
 from rosward.deployment.markup.substitutions import unescaped
 from rosward.deployment.tree import (
-    Action,
     Condition,
     Declare,
     Environ,
     Group,
     Include,
     Inert,
-    Scope,
+    LaunchAction,
+    ScopeChange,
     SetConfiguration,
     StartProcess,
     Substitution,
@@ -31,13 +31,13 @@ from rosward.deployment.tree import (
 )
 from rosward.domain.values import Const, Value
 
-Reader = Callable[[Element], Action]
+Reader = Callable[[Tag], LaunchAction]
 
 _TEXTS_OF_A_PROCESS: Final = ("cwd", "launch-prefix", "output", "respawn")
 _NUMBERS_OF_A_PROCESS: Final = ("respawn_delay", "sigkill_timeout", "sigterm_timeout")
 
 
-def command_words(element: Element, text: str) -> tuple[Template, ...]:
+def command_words(element: Tag, text: str) -> tuple[Template, ...]:
     """The words of a command line; a substitution within a word is a part of it, whatever blanks its text will have.
 
     Text of blanks only ends a word, even if none was begun: an empty one then, as in launch.
@@ -71,7 +71,7 @@ def command_words(element: Element, text: str) -> tuple[Template, ...]:
     return (*words, tuple(word)) if word else tuple(words)
 
 
-def process_attributes(element: Element) -> tuple[Action, ...]:
+def process_attributes(element: Tag) -> tuple[LaunchAction, ...]:
     """Read what any process can have; what it does on exit is returned."""
     element.ignore(*_TEXTS_OF_A_PROCESS)
     element.flag("shell")
@@ -87,7 +87,7 @@ def process_attributes(element: Element) -> tuple[Action, ...]:
     return (Inert(place=element.place, kind="shutdown"),)
 
 
-def _executable(element: Element) -> Action:
+def _executable(element: Tag) -> LaunchAction:
     text = element.text("cmd")
     if text is None:
         element.required("cmd")
@@ -102,7 +102,7 @@ def _executable(element: Element) -> Action:
     )
 
 
-def _arg(element: Element) -> Action:
+def _arg(element: Tag) -> LaunchAction:
     choices = [(Const(each.name("value")),) for each in element.elements("choice")]
     description = element.text("description")
     return Declare(
@@ -115,29 +115,29 @@ def _arg(element: Element) -> Action:
     )
 
 
-def _let(element: Element) -> Action:
+def _let(element: Tag) -> LaunchAction:
     name, value = element.required("name"), element.required("value")
     return SetConfiguration(place=element.place, condition=element.condition(), name=name, value=value)
 
 
-def _unset(element: Element) -> Action:
+def _unset(element: Tag) -> LaunchAction:
     return SetConfiguration(
         place=element.place, condition=element.condition(), name=element.required("name"), value=None
     )
 
 
-def _reset(element: Element) -> Action:
+def _reset(element: Tag) -> LaunchAction:
     kept = element.pairs("keep", "name", "value")
-    return Scope(
+    return ScopeChange(
         place=element.place, condition=element.condition(), what="configurations", how="reset", configurations=kept
     )
 
 
-def _reset_env(element: Element) -> Action:
-    return Scope(place=element.place, condition=element.condition(), what="environment", how="reset")
+def _reset_env(element: Tag) -> LaunchAction:
+    return ScopeChange(place=element.place, condition=element.condition(), what="environment", how="reset")
 
 
-def _include(element: Element) -> Action:
+def _include(element: Tag) -> LaunchAction:
     return Include(
         place=element.place,
         condition=element.condition(),
@@ -146,16 +146,16 @@ def _include(element: Element) -> Action:
     )
 
 
-def _set_env(element: Element) -> Action:
+def _set_env(element: Tag) -> LaunchAction:
     name, value = element.required("name"), element.required("value")
     return Environ(place=element.place, condition=element.condition(), how="set", name=name, value=value)
 
 
-def _unset_env(element: Element) -> Action:
+def _unset_env(element: Tag) -> LaunchAction:
     return Environ(place=element.place, condition=element.condition(), how="unset", name=element.required("name"))
 
 
-def _append_env(element: Element) -> Action:
+def _append_env(element: Tag) -> LaunchAction:
     name, value = element.required("name"), element.required("value")
     separator = element.template("separator") or (Const(":"),)
     prepend, condition, place = element.switch("prepend"), element.condition(), element.place
@@ -172,22 +172,22 @@ def _append_env(element: Element) -> Action:
     return Group(place=place, condition=condition, actions=ways, scoped=False)
 
 
-def _inert(element: Element) -> Action:
+def _inert(element: Tag) -> LaunchAction:
     return Inert(place=element.place, condition=element.condition(), kind=element.tag)
 
 
-def _log(element: Element) -> Action:
+def _log(element: Tag) -> LaunchAction:
     element.required("message")
     element.ignore("level")
     return _inert(element)
 
 
-def _log_at_level(element: Element) -> Action:
+def _log_at_level(element: Tag) -> LaunchAction:
     element.required("message")
     return _inert(element)
 
 
-def _shutdown(element: Element) -> Action:
+def _shutdown(element: Tag) -> LaunchAction:
     element.ignore("reason")
     return _inert(element)
 

@@ -11,15 +11,15 @@ from collections.abc import Callable, Iterable
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.markup.element import Element, Format
+from rosward.deployment.markup.element import Format, Tag
 from rosward.deployment.markup.substitutions import plain_text, unknown_text
-from rosward.deployment.tree import Action, ForEach, Group, Template, Timer
+from rosward.deployment.tree import ForEach, Group, LaunchAction, Template, Timer
 
-Inner = Callable[[Iterable[Element]], tuple[Action, ...]]
-Reader = Callable[[Element, Inner], Action]
+Inner = Callable[[Iterable[Tag]], tuple[LaunchAction, ...]]
+Reader = Callable[[Tag, Inner], LaunchAction]
 
 
-def _group(element: Element, inner: Inner) -> Action:
+def _group(element: Tag, inner: Inner) -> LaunchAction:
     scoped, forwarding = element.flag("scoped"), element.flag("forwarding")
     return Group(
         place=element.place,
@@ -31,11 +31,11 @@ def _group(element: Element, inner: Inner) -> Action:
     )
 
 
-def _kept(element: Element) -> tuple[tuple[Template, Template], ...]:
+def _kept(element: Tag) -> tuple[tuple[Template, Template], ...]:
     return element.pairs("keep", "name", "value")
 
 
-def _timer(element: Element, inner: Inner) -> Action:
+def _timer(element: Tag, inner: Inner) -> LaunchAction:
     element.switch("cancel_on_shutdown")
     period, attribute = element.number("period"), element.attribute("period")
     if period is None or attribute is None:
@@ -59,12 +59,12 @@ def _may_be_number(text: str | None) -> bool:
     return True
 
 
-def _for_each(element: Element, inner: Inner) -> Action:
+def _for_each(element: Tag, inner: Inner) -> LaunchAction:
     values = element.required("values")
     return ForEach(place=element.place, condition=element.condition(), values=values, body=inner(element.children()))
 
 
-def _for(element: Element, inner: Inner) -> Action:
+def _for(element: Tag, inner: Inner) -> LaunchAction:
     length, name = element.required("len"), element.text("name")
     if name is None:
         element.refuse("<for> has no attribute 'name', which launch requires.")

@@ -10,12 +10,12 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.markup.element import Element
+from rosward.deployment.markup.element import Tag
 from rosward.deployment.markup.tags_launch import Reader, command_words, process_attributes
 from rosward.deployment.markup.tags_parameters import read_parameters
 from rosward.deployment.tree import (
-    Action,
     Component,
+    LaunchAction,
     LoadComponents,
     NodeKind,
     ParameterSource,
@@ -28,11 +28,11 @@ from rosward.deployment.tree import (
 _COMPONENTS: Final = ("composable_node", "composable_lifecycle_node")
 
 
-def _node(element: Element) -> Action:
+def _node(element: Tag) -> LaunchAction:
     return _started(element, NodeKind.NODE, ())
 
 
-def _lifecycle_node(element: Element) -> Action:
+def _lifecycle_node(element: Tag) -> LaunchAction:
     element.switch("autostart")
     node = _started(element, NodeKind.LIFECYCLE, ())
     if node.name is None or node.namespace is None:
@@ -40,14 +40,14 @@ def _lifecycle_node(element: Element) -> Action:
     return node
 
 
-def _node_container(element: Element) -> Action:
+def _node_container(element: Tag) -> LaunchAction:
     node = _started(element, NodeKind.CONTAINER, _components(element))
     if node.name is None or node.namespace is None:
         element.refuse("<node_container> needs both 'name' and 'namespace'.")
     return node
 
 
-def _started(element: Element, kind: NodeKind, components: tuple[Component, ...]) -> StartNode:
+def _started(element: Tag, kind: NodeKind, components: tuple[Component, ...]) -> StartNode:
     return StartNode(
         place=element.place,
         condition=element.condition(),
@@ -68,12 +68,12 @@ def _started(element: Element, kind: NodeKind, components: tuple[Component, ...]
     )
 
 
-def _words(element: Element, name: str) -> tuple[Template, ...]:
+def _words(element: Tag, name: str) -> tuple[Template, ...]:
     text = element.text(name)
     return () if text is None else command_words(element, text)
 
 
-def _load(element: Element) -> Action:
+def _load(element: Tag) -> LaunchAction:
     components = _components(element)
     if not components:
         element.refuse(f"<{element.tag}> has no <composable_node>, which launch requires.")
@@ -81,11 +81,11 @@ def _load(element: Element) -> Action:
     return LoadComponents(place=element.place, condition=element.condition(), target=target, components=components)
 
 
-def _components(element: Element) -> tuple[Component, ...]:
+def _components(element: Tag) -> tuple[Component, ...]:
     return tuple([_component(each) for tag in _COMPONENTS for each in element.elements(tag)])
 
 
-def _component(element: Element) -> Component:
+def _component(element: Tag) -> Component:
     if element.tag == "composable_lifecycle_node":
         element.switch("autostart")
     name = element.template("name")
@@ -106,7 +106,7 @@ def _component(element: Element) -> Component:
     return component
 
 
-def _extra(element: Element) -> tuple[ParameterSource, ...]:
+def _extra(element: Tag) -> tuple[ParameterSource, ...]:
     pairs = element.pairs("extra_arg", "name", "value")
     return tuple(ParameterTable(((name, Typed(value)),), element.place) for name, value in pairs)
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.deployment.markup.element import Attribute, Element, Format
+from rosward.deployment.markup.element import Attribute, Format, Tag
 from rosward.deployment.markup.substitutions import plain_text, unknown_text
 from rosward.deployment.markup.values import Native, Scalar, text_value
 from rosward.deployment.tree import (
@@ -34,7 +34,7 @@ _LIST: Final = "list_of_"
 _Entries = list[tuple[Template, ParameterData]]
 
 
-def read_parameters(element: Element) -> tuple[ParameterSource, ...]:
+def read_parameters(element: Tag) -> tuple[ParameterSource, ...]:
     """All that <param> gives, in order."""
     found: list[ParameterSource] = []
     for param in element.elements("param"):
@@ -58,7 +58,7 @@ def read_parameters(element: Element) -> tuple[ParameterSource, ...]:
     return tuple(found)
 
 
-def _read(param: Element, name: Template, entries: _Entries) -> None:
+def _read(param: Tag, name: Template, entries: _Entries) -> None:
     kind = param.text("type")
     value = param.attribute("value")
     nested = param.elements("param")
@@ -73,7 +73,7 @@ def _read(param: Element, name: Template, entries: _Entries) -> None:
     param.finish()
 
 
-def _kind(param: Element, kind: str | None) -> str | None:
+def _kind(param: Tag, kind: str | None) -> str | None:
     """The type that is asked for, as `List[…]` if it is a list; None for YAML's own."""
     if kind is None or kind == "yaml":
         return None
@@ -84,7 +84,7 @@ def _kind(param: Element, kind: str | None) -> str | None:
     return f"List[{scalar}]" if kind.startswith(_LIST) else kind
 
 
-def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterData:
+def _data(param: Tag, attribute: Attribute, kind: str | None) -> ParameterData:
     value = attribute.value if param.format is Format.YAML else _from_xml(param, attribute.text, kind)
     if value is None:
         param.refuse("The value of <param> is nothing that a parameter can be.", attribute.place)
@@ -111,7 +111,7 @@ def _data(param: Element, attribute: Attribute, kind: str | None) -> ParameterDa
     return Literal(Tuple(tuple(literals))) if len(literals) == len(items) else Several(tuple(items))
 
 
-def _scalar(param: Element, value: Scalar, kind: str | None) -> Literal | Typed:
+def _scalar(param: Tag, value: Scalar, kind: str | None) -> Literal | Typed:
     """One value; text may hold substitutions."""
     wanted = _SCALARS.get(kind or "")
     if not isinstance(value, str):
@@ -127,7 +127,7 @@ def _scalar(param: Element, value: Scalar, kind: str | None) -> Literal | Typed:
     return Literal(Const(text))
 
 
-def _from_xml(param: Element, text: str, kind: str | None) -> Native:
+def _from_xml(param: Tag, text: str, kind: str | None) -> Native:
     """What launch_xml converts the text to; it stays text where that fails, since it may hold substitutions."""
     separator = param.text("value-sep")
     if separator is not None:

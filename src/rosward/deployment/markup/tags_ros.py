@@ -12,11 +12,11 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import Final
 
-from rosward.deployment.markup.element import Element
+from rosward.deployment.markup.element import Tag
 from rosward.deployment.markup.tags_launch import Reader
 from rosward.deployment.tree import (
-    Action,
     Inert,
+    LaunchAction,
     ParameterFile,
     ParameterTable,
     PushNamespace,
@@ -26,33 +26,33 @@ from rosward.deployment.tree import (
 )
 
 
-def _push_namespace(element: Element) -> Action:
+def _push_namespace(element: Tag) -> LaunchAction:
     return PushNamespace(place=element.place, condition=element.condition(), namespace=element.required("namespace"))
 
 
-def _set_remap(element: Element) -> Action:
+def _set_remap(element: Tag) -> LaunchAction:
     source, target = element.required("from"), element.required("to")
     return SetRemap(place=element.place, condition=element.condition(), source=source, target=target)
 
 
-def _set_parameter(element: Element) -> Action:
+def _set_parameter(element: Tag) -> LaunchAction:
     name, value = element.required("name"), element.required("value")
     table = ParameterTable(((name, Typed(value)),), element.place)
     return SetParameter(place=element.place, condition=element.condition(), parameter=table)
 
 
-def _set_parameters_from_file(element: Element) -> Action:
+def _set_parameters_from_file(element: Tag) -> LaunchAction:
     file = ParameterFile(element.required("filename"), element.place)
     return SetParameter(place=element.place, condition=element.condition(), parameter=file)
 
 
-def _set_use_sim_time(element: Element) -> Action:
+def _set_use_sim_time(element: Tag) -> LaunchAction:
     if element.switch("value") is None:
         element.required("value")
     return Inert(place=element.place, condition=element.condition(), kind=element.tag)
 
 
-def _set_ros_log_dir(element: Element) -> Action:
+def _set_ros_log_dir(element: Tag) -> LaunchAction:
     element.required("new_log_dir")
     return Inert(place=element.place, condition=element.condition(), kind=element.tag)
 

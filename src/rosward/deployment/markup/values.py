@@ -26,7 +26,7 @@ _NUMBERS: Final = frozenset({_PREFIX + "int", _PREFIX + "float"})
 _STRUCTURES: Final = frozenset(_PREFIX + each for each in ("seq", "map", "set", "omap", "pairs"))
 
 
-class UnreadableError(Exception):
+class UnreadableMarkupError(Exception):
     """The file is no launch file at all, or a value no YAML; the message says why."""
 
     def __init__(self, message: str, line: int = 1, column: int = 1) -> None:
@@ -49,12 +49,12 @@ def compose(text: str) -> yaml.Node | None:
         why = getattr(error, "problem", None) or str(error).partition("\n")[0]
         raise _error(f"It is no YAML: {why}", mark) from None
     except (ValueError, RecursionError):
-        raise UnreadableError("It is no YAML.") from None
+        raise UnreadableMarkupError("It is no YAML.") from None
 
 
-def _error(why: str, mark: object) -> UnreadableError:
+def _error(why: str, mark: object) -> UnreadableMarkupError:
     line, column = getattr(mark, "line", 0), getattr(mark, "column", 0)
-    return UnreadableError(f"{why}.", line + 1, column + 1)
+    return UnreadableMarkupError(f"{why}.", line + 1, column + 1)
 
 
 def text_value(text: str) -> Native:
@@ -62,7 +62,7 @@ def text_value(text: str) -> Native:
     try:
         node = compose(text) if text else None
         return text if not text else None if node is None else Values().native(node)
-    except UnreadableError:
+    except UnreadableMarkupError:
         return text
 
 

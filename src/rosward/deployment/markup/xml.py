@@ -15,12 +15,12 @@ from rosward.deployment.markup.element import (
     DEPTH_LIMIT,
     ELEMENT_LIMIT,
     Attribute,
-    Element,
     Format,
     Refusals,
+    Tag,
 )
 from rosward.deployment.markup.tags import read_description
-from rosward.deployment.markup.values import UnreadableError
+from rosward.deployment.markup.values import UnreadableMarkupError
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
 from rosward.source.location import Place
@@ -33,11 +33,11 @@ def read_xml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     refusals = Refusals()
     try:
         if len(text) > XML_LIMIT:
-            raise UnreadableError(f"The launch file is longer than {XML_LIMIT:,} characters.")
+            raise UnreadableMarkupError(f"The launch file is longer than {XML_LIMIT:,} characters.")
         root = _Document(file, refusals).read(text)
         if root.tag != "launch":
-            raise UnreadableError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
-    except UnreadableError as error:
+            raise UnreadableMarkupError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
+    except UnreadableMarkupError as error:
         return Description((), file), (Finding("RW310", str(error), Place(file, error.line, error.column)),)
     return Description(read_description(root), file), refusals.findings
 
@@ -48,7 +48,7 @@ class _Open(NamedTuple):
     tag: str
     place: Place
     attributes: dict[str, str]
-    children: list[Element]
+    children: list[Tag]
 
 
 @final
@@ -60,10 +60,10 @@ class _Document:
         self._refusals = refusals
         self._parser = expat.ParserCreate()
         self._stack: list[_Open] = []
-        self._root: Element | None = None
+        self._root: Tag | None = None
         self._count = 0
 
-    def read(self, text: str) -> Element:
+    def read(self, text: str) -> Tag:
         """The root; raises UnreadableError."""
         parser = self._parser
         parser.StartDoctypeDeclHandler = self._doctype
@@ -73,14 +73,14 @@ class _Document:
             parser.Parse(text, True)
         except expat.ExpatError as error:
             why = expat.errors.messages.get(error.code, "syntax error")
-            raise UnreadableError(f"The XML is not well-formed: {why}.", error.lineno, error.offset + 1) from None
+            raise UnreadableMarkupError(f"The XML is not well-formed: {why}.", error.lineno, error.offset + 1) from None
         except ValueError:  # a lone surrogate, from bytes that are no text
-            raise UnreadableError("The launch file is not UTF-8 text.") from None
+            raise UnreadableMarkupError("The launch file is not UTF-8 text.") from None
         assert self._root is not None
         return self._root
 
-    def _unreadable(self, why: str) -> UnreadableError:
-        return UnreadableError(why, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
+    def _unreadable(self, why: str) -> UnreadableMarkupError:
+        return UnreadableMarkupError(why, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
 
     def _doctype(self, _: str, system: str | None, public: str | None, subset: bool) -> None:
         if system or public or subset:
@@ -97,10 +97,10 @@ class _Document:
 
     def _end(self, _: str) -> None:
         opened = self._stack.pop()
-        groups: dict[str, list[Element]] = {}
+        groups: dict[str, list[Tag]] = {}
         for child in opened.children:
             groups.setdefault(child.tag, []).append(child)
-        element = Element(
+        element = Tag(
             opened.tag,
             opened.place,
             Format.XML,

@@ -18,12 +18,12 @@ from rosward.deployment.markup.element import (
     DEPTH_LIMIT,
     ELEMENT_LIMIT,
     Attribute,
-    Element,
     Format,
     Refusals,
+    Tag,
 )
 from rosward.deployment.markup.tags import read_description
-from rosward.deployment.markup.values import UnreadableError, Values, compose
+from rosward.deployment.markup.values import UnreadableMarkupError, Values, compose
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
 from rosward.source.location import Place
@@ -37,9 +37,9 @@ def read_yaml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     refusals = Refusals()
     try:
         if len(text) > YAML_LIMIT:
-            raise UnreadableError(f"It is longer than {YAML_LIMIT:,} characters.")
+            raise UnreadableMarkupError(f"It is longer than {YAML_LIMIT:,} characters.")
         root = _Document(file, refusals).root(compose(text))
-    except UnreadableError as error:
+    except UnreadableMarkupError as error:
         message = f"The YAML launch file cannot be read. {error}"
         return Description((), file), (Finding("RW310", message, Place(file, error.line, error.column)),)
     return Description(read_description(root), file), refusals.findings
@@ -55,23 +55,23 @@ class _Document:
         self._values = Values()
         self._count = 0
 
-    def root(self, node: yaml.Node | None) -> Element:
+    def root(self, node: yaml.Node | None) -> Tag:
         """The element `launch`; raises UnreadableError."""
         if not isinstance(node, yaml.MappingNode):
-            raise UnreadableError("Its root is no mapping with the key 'launch'.")
+            raise UnreadableMarkupError("Its root is no mapping with the key 'launch'.")
         entries = self._entries(node, 0)
         if [name for name, *_ in entries] != ["launch"]:
-            raise UnreadableError("Its root is no mapping with 'launch' as its only key.")
+            raise UnreadableMarkupError("Its root is no mapping with 'launch' as its only key.")
         _, key, value = entries[0]
         if isinstance(value, yaml.ScalarNode):
-            raise UnreadableError("Below 'launch' stands no list of actions.", value.start_mark.line + 1)
+            raise UnreadableMarkupError("Below 'launch' stands no list of actions.", value.start_mark.line + 1)
         return self._element("launch", key, value, 0)
 
     def _place(self, node: yaml.Node) -> Place:
         return Place(self._file, node.start_mark.line + 1, node.start_mark.column + 1)
 
-    def _unreadable(self, why: str, node: yaml.Node) -> UnreadableError:
-        return UnreadableError(why, node.start_mark.line + 1, node.start_mark.column + 1)
+    def _unreadable(self, why: str, node: yaml.Node) -> UnreadableMarkupError:
+        return UnreadableMarkupError(why, node.start_mark.line + 1, node.start_mark.column + 1)
 
     def _visit(self, node: yaml.Node, depth: int) -> None:
         """Count what is read: aliases make more of it than there are nodes."""
@@ -81,11 +81,11 @@ class _Document:
         if depth > DEPTH_LIMIT:
             raise self._unreadable("It is nested too deeply.", node)
 
-    def _element(self, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Element:
+    def _element(self, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Tag:
         self._visit(node, depth)
         attributes: dict[str, Attribute] = {}
-        groups: dict[str, tuple[Element, ...]] = {}
-        body: tuple[Element, ...] | None = None
+        groups: dict[str, tuple[Tag, ...]] = {}
+        body: tuple[Tag, ...] | None = None
         self._values.check(node)
         if isinstance(node, yaml.SequenceNode):
             body = self._actions(node, depth)
@@ -106,7 +106,7 @@ class _Document:
             self._refusals.add(
                 f"<{tag}> is no mapping, as launch expects it ({{}} if it has no attributes).", self._place(key)
             )
-        return Element(
+        return Tag(
             tag,
             self._place(key),
             Format.YAML,
@@ -120,10 +120,10 @@ class _Document:
         value = self._values.native(node)
         return Attribute(node.value if isinstance(node, yaml.ScalarNode) else "", value, self._place(node))
 
-    def _actions(self, node: yaml.SequenceNode, depth: int) -> tuple[Element, ...]:
+    def _actions(self, node: yaml.SequenceNode, depth: int) -> tuple[Tag, ...]:
         self._visit(node, depth)
         self._values.check(node)
-        found: list[Element] = []
+        found: list[Tag] = []
         for item in node.value:
             self._visit(item, depth)
             entries = self._entries(item, depth) if isinstance(item, yaml.MappingNode) else []

@@ -13,23 +13,23 @@ from typing import Any, Final, final
 from rosward.deployment.python.events import event_of
 from rosward.deployment.python.inert import INERT, NOT_READ
 from rosward.deployment.python.nodes import Nodes
-from rosward.deployment.python.objects import Element, Objects, why_unknown
-from rosward.deployment.python.parameters import Parameters
+from rosward.deployment.python.objects import Objects, SequenceItem, why_unknown
+from rosward.deployment.python.parameters import ParameterReader
 from rosward.deployment.python.substitutions import Texts
 from rosward.deployment.tree import (
-    Action,
     Declare,
     Environ,
     ForEach,
     Group,
     Include,
     Inert,
+    LaunchAction,
     Maybe,
     OnEvent,
     Opaque,
     ParameterTable,
     PushNamespace,
-    Scope,
+    ScopeChange,
     SetConfiguration,
     SetParameter,
     SetRemap,
@@ -58,9 +58,9 @@ class Actions:
     def __init__(self, objects: Objects) -> None:
         self.objects = objects
         self.texts = Texts(objects)
-        self.parameters = Parameters(objects, self.texts)
+        self.parameters = ParameterReader(objects, self.texts)
         self._nodes = Nodes(objects, self.texts, self.parameters, self.entities)
-        self.readers: dict[str, Callable[[Ref, Given], tuple[Action, ...]]] = {
+        self.readers: dict[str, Callable[[Ref, Given], tuple[LaunchAction, ...]]] = {
             "launch_ros.actions.Node": self._node,
             "launch_ros.actions.LifecycleNode": self._node,
             "launch_ros.actions.ComposableNodeContainer": self._node,
@@ -96,16 +96,16 @@ class Actions:
         self._open: list[Ref] = []
         self._count = 0  # how many objects were read since the outermost of them
 
-    def entities(self, value: Value | None, place: Place) -> tuple[Action, ...]:
+    def entities(self, value: Value | None, place: Place) -> tuple[LaunchAction, ...]:
         """The actions in a list of entities (or one entity); `place` is that of what the list belongs to."""
         if value is None or value == NONE:
             return ()
-        found: list[Action] = []
+        found: list[LaunchAction] = []
         for element in self.objects.elements(value):
             found += self._element(element, place)
         return _together(found)
 
-    def _element(self, element: Element, place: Place) -> tuple[Action, ...]:
+    def _element(self, element: SequenceItem, place: Place) -> tuple[LaunchAction, ...]:
         found = options(element.value)
         read = tuple(a for o in found for a in self._one(o, place))
         if element.sure and len(found) == 1:
@@ -116,7 +116,7 @@ class Actions:
             return read
         return (Maybe(place=read[0].place, actions=read, why=why_unknown(found) or "condition in Python not known"),)
 
-    def _one(self, value: Value, place: Place) -> tuple[Action, ...]:
+    def _one(self, value: Value, place: Place) -> tuple[LaunchAction, ...]:
         """One entity."""
         if value == NONE:
             return ()
@@ -141,7 +141,7 @@ class Actions:
         finally:
             self._open.pop()
 
-    def _of_object(self, ref: Ref, place: Place) -> tuple[Action, ...]:
+    def _of_object(self, ref: Ref, place: Place) -> tuple[LaunchAction, ...]:
         objects = self.objects
         if objects.is_sequence(ref):
             return self.entities(ref, place)
@@ -160,7 +160,7 @@ class Actions:
                 return (Opaque(place=here, condition=condition, identity=ref, function=function),)
         return self._as_modelled(ref, here)
 
-    def _as_modelled(self, ref: Ref, here: Place) -> tuple[Action, ...]:
+    def _as_modelled(self, ref: Ref, here: Place) -> tuple[LaunchAction, ...]:
         """An action as the library's own class executes it."""
         objects = self.objects
         kind = objects.kind(ref)
@@ -184,10 +184,10 @@ class Actions:
 
     # One method a class
 
-    def _node(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _node(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         return (self._nodes.node(ref, given),)
 
-    def _declare(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _declare(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         place = given["place"]
         choices = self.objects.field(ref, "choices")
         return (
@@ -200,14 +200,14 @@ class Actions:
             ),
         )
 
-    def _set_configuration(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _set_configuration(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         place = given["place"]
         value = self.texts.optional(self.objects.field(ref, "value"), place)
         return (
             SetConfiguration(name=self.texts.template(self.objects.field(ref, "name"), place), value=value, **given),
         )
 
-    def _environ(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _environ(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         place = given["place"]
         how = {"S": "set", "U": "unset", "A": "append"}[self._read_as(ref)[0]]
         if how == "append" and self.objects.flag(ref, "prepend", False):
@@ -222,14 +222,14 @@ class Actions:
             ),
         )
 
-    def _scope(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _scope(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         name = self._read_as(ref)
         how = "push" if name.startswith("Push") else "pop" if name.startswith("Pop") else "reset"
         what = "environment" if name.endswith("Environment") else "configurations"
         pairs = self.texts.pairs(self.objects.field(ref, "configurations"), given["place"])
-        return (Scope(what=what, how=how, configurations=pairs, **given),)
+        return (ScopeChange(what=what, how=how, configurations=pairs, **given),)
 
-    def _group(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _group(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         place = given["place"]
         return (
             Group(
@@ -241,14 +241,14 @@ class Actions:
             ),
         )
 
-    def _include(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _include(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         place = given["place"]
         arguments = self.texts.pairs(self.objects.field(ref, "arguments"), place)
         source = self.objects.field(ref, "source")
         found = tuple(self._included(o, arguments, given) for o in options(source or NONE))
         return found if len(found) == 1 else (Maybe(place=place, actions=found, why="one of several launch files"),)
 
-    def _included(self, source: Value, arguments: tuple[Any, ...], given: Given) -> Action:
+    def _included(self, source: Value, arguments: tuple[Any, ...], given: Given) -> LaunchAction:
         place = given["place"]
         if self.objects.is_a(source, _DESCRIPTION):
             return Include(path=None, arguments=arguments, body=self.entities(source, place), **given)
@@ -262,7 +262,7 @@ class Actions:
         path = self.texts.template(self.objects.field(source, "location"), place)
         return Include(path=path, format=form, arguments=arguments, **given)
 
-    def _opaque(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _opaque(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         function = self.objects.field(ref, "function")
         if function is None:
             return (Unread(place=given["place"], why="OpaqueFunction without a function"),)
@@ -274,9 +274,9 @@ class Actions:
             named = [(str(k.value), v) for k, v in entries.items() if isinstance(k, Const)]
         return (Opaque(function=function, args=tuple(e.value for e in args), kwargs=tuple(named), **given),)
 
-    def _on_event(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _on_event(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         handler = self.objects.field(ref, "event_handler") or NONE
-        found: list[Action] = []
+        found: list[LaunchAction] = []
         for option in options(handler):
             if not isinstance(option, Ref):
                 found.append(Unread(place=given["place"], why=why_unknown((option,)) or "event handler not known"))
@@ -289,20 +289,20 @@ class Actions:
                 found.append(OnEvent(event=event, actions=actions, function=function, target=target, **given))
         return tuple(found)
 
-    def _reaction(self, value: Value, place: Place) -> tuple[tuple[Action, ...], tuple[Value, ...]]:
+    def _reaction(self, value: Value, place: Place) -> tuple[tuple[LaunchAction, ...], tuple[Value, ...]]:
         """What a handler does: actions, and functions that give more."""
         elements = self.objects.elements(value)
         functions = tuple(e.value for e in elements if self.objects.is_callable(e.value))
         others = [e for e in elements if not self.objects.is_callable(e.value)]
         return _together([a for e in others for a in self._element(e, place)]), functions
 
-    def _timer(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _timer(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         period = self.objects.field(ref, "period")
         text = (period,) if isinstance(period, Const) else self.texts.template(period, given["place"])
         actions = self.entities(self.objects.field(ref, "actions"), given["place"])
         return (Timer(period=text, actions=actions, **given),)
 
-    def _for_each(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _for_each(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         values = self.objects.field(ref, "values")
         text = (values,) if isinstance(values, Const) else self.texts.template(values, given["place"])
         name = self.objects.field(ref, "name")
@@ -311,17 +311,17 @@ class Actions:
         function = self.objects.field(ref, "function")
         return (ForEach(values=text, count=count, function=function, index_name=index, **given),)
 
-    def _push_namespace(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _push_namespace(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         return (
             PushNamespace(namespace=self.texts.template(self.objects.field(ref, "namespace"), given["place"]), **given),
         )
 
-    def _set_remap(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _set_remap(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         source = self.texts.template(self.objects.field(ref, "source"), given["place"])
         target = self.texts.template(self.objects.field(ref, "target"), given["place"])
         return (SetRemap(source=source, target=target, **given),)
 
-    def _set_parameter(self, ref: Ref, given: Given) -> tuple[Action, ...]:
+    def _set_parameter(self, ref: Ref, given: Given) -> tuple[LaunchAction, ...]:
         place = given["place"]
         if self._read_as(ref).endswith("FromFile"):
             for source in self.parameters.sources(Tuple((self.objects.field(ref, "path") or NONE,)), place):
@@ -339,9 +339,9 @@ def _where(value: Value, place: Place) -> Place:
     return next((r.place for r in reasons if r.place.file), place)
 
 
-def _together(actions: list[Action]) -> tuple[Action, ...]:
+def _together(actions: list[LaunchAction]) -> tuple[LaunchAction, ...]:
     """Neighbours that are Maybe for the same reason, as one."""
-    found: list[Action] = []
+    found: list[LaunchAction] = []
     for action in actions:
         last = found[-1] if found else None
         if isinstance(action, Maybe) and isinstance(last, Maybe) and action.why == last.why:

@@ -52,7 +52,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.deployment.performer import Performer
-    from rosward.deployment.tree import Action
+    from rosward.deployment.tree import LaunchAction
     from rosward.engine.library import Library
     from rosward.ir.program import Code
 
@@ -102,7 +102,7 @@ class LaunchPython:
             self._limit(limit, Place(file))
             return Description((Unread(place=Place(file), why=limit.what),), file)
 
-    def _description(self, file: str, turn: int) -> tuple[Action, ...]:
+    def _description(self, file: str, turn: int) -> tuple[LaunchAction, ...]:
         machine, place = self._machine, Place(file)
         if machine.library.module(file) is None:
             self._tell("RW310", "the file cannot be read", place)
@@ -137,7 +137,7 @@ class LaunchPython:
         performer: Performer,
         *,
         context: bool,
-    ) -> tuple[Action, ...]:
+    ) -> tuple[LaunchAction, ...]:
         """Call a function and read the entities that it gives; with `context`, the launch context is its first argument."""
         place = self._place(function)
         try:

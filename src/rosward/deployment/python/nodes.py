@@ -11,12 +11,12 @@ from collections.abc import Callable
 from typing import Any, Final, NamedTuple, final
 
 from rosward.deployment.python.objects import Objects
-from rosward.deployment.python.parameters import Parameters
+from rosward.deployment.python.parameters import ParameterReader
 from rosward.deployment.python.substitutions import Texts
 from rosward.deployment.tree import (
-    Action,
     Component,
     Condition,
+    LaunchAction,
     LoadComponents,
     NodeKind,
     OnEvent,
@@ -35,7 +35,7 @@ _KINDS: Final = {
 _NODE: Final = "launch_ros.actions.Node"
 _COMPONENT: Final = "launch_ros.descriptions.ComposableNode"
 
-Entities = Callable[[Value | None, Place], tuple[Action, ...]]
+Entities = Callable[[Value | None, Place], tuple[LaunchAction, ...]]
 
 
 class _Variables(NamedTuple):
@@ -49,7 +49,7 @@ class _Variables(NamedTuple):
 class Nodes:
     """Reads what is started. `entities` reads a list of actions."""
 
-    def __init__(self, objects: Objects, texts: Texts, parameters: Parameters, entities: Entities) -> None:
+    def __init__(self, objects: Objects, texts: Texts, parameters: ParameterReader, entities: Entities) -> None:
         self.objects = objects
         self.texts = texts
         self.parameters = parameters
@@ -150,7 +150,7 @@ class Nodes:
         more = self.texts.pairs(self.objects.field(ref, "additional_env"), place)
         return _Variables((*self.texts.pairs(whole, place), *more), whole is not None)
 
-    def _on_exit(self, ref: Ref, place: Place) -> tuple[Action, ...]:
+    def _on_exit(self, ref: Ref, place: Place) -> tuple[LaunchAction, ...]:
         value = self.objects.field(ref, "on_exit")
         if value is not None and self.objects.is_callable(value):
             return (OnEvent(place=place, event="process-exit", function=value, target=ref),)

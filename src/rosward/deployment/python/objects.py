@@ -39,7 +39,7 @@ _CALLABLE: Final = (Function, BoundMethod, Partial, Native, External)
 _SEQUENCES: Final = ("list", "set", "dict", "generator")
 
 
-class Element(NamedTuple):
+class SequenceItem(NamedTuple):
     """One element of a sequence; where it is not `sure`, it may be absent."""
 
     value: Value
@@ -125,22 +125,25 @@ class Objects:
         """Whether a value is a dict."""
         return isinstance(value, Ref) and self.machine.obj(value).kind == "dict"
 
-    def elements(self, value: Value) -> list[Element]:
+    def elements(self, value: Value) -> list[SequenceItem]:
         """The elements of a sequence in order; anything else is its own and only element."""
         found = options(value)
         if len(found) > 1:
             return _merged([self.elements(o) for o in found if o != NONE], all_of=NONE not in found)
         if isinstance(value, Tuple):
-            return [Element(v) for v in value.items]
+            return [SequenceItem(v) for v in value.items]
         if not isinstance(value, Ref):
-            return [] if value == NONE else [Element(value, not isinstance(value, Unknown))]
+            return [] if value == NONE else [SequenceItem(value, not isinstance(value, Unknown))]
         obj = self.machine.obj(value)
         if obj.kind == "list" and obj.items is None and isinstance(obj.payload, Alternatives):
-            return [Element(v, sure) for v, sure in obj.payload.elements]
+            return [SequenceItem(v, sure) for v, sure in obj.payload.elements]
         if obj.kind in _SEQUENCES:
             known, rest = self.machine.iterate(value)
-            return [*(Element(v) for v in known), *([] if rest is None else (Element(o, False) for o in options(rest)))]
-        return [Element(value)]
+            return [
+                *(SequenceItem(v) for v in known),
+                *([] if rest is None else (SequenceItem(o, False) for o in options(rest))),
+            ]
+        return [SequenceItem(value)]
 
     def tell(self, code: str, message: str, place: Place) -> None:
         """A finding."""
@@ -151,7 +154,7 @@ class Objects:
         return Unknown((Reason(Cause.OPERATION, why, place),), hint)
 
 
-def _merged(ways: list[list[Element]], *, all_of: bool) -> list[Element]:
+def _merged(ways: list[list[SequenceItem]], *, all_of: bool) -> list[SequenceItem]:
     """One sequence of several alternatives: what all have is sure."""
     counts: dict[Value, int] = {}
     sure: dict[Value, bool] = {}
@@ -160,7 +163,7 @@ def _merged(ways: list[list[Element]], *, all_of: bool) -> list[Element]:
             counts[value] = counts.get(value, 0) + 1
         for element in way:
             sure[element.value] = sure.get(element.value, True) and element.sure
-    return [Element(v, all_of and n == len(ways) and sure[v]) for v, n in counts.items()]
+    return [SequenceItem(v, all_of and n == len(ways) and sure[v]) for v, n in counts.items()]
 
 
 def why_unknown(values: Iterable[Value]) -> str:

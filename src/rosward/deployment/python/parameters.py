@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from typing import Final, final
 
-from rosward.deployment.python.objects import Element, Objects
+from rosward.deployment.python.objects import Objects, SequenceItem
 from rosward.deployment.python.substitutions import Texts
 from rosward.deployment.tree import (
     Literal,
+    ParameterArgument,
     ParameterData,
     ParameterFile,
-    ParameterRule,
     ParameterSource,
     ParameterTable,
     Several,
@@ -35,7 +35,7 @@ _MOST: Final = 5_000
 
 
 @final
-class Parameters:
+class ParameterReader:
     """Reads parameters."""
 
     def __init__(self, objects: Objects, texts: Texts) -> None:
@@ -48,10 +48,10 @@ class Parameters:
             return ()
         if self.objects.is_dict(value) or self.objects.is_text(value):
             self.objects.tell("RW320", "launch_ros wants a list of parameters here", place)
-            return self._source(Element(value), place)
+            return self._source(SequenceItem(value), place)
         return tuple(s for e in self.objects.elements(value) for s in self._source(e, place))
 
-    def _source(self, element: Element, place: Place) -> tuple[ParameterSource, ...]:
+    def _source(self, element: SequenceItem, place: Place) -> tuple[ParameterSource, ...]:
         value = element.value
         if not element.sure:
             return (self._anything(value, place, "parameters that may be given"),)
@@ -83,12 +83,12 @@ class Parameters:
         switch = self.texts.template(allow, place)
         return ParameterFile((Substitution("parameter-file", (path, switch), place),), place, True)
 
-    def rule(self, ref: Ref, place: Place) -> ParameterRule:
+    def rule(self, ref: Ref, place: Place) -> ParameterArgument:
         """A Parameter object."""
         made = self.objects.place(ref)
         here = made if made.file else place
         name = self.texts.template(self.objects.field(ref, "name"), here)
-        return ParameterRule(name, self._described(ref, here), here)
+        return ParameterArgument(name, self._described(ref, here), here)
 
     def _table(self, ref: Ref, place: Place) -> tuple[ParameterSource, ...]:
         entries: list[tuple[Template, ParameterData]] = []

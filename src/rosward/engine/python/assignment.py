@@ -102,8 +102,9 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
     setter = setter_of(machine, in_class)
     if setter is not None:
         return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
-    if obj.kind == "instance" and obj.cls.__class__ is Class and _has_no_place(machine, obj.cls, name):
-        said = Const(f"'{obj.cls.name}' object has no attribute '{name}'")
+    if obj.kind == "instance" and _has_no_place(machine, obj.cls, name):
+        shown = obj.cls.name.rpartition(".")[2] if isinstance(obj.cls, (Class, External)) else ""
+        said = Const(f"'{shown}' object has no attribute '{name}'")
         if machine.die("AttributeError", f"no slot {name}", (said,), sure=True) is UNBOUND:
             return False
     if name == "__class__" and obj.kind == "instance":
@@ -149,8 +150,10 @@ def _change_class(machine: Engine, ref: Ref, cls: Value, *, weak: bool) -> None:
     machine.put(ref.address, obj.replace(cls=cls))
 
 
-def _has_no_place(machine: Engine, cls: Class, name: str) -> bool:
-    """Whether all classes of an object say by `__slots__` which attributes it has, and this is none of them."""
+def _has_no_place(machine: Engine, cls: Value, name: str) -> bool:
+    """Whether all classes of an object say by `__slots__` which attributes it has, or it is a message, and this is none of them."""
+    if cls.__class__ is not Class:
+        return message_fields.has_field(machine, cls, name) is False
     for base in cls.mro:
         if base == _OBJECT:
             continue

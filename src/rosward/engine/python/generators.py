@@ -24,7 +24,7 @@ from rosward.engine.frame import Frame, Yielded
 from rosward.engine.python import resume, stepping
 from rosward.engine.python.exceptions import thrown_in
 from rosward.engine.python.raised import may_catch
-from rosward.engine.stepped import NEXT, Action, Running, Stepped
+from rosward.engine.stepped import NEXT, Resumption, Running, Stepped
 from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
@@ -55,7 +55,7 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
     return machine.allocate(record, (code.key, function.cells))
 
 
-def advance(machine: Engine, ref: Ref, action: Action) -> Stepped:
+def advance(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
     """Resume a generator; the machine is left in the state behind its next `yield`."""
     running = machine.advancing.get(ref.address)
     if running is not None:
@@ -89,7 +89,7 @@ def _widening(machine: Engine) -> Merge:
     return lambda old, new: widen(old, new, reason)
 
 
-def _until_stable(machine: Engine, ref: Ref, action: Action, running: Running) -> Stepped:
+def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Running) -> Stepped:
     """One step. Of generators that are nested too deep to be told apart it may ask for itself: solved by iteration from below."""
     for number in range(machine.budget.fixpoint * 2):
         merge = join if number < machine.budget.widen_after else _widening(machine)
@@ -123,7 +123,7 @@ def _until_stable(machine: Engine, ref: Ref, action: Action, running: Running) -
     return Stepped(item, None if ended is None else ended.copy(), value)
 
 
-def _once(machine: Engine, ref: Ref, action: Action) -> Stepped:
+def _once(machine: Engine, ref: Ref, action: Resumption) -> Stepped:
     """Go on from each point, from the same state; what comes out is joined."""
     record = machine.obj(ref)
     suspension = record.payload
@@ -180,7 +180,7 @@ def _with(machine: Engine, ref: Ref, suspension: Suspension) -> Obj:
 
 
 def _run_from(
-    machine: Engine, point: Point, values: tuple[Value, ...], action: Action, result: Yielded, *, uncertain: bool
+    machine: Engine, point: Point, values: tuple[Value, ...], action: Resumption, result: Yielded, *, uncertain: bool
 ) -> tuple[Value, State] | None:
     """Run a body on from a point, to its next yields; the value that it returns, and the state there, where it comes to its end."""
     function, context, cells, path = point
@@ -223,7 +223,7 @@ def close(machine: Engine, ref: Ref) -> None:
     machine.catchers = [*outer, catcher]
     wanted = Native("builtins.GeneratorExit")
     try:
-        item, ended, _ = advance(machine, ref, Action("close", machine.call(wanted, ())))
+        item, ended, _ = advance(machine, ref, Resumption("close", machine.call(wanted, ())))
     finally:
         machine.catchers = outer
     if outer and catcher.level:
@@ -250,7 +250,7 @@ def _over(machine: Engine, ref: Ref) -> Suspension:
     return suspension.at({}, ended=True)
 
 
-def _run_coroutine(machine: Engine, suspension: Suspension, action: Action = NEXT) -> Stepped:
+def _run_coroutine(machine: Engine, suspension: Suspension, action: Resumption = NEXT) -> Stepped:
     """A coroutine runs to its end where it is awaited. It is not marked as done: a task that awaits it runs again, as callbacks do."""
     before = machine.state
     if action.kind == "close":

@@ -17,7 +17,7 @@ from rosward.domain.choice import options
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, Hole, ModuleValue, Ref, Text, Unknown, Value
-from rosward.engine.found import Found
+from rosward.engine.found import FoundModule
 from rosward.models.file_paths import location_of
 from rosward.models.python.containers import dicts
 from rosward.source.left_out import named_few
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from rosward.engine.machine import Engine
 
-_SYS: Final = Found("sys", "sys", "", True)
+_SYS: Final = FoundModule("sys", "sys", "", True)
 
 _ALTERNATIVES: Final = 4
 """How many files of one name are followed that may be meant: a library that is there for each platform is none of the program's own."""
@@ -36,12 +36,12 @@ _ALTERNATIVES: Final = 4
 class _Reached(NamedTuple):
     """What folders of `sys.path` give: the module that is surely found, those that may be found before it, whether a folder is not known."""
 
-    sure: Found | None = None
-    possible: tuple[Found, ...] = ()
+    sure: FoundModule | None = None
+    possible: tuple[FoundModule, ...] = ()
     open: bool = False
 
     @property
-    def all(self) -> tuple[Found, ...]:
+    def all(self) -> tuple[FoundModule, ...]:
         """All that may be found."""
         return self.possible if self.sure is None else (*self.possible, self.sure)
 
@@ -67,7 +67,7 @@ def registered(machine: Engine, name: str) -> Value | None:
     return None if key in record.maybe or (ordinary and not _changed(machine)) else value
 
 
-def imported(machine: Engine, name: str, found: Found, address: int) -> int:
+def imported(machine: Engine, name: str, found: FoundModule, address: int) -> int:
     """Where the module of a file that was run before is kept: apart from the old one, where the program took that out of `sys.modules`."""
     table = _variable(machine, "modules")
     if not isinstance(table, Ref):
@@ -79,8 +79,8 @@ def imported(machine: Engine, name: str, found: Found, address: int) -> int:
 
 
 def on_path(
-    machine: Engine, name: str, importer: ModuleValue | None, otherwise: Found | None
-) -> tuple[Found | None, ...]:
+    machine: Engine, name: str, importer: ModuleValue | None, otherwise: FoundModule | None
+) -> tuple[FoundModule | None, ...]:
     """The modules that a name may mean that `importer` imports, where the rules of the run find `otherwise`."""
     path = _variable(machine, "path")
     if not _changed(machine) or not isinstance(path, Ref):
@@ -113,7 +113,7 @@ def on_path(
 
 def _searched(machine: Engine, entries: Iterable[Value], name: str) -> _Reached:
     """What folders give that are searched one after another."""
-    before: tuple[Found, ...] = ()
+    before: tuple[FoundModule, ...] = ()
     unknown = False
     for entry in entries:
         reached = [_in_folder(machine, option, name) for option in options(entry)]

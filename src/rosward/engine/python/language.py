@@ -27,7 +27,7 @@ from rosward.engine.python import (
     stepping,
 )
 from rosward.engine.python.transfer import OWN
-from rosward.engine.stepped import Action
+from rosward.engine.stepped import Resumption
 from rosward.engine.transfer import CORE
 from rosward.ir.program import PYTHON as NAME
 
@@ -39,7 +39,7 @@ __all__ = ["PYTHON"]
 
 def _next_of(machine: Engine, iterator: Value, kind: str, value: Value, default: Value | None) -> Value:
     """The next item of an iterator, or the default, else StopIteration."""
-    item = stepping.next_of(machine, iterator, Action(kind, value), default)
+    item = stepping.next_of(machine, iterator, Resumption(kind, value), default)
     abandoned.watch(machine, iterator)
     return item
 

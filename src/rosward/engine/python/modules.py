@@ -14,7 +14,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.found import Found
+from rosward.engine.found import FoundModule
 from rosward.engine.frame import Frame
 from rosward.engine.python import import_path
 from rosward.engine.python.relative_imports import Relative, main_package, relative
@@ -134,7 +134,7 @@ def load_for(machine: Engine, name: str, importer: ModuleValue | None, level: in
 
 
 def _load_found(
-    machine: Engine, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: Found | None
+    machine: Engine, meant: Relative, name: str, importer: ModuleValue | None, level: int, found: FoundModule | None
 ) -> Value:
     """The module that an import of a name leads to."""
     if found is None and not level and name.startswith("_rosward"):  # a program's own, and not among the sources

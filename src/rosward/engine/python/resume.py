@@ -20,7 +20,7 @@ from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.python import contexts, exceptions, iteration, stepping, suspending
 from rosward.engine.python.equality import truth
 from rosward.engine.python.iteration import Begun
-from rosward.engine.stepped import Action
+from rosward.engine.stepped import Resumption
 from rosward.engine.ways import parts
 from rosward.ir import ops
 from rosward.models.native import Items
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
 
-def go_on(machine: Engine, block: ops.Block, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
+def go_on(machine: Engine, block: ops.Block, frame: Frame, path: Path, kept: list[Value], action: Resumption) -> bool:
     """Go on in a block at the yield to which `path` leads; True where control comes out at its end. `kept`: what its loops keep."""
     step, inner = path[0], path[1:]
     op: Any = block[step.number]
@@ -40,7 +40,9 @@ def go_on(machine: Engine, block: ops.Block, frame: Frame, path: Path, kept: lis
     return alive is not False and machine.run(block[step.number + 1 :], frame)
 
 
-def _behind(machine: Engine, op: ops.Yield, frame: Frame, turn: int, kept: list[Value], action: Action) -> bool | None:
+def _behind(
+    machine: Engine, op: ops.Yield, frame: Frame, turn: int, kept: list[Value], action: Resumption
+) -> bool | None:
     """At the yield itself."""
     frame.op, frame.sequence = op, 0
     if op.many:
@@ -61,18 +63,20 @@ def _behind(machine: Engine, op: ops.Yield, frame: Frame, turn: int, kept: list[
 
 
 def _inside(
-    machine: Engine, op: ops.Op, frame: Frame, path: Path, kept: list[Value], action: Action
+    machine: Engine, op: ops.Op, frame: Frame, path: Path, kept: list[Value], action: Resumption
 ) -> Callable[[], bool]:
     """Going on in the block of `op` that the path leads into, when the statement around it is ready."""
     block = dict(parts(op))[path[0].part]
     return lambda: go_on(machine, block, frame, path[1:], kept, action)
 
 
-def _if(machine: Engine, op: ops.If, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool:
+def _if(machine: Engine, op: ops.If, frame: Frame, path: Path, kept: list[Value], action: Resumption) -> bool:
     return _inside(machine, op, frame, path, kept, action)()
 
 
-def _while(machine: Engine, op: ops.While, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
+def _while(
+    machine: Engine, op: ops.While, frame: Frame, path: Path, kept: list[Value], action: Resumption
+) -> bool | None:
     finish = _inside(machine, op, frame, path, kept, action)
     part, turn = path[0].part, path[0].turn
     if part == "orelse":
@@ -94,7 +98,7 @@ def _while(machine: Engine, op: ops.While, frame: Frame, path: Path, kept: list[
 
 
 def _for_each(
-    machine: Engine, op: ops.ForEach, frame: Frame, path: Path, kept: list[Value], action: Action
+    machine: Engine, op: ops.ForEach, frame: Frame, path: Path, kept: list[Value], action: Resumption
 ) -> bool | None:
     if path[0].part != EACH:
         return _inside(machine, op, frame, path, kept, action)()
@@ -110,7 +114,7 @@ def _for_each(
     return iteration.for_each(machine, op, frame, Begun(path[0].turn, source, left, rest_of_turn))
 
 
-def _try(machine: Engine, op: ops.Try, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
+def _try(machine: Engine, op: ops.Try, frame: Frame, path: Path, kept: list[Value], action: Resumption) -> bool | None:
     part, finish = path[0].part, _inside(machine, op, frame, path, kept, action)
     if part == "final":
         return _in_finally(machine, frame, finish)
@@ -129,7 +133,9 @@ def _in_finally(machine: Engine, frame: Frame, finish: Callable[[], bool]) -> bo
     return True
 
 
-def _with(machine: Engine, op: ops.With, frame: Frame, path: Path, kept: list[Value], action: Action) -> bool | None:
+def _with(
+    machine: Engine, op: ops.With, frame: Frame, path: Path, kept: list[Value], action: Resumption
+) -> bool | None:
     return contexts.with_context(machine, op, frame, body=_inside(machine, op, frame, path, kept, action))
 
 

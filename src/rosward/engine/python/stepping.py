@@ -16,7 +16,7 @@ from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unk
 from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch
-from rosward.engine.stepped import NEXT, Action, Stepped
+from rosward.engine.stepped import NEXT, Resumption, Stepped
 from rosward.engine.throwing import rethrow
 from rosward.models.native import Items
 
@@ -77,7 +77,7 @@ def iterator_of(machine: Engine, source: Value, *, asynchronous: bool = False) -
     )
 
 
-def step(machine: Engine, iterator: Value, action: Action = NEXT, *, asynchronous: bool = False) -> Stepped:
+def step(machine: Engine, iterator: Value, action: Resumption = NEXT, *, asynchronous: bool = False) -> Stepped:
     """Advance an iterator."""
     if isinstance(iterator, Choice):
         return _step_each(machine, iterator, action, asynchronous=asynchronous)
@@ -97,7 +97,7 @@ def step(machine: Engine, iterator: Value, action: Action = NEXT, *, asynchronou
     return Stepped(item, machine.state.copy())
 
 
-def _step_each(machine: Engine, iterators: Choice, action: Action, *, asynchronous: bool) -> Stepped:
+def _step_each(machine: Engine, iterators: Choice, action: Resumption, *, asynchronous: bool) -> Stepped:
     """One of several iterators, each from the same state."""
     before = machine.state
     after: State | None = None
@@ -121,7 +121,7 @@ def _step_each(machine: Engine, iterators: Choice, action: Action, *, asynchrono
 _METHODS: Final = {"send": "send", "throw": "throw", "close": "close"}
 
 
-def _step_object(machine: Engine, iterator: Ref, action: Action, *, asynchronous: bool) -> Stepped:
+def _step_object(machine: Engine, iterator: Ref, action: Resumption, *, asynchronous: bool) -> Stepped:
     """`__next__` of an object of the program (or `send`, `throw`), and the StopIteration that it raises."""
     _, name, stop = STEP[asynchronous]
     frame = machine.frames[-1]
@@ -163,7 +163,7 @@ def stop_value(machine: Engine, exception: Value, state: State) -> Value:
 def next_of(
     machine: Engine,
     iterator: Value,
-    action: Action = NEXT,
+    action: Resumption = NEXT,
     default: Value | None = None,
     *,
     asynchronous: bool = False,

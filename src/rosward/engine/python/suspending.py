@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.choice import join
 from rosward.domain.state import join_states
-from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, Point, Step, join_values
+from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, PathStep, Point, join_values
 from rosward.domain.values import NONE, UNBOUND, Tuple, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
-from rosward.engine.stepped import NEXT, Action
+from rosward.engine.stepped import NEXT, Resumption
 from rosward.engine.ways import Way, find_ways
 from rosward.ir import ops
 from rosward.models.native import Items
@@ -53,7 +53,9 @@ def yield_(machine: Engine, op: ops.Yield, frame: Frame) -> bool | None:
     return give(machine, op, frame, source, machine.iterate(source), 0)
 
 
-def delegate(machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: Action) -> bool | None:
+def delegate(
+    machine: Engine, op: ops.Yield, frame: Frame, iterator: Value, turn: int, action: Resumption
+) -> bool | None:
     """`yield from` an iterator that is advanced: its next item; behind its end this call goes on. A generator counts its turns itself."""
     context = frame.context
     frame.context = machine.context(context, frame.code.key, op.number, turn)
@@ -120,14 +122,14 @@ def _suspend(
 
 def _here(way: Way, frame: Frame, turn: int) -> tuple[Path, list[Any]]:
     """The path of the way that led to a yield now, and what the loops on it keep."""
-    path: list[Step] = []
+    path: list[PathStep] = []
     kept: list[Value] = []
     for index, part, op in way:
         if part in _TURNING:
             number, *values = frame.turns[op.number]
-            path.append(Step(index, part, number))
+            path.append(PathStep(index, part, number))
             kept.extend(values)
         else:
-            path.append(Step(index, part))
+            path.append(PathStep(index, part))
     path[-1] = path[-1]._replace(turn=turn)
     return tuple(path), kept

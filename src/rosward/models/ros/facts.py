@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.models.facts import Facts
+from rosward.models.facts import LibraryFacts
 
-OWN: Final = Facts(
+OWN: Final = LibraryFacts(
     node_classes=frozenset({"rclpy.node.Node"}),
     node_methods=frozenset(
         {"create_client", "create_publisher", "create_service", "create_subscription", "create_timer"}

@@ -161,7 +161,7 @@ def opened(machine: Machine, obj: Obj) -> Obj:
     return obj.replace(payload=machine.unknown(Cause.MESSAGE, _name(obj)))
 
 
-def filled(machine: Machine, ref: Ref) -> None:
+def made_all(machine: Machine, ref: Ref) -> None:
     """Make all that a message holds, so that a copy of it shares that."""
     definition = definition_of(machine, machine.obj(ref).cls)
     for name, field in definition.fields.items() if definition is not None else ():
@@ -169,12 +169,12 @@ def filled(machine: Machine, ref: Ref) -> None:
             machine.load_attr(ref, name)
 
 
-def arrived(machine: Machine, cls: External, unknown: Unknown, site: str) -> Value:
-    """A message that somebody sent: what is in it is not known, but what its fields are; one object for all that arrive at one place."""
+def arrived(machine: Machine, cls: External, unknown: Unknown, site: str, *, many: bool) -> Value:
+    """A message that somebody sent: what is in it is not known, but what its fields are; one object, or one for `many` that arrive."""
     named = message_name(cls.name)
     if named is None or definition_of(machine, cls) is None:
         return unknown
-    return machine.allocate(Obj("instance", External(named.dotted), many=True, payload=unknown), site)
+    return machine.allocate(Obj("instance", External(named.dotted), many=many, payload=unknown), site)
 
 
 def _name(obj: Obj) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable
 from typing import Final
 
 from rosward._version import __version__
-from rosward.audit.result import Audit, Counts
+from rosward.audit.result import Audit, AuditCounts
 from rosward.findings import Finding, Severity
 from rosward.outputs.documents.json_text import json_text
 from rosward.source.location import Place
@@ -53,7 +53,7 @@ def audit_json(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[F
     return json_text(document)
 
 
-def _counts(counts: Counts) -> dict[str, int]:
+def _counts(counts: AuditCounts) -> dict[str, int]:
     return {"running": counts.running, "explained": counts.exact + counts.pattern, "by_pattern": counts.pattern}
 
 

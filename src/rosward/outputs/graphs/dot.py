@@ -77,7 +77,7 @@ def drawing(network: Network, system: bool = False, types: bool = False, links: 
     return Drawing("\n".join(lines) + "\n", len(vertices), len(edges), steps)
 
 
-class _End(NamedTuple):
+class _DrawnEnd(NamedTuple):
     """An entity that is drawn, the node that it is of, and the key of the shape that both meet at."""
 
     node: Node
@@ -86,7 +86,7 @@ class _End(NamedTuple):
     hub: bool
 
 
-def _ends(network: Network, system: bool) -> list[_End]:
+def _ends(network: Network, system: bool) -> list[_DrawnEnd]:
     shown = [(node, entity) for node in network.nodes for entity in node.entities if system or not entity.system]
     users: dict[str, set[str]] = {}
     for node, entity in shown:
@@ -95,11 +95,11 @@ def _ends(network: Network, system: bool) -> list[_End]:
     for node, entity in shown:
         key = _meeting_key(node, entity)
         hub = len(users[key]) > _HUB
-        ends.append(_End(node, entity, f"{key} at {node.shown}" if hub else key, hub))
+        ends.append(_DrawnEnd(node, entity, f"{key} at {node.shown}" if hub else key, hub))
     return ends
 
 
-def _vertices(network: Network, ends: Iterable[_End], links: bool) -> list[_Vertex]:
+def _vertices(network: Network, ends: Iterable[_DrawnEnd], links: bool) -> list[_Vertex]:
     drawn: dict[str, _Vertex] = {}
     for number, node in enumerate(network.nodes):
         link = f"#node-{number}" if links else None
@@ -132,7 +132,7 @@ def _unknown(node: Node) -> str:
     return "C++, unknown" if any("C++" in reason for reason in node.lacks) else "unknown"
 
 
-def _edges(ends: Iterable[_End]) -> dict[tuple[str, str], tuple[str, bool]]:
+def _edges(ends: Iterable[_DrawnEnd]) -> dict[tuple[str, str], tuple[str, bool]]:
     """From tail and head to the look and whether the edge is there in some executions only."""
     edges: dict[tuple[str, str], tuple[str, bool]] = {}
     for node, entity, key, _ in ends:
@@ -154,7 +154,7 @@ def _meeting_key(node: Node, entity: Entity) -> str:
     )
 
 
-def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]:
+def _cluster(space: str, parent: str, tree: _NamespaceTree, types: bool) -> Iterator[str]:
     """The shapes of one namespace, and the clusters of those right below it."""
     inside = [_vertex(vertex, space, types) for vertex in tree.vertices.get(space, ())]
     for one in tree.spaces.get(space, ()):
@@ -169,16 +169,16 @@ def _cluster(space: str, parent: str, tree: _Tree, types: bool) -> Iterator[str]
     yield "}"
 
 
-class _Tree(NamedTuple):
+class _NamespaceTree(NamedTuple):
     """By namespace: the shapes right in it, and the namespaces right below it."""
 
     vertices: dict[str, list[_Vertex]]
     spaces: dict[str, list[str]]
 
 
-def _tree(network: Network, vertices: Iterable[_Vertex]) -> _Tree:
+def _tree(network: Network, vertices: Iterable[_Vertex]) -> _NamespaceTree:
     spaces = {node.namespace for node in network.nodes} | {"/"}
-    tree = _Tree({}, {})
+    tree = _NamespaceTree({}, {})
     for vertex in vertices:
         tree.vertices.setdefault(_innermost(vertex.home, spaces), []).append(vertex)
     for space in sorted(spaces - {"/"}):

@@ -18,7 +18,7 @@ from typing import Final, NamedTuple, TypeVar, final
 
 from rosward.findings import Finding
 from rosward.network.enclaves import enclave_paths
-from rosward.outputs.report.numbered import End, Endpoint, Member, Numbered
+from rosward.outputs.report.numbered import Member, Numbered, NumberedEnd, NumberedEndpoint
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.location import Place
 
@@ -62,7 +62,7 @@ class Belongings:
     """What is made where and is called how, ready to be asked for each finding."""
 
     def __init__(self, numbers: Numbered) -> None:
-        self._ends_at: dict[tuple[str, int], dict[str, list[End]]] = {}
+        self._ends_at: dict[tuple[str, int], dict[str, list[NumberedEnd]]] = {}
         self._members_at: dict[tuple[str, int], dict[str, list[Member]]] = {}
         self._members_called: dict[str, list[Member]] = {}
         self._members_in: dict[str, list[Member]] = {}
@@ -134,7 +134,7 @@ def _called(things: Mapping[str, list[_T]], names: Collection[str] | None) -> li
     return [thing for name in (things if names is None else names) for thing in things.get(name, ())]
 
 
-def _in_column(place: Place, ends: list[End], members: list[Member]) -> tuple[list[End], list[Member]]:
+def _in_column(place: Place, ends: list[NumberedEnd], members: list[Member]) -> tuple[list[NumberedEnd], list[Member]]:
     """What is made in the very column of a place; all where nothing is."""
     exact = (
         [end for end in ends if place in end.entity.created_at],
@@ -170,7 +170,7 @@ def _has_quality_of(entity: Entity, message: str) -> bool:
     return qos.durability == ("volatile" if offers else "transient_local")
 
 
-def _ids(ends: Iterable[End], members: Iterable[Member], endpoints: Iterable[Endpoint]) -> list[str]:
+def _ids(ends: Iterable[NumberedEnd], members: Iterable[Member], endpoints: Iterable[NumberedEndpoint]) -> list[str]:
     chosen = list(ends)
     nodes = {member.id for member in members} | {end.node_id for end in chosen}
     topics = {endpoint.id for endpoint in endpoints} | {end.endpoint_id for end in chosen}

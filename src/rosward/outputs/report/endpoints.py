@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from typing import Final
 
 from rosward.network.holes import may_be
-from rosward.outputs.report.numbered import Endpoint
+from rosward.outputs.report.numbered import NumberedEndpoint
 from rosward.ros.entities import Resolution
 
 __all__ = ["endpoint_rows"]
@@ -21,7 +21,7 @@ __all__ = ["endpoint_rows"]
 _ORDER: Final = {resolution: index for index, resolution in enumerate(Resolution)}
 
 
-def endpoint_rows(endpoints: Iterable[Endpoint], findings: Mapping[str, list[str]]) -> list[object]:
+def endpoint_rows(endpoints: Iterable[NumberedEndpoint], findings: Mapping[str, list[str]]) -> list[object]:
     """The endpoints of the document; `findings` are those of each id."""
     names: dict[str, list[tuple[str, str]]] = {}
     everything = tuple(endpoints)
@@ -30,7 +30,7 @@ def endpoint_rows(endpoints: Iterable[Endpoint], findings: Mapping[str, list[str
     return [_row(endpoint, names[endpoint.word], findings.get(endpoint.id, [])) for endpoint in everything]
 
 
-def _row(endpoint: Endpoint, names: list[tuple[str, str]], findings: list[str]) -> dict[str, object]:
+def _row(endpoint: NumberedEndpoint, names: list[tuple[str, str]], findings: list[str]) -> dict[str, object]:
     entities = [end.entity for end in endpoint.ends]
     own = [entity for entity in entities if not entity.system]
     resolution = min((entity.resolution for entity in own or entities), key=_ORDER.__getitem__)
@@ -48,7 +48,7 @@ def _row(endpoint: Endpoint, names: list[tuple[str, str]], findings: list[str]) 
     return row
 
 
-def _matches(endpoint: Endpoint, names: list[tuple[str, str]]) -> list[str]:
+def _matches(endpoint: NumberedEndpoint, names: list[tuple[str, str]]) -> list[str]:
     """The ids of the names that a pattern may be. The names are sorted, so those with its beginning stand together."""
     beginning = endpoint.name.partition("*")[0]
     found: list[str] = []

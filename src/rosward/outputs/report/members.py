@@ -11,15 +11,17 @@ from collections.abc import Mapping, Sequence
 
 from rosward.explanation.provenance import Start, remap_rules, remedies, sources
 from rosward.network.launch_tree import LaunchEntry
-from rosward.outputs.report.numbered import End, Member
+from rosward.outputs.report.numbered import Member, NumberedEnd
 from rosward.outputs.report.plain import place_row, place_rows, value_row
-from rosward.outputs.report.rights import NONE, Rights
+from rosward.outputs.report.rights import NONE, DocumentRights
 from rosward.ros.entities import Entity, Node, Parameter, Qos, Resolution
 
 __all__ = ["entity_rows", "node_row"]
 
 
-def node_row(member: Member, start: Start, rights: Rights, findings: Mapping[str, list[str]]) -> dict[str, object]:
+def node_row(
+    member: Member, start: Start, rights: DocumentRights, findings: Mapping[str, list[str]]
+) -> dict[str, object]:
     """A node of the document, and how it is started; `findings` are those of each id."""
     node = member.node
     return {
@@ -47,13 +49,15 @@ def node_row(member: Member, start: Start, rights: Rights, findings: Mapping[str
 
 
 def entity_rows(
-    member: Member, entries: Sequence[LaunchEntry], rights: Rights, findings: Mapping[str, list[str]]
+    member: Member, entries: Sequence[LaunchEntry], rights: DocumentRights, findings: Mapping[str, list[str]]
 ) -> list[object]:
     """The entities of a node that these entries of launch files may start."""
     return [_entity(end, entries, rights, findings.get(end.id, [])) for end in member.ends]
 
 
-def _entity(end: End, entries: Sequence[LaunchEntry], rights: Rights, findings: list[str]) -> dict[str, object]:
+def _entity(
+    end: NumberedEnd, entries: Sequence[LaunchEntry], rights: DocumentRights, findings: list[str]
+) -> dict[str, object]:
     entity = end.entity
     right = rights.right_of.get(end.id, NONE)
     return {

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 from rosward.network.graph import Network
 from rosward.ros.entities import Entity, Node
 
-__all__ = ["End", "Endpoint", "Member", "Numbered", "numbered"]
+__all__ = ["Member", "Numbered", "NumberedEnd", "NumberedEndpoint", "numbered"]
 
 _WORDS: Final = ("topic", "service", "action")
 
@@ -23,10 +23,10 @@ class Member(NamedTuple):
 
     id: str
     node: Node
-    ends: tuple[End, ...]
+    ends: tuple[NumberedEnd, ...]
 
 
-class End(NamedTuple):
+class NumberedEnd(NamedTuple):
     """An entity, with the ids of its node and of the topic, service or action that it is an end of."""
 
     id: str
@@ -36,20 +36,20 @@ class End(NamedTuple):
     entity: Entity
 
 
-class Endpoint(NamedTuple):
+class NumberedEndpoint(NamedTuple):
     """A topic, service or action, and its ends."""
 
     id: str
     word: str
     name: str
-    ends: tuple[End, ...]
+    ends: tuple[NumberedEnd, ...]
 
 
 class Numbered(NamedTuple):
     """All of a network under its ids. `entity_ids` is by the identity of the record: equal entities of two nodes are two."""
 
     members: tuple[Member, ...]
-    endpoints: tuple[Endpoint, ...]
+    endpoints: tuple[NumberedEndpoint, ...]
     entity_ids: dict[int, str]
 
 
@@ -58,19 +58,19 @@ def numbered(network: Network) -> Numbered:
     rank = {word: number for number, word in enumerate(_WORDS)}
     names = {(rank[e.kind.meeting], e.name) for node in network.nodes for e in node.entities}
     ids = {(_WORDS[word], name): f"t{number}" for number, (word, name) in enumerate(sorted(names))}
-    ends_of: dict[tuple[str, str], list[End]] = {key: [] for key in ids}
+    ends_of: dict[tuple[str, str], list[NumberedEnd]] = {key: [] for key in ids}
     members: list[Member] = []
     entity_ids: dict[int, str] = {}
     counted = 0
     for number, node in enumerate(network.nodes):
-        own: list[End] = []
+        own: list[NumberedEnd] = []
         for entity in node.entities:
             key = (entity.kind.meeting, entity.name)
-            end = End(f"e{counted}", f"n{number}", ids[key], node, entity)
+            end = NumberedEnd(f"e{counted}", f"n{number}", ids[key], node, entity)
             entity_ids[id(entity)] = end.id
             ends_of[key].append(end)
             own.append(end)
             counted += 1
         members.append(Member(f"n{number}", node, tuple(own)))
-    endpoints = tuple(Endpoint(ids[key], *key, tuple(ends)) for key, ends in ends_of.items())
+    endpoints = tuple(NumberedEndpoint(ids[key], *key, tuple(ends)) for key, ends in ends_of.items())
     return Numbered(tuple(members), endpoints, entity_ids)

@@ -18,34 +18,36 @@ from rosward.outputs.policies.policy import VERBS, policy_lines
 from rosward.outputs.report.numbered import Numbered
 from rosward.outputs.report.plain import shown
 
-__all__ = ["NONE", "Right", "Rights", "rights"]
+__all__ = ["NONE", "DocumentRights", "EntityRight", "rights"]
 
 
-class Right(NamedTuple):
+class EntityRight(NamedTuple):
     """The rule that an entity causes; None, and why, where it causes none."""
 
     rule: str | None
     why_not: str
 
 
-class Rights(NamedTuple):
+class DocumentRights(NamedTuple):
     """The enclaves and rules of the document, the enclave of each node, and the right of each entity, both by their ids."""
 
     enclaves: list[object]
     rules: list[object]
     enclave_of: dict[str, str]
-    right_of: dict[str, Right]
+    right_of: dict[str, EntityRight]
 
 
-NONE: Final = Right(None, "")
+NONE: Final = EntityRight(None, "")
 
 
-def rights(network: Network, numbers: Numbered, unknown: UnknownNames, widened: Widenings = NOT_WIDENED) -> Rights:
+def rights(
+    network: Network, numbers: Numbered, unknown: UnknownNames, widened: Widenings = NOT_WIDENED
+) -> DocumentRights:
     """Number the rules in the order in which the policies write them.
 
     Where patterns take the place of names, an entity may need several rules (those of the parts of an action): the first stands for all.
     """
-    found = Rights([], [], {}, {})
+    found = DocumentRights([], [], {}, {})
     node_ids = {id(member.node): member.id for member in numbers.members}
     for number, enclave in enumerate(enclaves(network, unknown, widened)):
         enclave_id = f"c{number}"
@@ -61,12 +63,12 @@ def rights(network: Network, numbers: Numbered, unknown: UnknownNames, widened: 
         )
         for profile in enclave.profiles:
             for omission in profile.omissions:
-                found.right_of[numbers.entity_ids[id(omission.entity)]] = Right(None, omission.why)
+                found.right_of[numbers.entity_ids[id(omission.entity)]] = EntityRight(None, omission.why)
             _share(profile, numbers, found)
     return found
 
 
-def _share(profile: Profile, numbers: Numbered, found: Rights) -> None:
+def _share(profile: Profile, numbers: Numbered, found: DocumentRights) -> None:
     """Equal entities of nodes of one name have one right; that of a pattern may name the first of them alone."""
     if len(profile.nodes) > 1:
         ids = [(entity, numbers.entity_ids[id(entity)]) for node in profile.nodes for entity in node.entities]
@@ -74,7 +76,7 @@ def _share(profile: Profile, numbers: Numbered, found: Rights) -> None:
         found.right_of.update({id_: rights[entity] for entity, id_ in ids if entity in rights})
 
 
-def _lines(enclave: Enclave, enclave_id: str, numbers: Numbered, found: Rights) -> list[object]:
+def _lines(enclave: Enclave, enclave_id: str, numbers: Numbered, found: DocumentRights) -> list[object]:
     lines: list[object] = []
     for line in policy_lines([enclave]):
         rule = None if line.grant is None else _rule(line.grant, enclave_id, numbers, found)
@@ -82,11 +84,11 @@ def _lines(enclave: Enclave, enclave_id: str, numbers: Numbered, found: Rights) 
     return lines
 
 
-def _rule(grant: Grant, enclave_id: str, numbers: Numbered, found: Rights) -> str:
+def _rule(grant: Grant, enclave_id: str, numbers: Numbered, found: DocumentRights) -> str:
     rule = f"r{len(found.rules)}"
     entities = [numbers.entity_ids[id(entity)] for entity in grant.entities]
     text = shown(f"{VERBS[grant.kind]} {grant.name}")
     found.rules.append({"id": rule, "enclave": enclave_id, "text": text, "entities": entities})
     for entity in entities:
-        found.right_of.setdefault(entity, Right(rule, ""))
+        found.right_of.setdefault(entity, EntityRight(rule, ""))
     return rule

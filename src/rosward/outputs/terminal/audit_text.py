@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from rosward.audit.result import Audit, Counts, Difference
+from rosward.audit.result import Audit, AuditCounts, Difference
 from rosward.findings import Finding, Severity
 from rosward.network.counts import several, some
 from rosward.safe import printable
@@ -92,7 +92,7 @@ def _summary(audit: Audit, known: int) -> list[str]:
     return [" ".join(parts)]
 
 
-def _counted(counts: Counts, one: str, many: str) -> str:
+def _counted(counts: AuditCounts, one: str, many: str) -> str:
     explained = f"{counts.exact + counts.pattern} explained"
     through = f" ({counts.pattern} by a pattern)" if counts.pattern else ""
     return f"{several(counts.running, one, many)}: {explained}{through}"

@@ -22,7 +22,7 @@ from typing import Any, Final
 
 from rosward.explanation.answers import Answer, DoubtTold, EnclaveTold, EndTold, MeetingTold, NodeTold, RuleTold
 from rosward.explanation.excerpts import Excerpt
-from rosward.explanation.provenance import PolicyLine, Source, Start
+from rosward.explanation.provenance import NameSource, PolicyLine, Start
 from rosward.outputs.documents.json_text import json_text
 from rosward.ros.entities import EntityKind
 from rosward.safe import encodable, printable
@@ -207,7 +207,7 @@ def _name(end: EndTold) -> Iterator[str]:
     yield from (_row("remap", f"{rule}  (a rule of the launch that leads to this name)") for rule in end.remaps)
 
 
-def _source(source: Source) -> str:
+def _source(source: NameSource) -> str:
     value = f" = {_value(source.value)}" if source.value is not None else ""
     places = ", ".join(str(place) for place in source.places[:3])
     origin = f": {source.origin}" if source.origin else ""

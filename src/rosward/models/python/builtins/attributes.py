@@ -32,6 +32,7 @@ from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.operators.compare import kind_of
 from rosward.models.python.plain import Raised, native, origins, spread, text_of, unknown_from, with_origins
+from rosward.models.ros.message_fields import has_field
 
 MAX_MATCHES: Final = 64
 ANY_ATTRIBUTE: Final = "*"
@@ -156,7 +157,7 @@ def _is_own(value: Value | None) -> bool:
 def _in_class(machine: Machine, cls: Value, name: str) -> bool | None:
     """Whether instances have an attribute by their class; None where a base or `__getattr__` may."""
     if not isinstance(cls, Class):
-        return None
+        return has_field(machine, cls, name)
     unknown = slots = False
     for base in cls.mro:
         if isinstance(base, Class):

@@ -69,34 +69,34 @@ def find(obj: Obj, key: Value) -> Value | None:
     return None
 
 
-class Found(NamedTuple):
+class LookUp(NamedTuple):
     """The join of what may stand under a key (UNBOUND: nothing), and whether the key is missing (None: maybe)."""
 
     value: Value
     missing: bool | None
 
 
-def look_up(machine: Machine, obj: Obj, index: Value) -> Found:
+def look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     """What stands under an index."""
     index = plain_data(machine, index)
     found = [_look_up(machine, obj, option) for option in options(index)]
     missing = {f.missing for f in found}
     value = join_all(f.value for f in found)
-    return Found(with_origins(value, origins(index)), missing.pop() if len(missing) == 1 else None)
+    return LookUp(with_origins(value, origins(index)), missing.pop() if len(missing) == 1 else None)
 
 
-def _look_up(machine: Machine, obj: Obj, index: Value) -> Found:
+def _look_up(machine: Machine, obj: Obj, index: Value) -> LookUp:
     key = key_of(index)
     present = find(obj, key) if key is not None else None
     if present is not None and present not in obj.maybe:
-        return Found(obj.entries[present], False)
+        return LookUp(obj.entries[present], False)
     candidates = [present] if present is not None else []
     if key is None:
         candidates = [k for k in obj.entries if equal(machine, k, index) is not False]
     values = [obj.entries[k] for k in candidates]
     if obj.rest is not None and (obj.rest_key is None or equal(machine, obj.rest_key, index) is not False):
         values.append(obj.rest)
-    return Found(join_all(values), None if values else True)
+    return LookUp(join_all(values), None if values else True)
 
 
 def load(machine: Machine, ref: Ref, index: Value) -> Value:
@@ -156,7 +156,7 @@ def _bounded(obj: Obj) -> Obj:
     return obj.replace(entries={}, maybe=frozenset(), rest=join_all(values), rest_key=None)
 
 
-def take(machine: Machine, ref: Ref, index: Value) -> Found:
+def take(machine: Machine, ref: Ref, index: Value) -> LookUp:
     """Take an entry away; what stood there."""
     obj = machine.obj(ref)
     found = look_up(machine, obj, index)

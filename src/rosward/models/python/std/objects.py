@@ -29,6 +29,7 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT
 from rosward.models.python.std.support import class_obj, joined_elements, place, unknown_from
+from rosward.models.ros.message_fields import made_all
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
 _MAX_DEPTH: Final = 40
@@ -41,6 +42,7 @@ def _shallow(call: NativeCall) -> Value:
         hook = _hook(call, value, "__copy__")
         if hook is not None:
             return call.machine.call(hook, (value,))
+        made_all(call.machine, value)  # of a message, which makes what it holds when it is asked for
         made = _reduced(call, value, lambda part: part)
         return _again(call, value) if made is None else made
 

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, either, message, reads_only, resolve_name
+from _rosward import create, either, message, reads_only, resolve_name, sends
 
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.task import Future
@@ -21,9 +21,11 @@ class Client:
         self.qos_profile = qos_profile
         self.callback_group = callback_group
 
+    @sends("request", "request", "_node", "srv_name", "srv_type.Request")
     def call(self, request, timeout_sec=None):
         return message(self.srv_type.Response, "response")
 
+    @sends("request", "request", "_node", "srv_name", "srv_type.Request")
     def call_async(self, request):
         future = Future()
         future._result = either(None, message(self.srv_type.Response, "response"))

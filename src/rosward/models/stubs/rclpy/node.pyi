@@ -448,7 +448,12 @@ class Node:
         return Client(None, self, srv_type, srv_name, qos_profile, callback_group)
 
     @creates("service_server", node="self", name="srv_name", type="srv_type", qos="qos_profile", callback="callback")
-    @calls("callback", event="service", args=("request:srv_type", "response:srv_type"))
+    @calls(
+        "callback",
+        event="service",
+        args=("request:srv_type", "response:srv_type"),
+        answers=("response", "srv_name", "srv_type"),
+    )
     def create_service(
         self, srv_type, srv_name, callback, *, qos_profile=qos_profile_services_default, callback_group=None
     ):

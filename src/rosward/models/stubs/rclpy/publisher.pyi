@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import reads_only, resolve_name
+from _rosward import reads_only, resolve_name, sends
 
 from rclpy.duration import Duration
 
@@ -18,6 +18,7 @@ class Publisher:
         self.topic = topic
         self.qos_profile = qos_profile
 
+    @sends("publication", "msg", "_node", "topic", "msg_type")
     def publish(self, msg) -> None: ...
     def get_subscription_count(self) -> int: ...
 

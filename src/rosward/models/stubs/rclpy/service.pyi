@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, reads_only, resolve_name
+from _rosward import create, reads_only, resolve_name, sends
 
 from rclpy.service_introspection import ServiceIntrospectionState
 
@@ -20,6 +20,7 @@ class Service:
         self.callback_group = callback_group
         self.qos_profile = qos_profile
 
+    @sends("response", "response", "_node", "srv_name", "srv_type.Response")
     def send_response(self, response, header) -> None: ...
 
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import ask, create, creates, either, message, reads_only, schedule, unknown
+from _rosward import ask, create, creates, either, message, reads_only, schedule, sends, unknown
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -97,11 +97,13 @@ class ActionClient(Waitable):
 
     def __exit__(self, t, v, tb) -> None: ...
 
+    @sends("goal", "goal", "_node", "_action_name", "_action_type.Goal")
     def send_goal(self, goal, **kwargs):
         if "feedback_callback" in kwargs:
             schedule(kwargs["feedback_callback"], _Feedback(self._action_type), event="feedback")
         return _GetResultResponse(self._action_type)
 
+    @sends("goal", "goal", "_node", "_action_name", "_action_type.Goal")
     def send_goal_async(self, goal, feedback_callback=None, goal_uuid=None):
         if feedback_callback is not None:
             schedule(feedback_callback, _Feedback(self._action_type), event="feedback")

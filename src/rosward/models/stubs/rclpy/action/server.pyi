@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import Enum, IntEnum
 
-from _rosward import ask, create, creates, message, reads_only, schedule
+from _rosward import ask, create, creates, message, reads_only, schedule, sender, sends
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -60,6 +60,13 @@ class ServerGoalHandle:
     def execute(self, execute_callback=None):
         self._action_server.notify_execute(self, execute_callback)
 
+    @sends(
+        "feedback",
+        "feedback",
+        "_action_server._node",
+        "_action_server._action_name",
+        "_action_server._action_type.Feedback",
+    )
     def publish_feedback(self, feedback) -> None: ...
 
     def succeed(self) -> None: ...
@@ -116,6 +123,9 @@ class ActionServer(Waitable):
     def _goal(self):
         return ServerGoalHandle(self, None, message(self._action_type.Goal, "goal"))
 
+    def _result(self):
+        return sender("result", self._node, self._action_name, self._action_type.Result)
+
     @property
     def action_type(self):
         return self._action_type
@@ -134,7 +144,7 @@ class ActionServer(Waitable):
     def notify_execute(self, goal_handle, execute_callback):
         callback = self._execute_callback if execute_callback is None else execute_callback
         if callback is not None:
-            schedule(callback, goal_handle, event="execute")
+            schedule(callback, goal_handle, event="execute", answered=self._result())
 
     def notify_goal_done(self) -> None: ...
 
@@ -152,7 +162,7 @@ class ActionServer(Waitable):
 
     def register_execute_callback(self, execute_callback):
         self._execute_callback = execute_callback
-        schedule(execute_callback, self._goal(), event="execute")
+        schedule(execute_callback, self._goal(), event="execute", answered=self._result())
 
     def configure_introspection(self, clock, service_event_qos_profile, introspection_state):
         if introspection_state != ServiceIntrospectionState.OFF:

@@ -7,10 +7,10 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_assignments import delete_name, finish_target, target_register
-from rosward.frontends.python_body import Body, misplaced
-from rosward.frontends.python_narrowing import assume, branch, condition, guards
-from rosward.frontends.python_scopes import PlaceKind, ScopeKind
+from rosward.frontends.python.assignments import delete_name, finish_target, target_register
+from rosward.frontends.python.body import Body, misplaced
+from rosward.frontends.python.narrowing import assume, branch, condition, guards
+from rosward.frontends.python.scopes import PlaceKind, ScopeKind
 from rosward.ir.ops import (
     NO_REGISTER,
     Argument,

@@ -14,9 +14,9 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, final
 
-from rosward.frontends.python_body import Body, Located
-from rosward.frontends.python_narrowing import condition
-from rosward.frontends.python_scopes import PlaceKind
+from rosward.frontends.python.body import Body, Located
+from rosward.frontends.python.narrowing import condition
+from rosward.frontends.python.scopes import PlaceKind
 from rosward.ir.ops import NO_REGISTER, Assume, Block, Compare, If, LoadItem, Unpack
 
 _SELF_MATCHING: Final = frozenset(

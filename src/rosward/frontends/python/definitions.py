@@ -11,11 +11,11 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_assignments import annotation_text
-from rosward.frontends.python_body import Body, Located, Unit, misplaced
-from rosward.frontends.python_comprehensions import enter
-from rosward.frontends.python_expressions import arguments
-from rosward.frontends.python_scopes import Scope, ScopeKind
+from rosward.frontends.python.assignments import annotation_text
+from rosward.frontends.python.body import Body, Located, Unit, misplaced
+from rosward.frontends.python.comprehensions import enter
+from rosward.frontends.python.expressions import arguments
+from rosward.frontends.python.scopes import Scope, ScopeKind
 from rosward.ir.ops import Argument, Build, Call, ImportFrom, LoadItem, MakeClass, MakeFunction, Return, StoreCell
 from rosward.ir.program import Code, CodeKind, Parameters
 

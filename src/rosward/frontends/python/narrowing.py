@@ -15,8 +15,8 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, NamedTuple
 
-from rosward.frontends.python_body import Body, Located
-from rosward.frontends.python_scopes import PlaceKind
+from rosward.frontends.python.body import Body, Located
+from rosward.frontends.python.scopes import PlaceKind
 from rosward.ir.ops import (
     NO_REGISTER,
     Argument,

@@ -15,39 +15,39 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends import (
-    python_assignments,
-    python_comprehensions,
-    python_definitions,
-    python_expressions,
-    python_generators,
-    python_patterns,
-    python_statements,
-)
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_body import Body, Unit, misplaced
-from rosward.frontends.python_definitions import lower_code
-from rosward.frontends.python_fstrings import parse_with_fstrings
-from rosward.frontends.python_newer import older
-from rosward.frontends.python_scopes import link, unresolved_nonlocal
-from rosward.frontends.python_symbols import collect
+from rosward.frontends.python import (
+    assignments,
+    comprehensions,
+    definitions,
+    expressions,
+    generators,
+    patterns,
+    statements,
+)
+from rosward.frontends.python.body import Body, Unit, misplaced
+from rosward.frontends.python.definitions import lower_code
+from rosward.frontends.python.fstrings import parse_with_fstrings
+from rosward.frontends.python.newer import older
+from rosward.frontends.python.scopes import link, unresolved_nonlocal
+from rosward.frontends.python.symbols import collect
 from rosward.ir.ops import Const, StoreGlobal
 from rosward.ir.program import Module
 
 __all__ = ["EXPRESSIONS", "STATEMENTS", "FrontendError", "lower_module"]
 
 EXPRESSIONS: Final[Mapping[type, Callable[[Body, Any], int]]] = {
-    **python_expressions.EXPRESSIONS,
-    **python_comprehensions.EXPRESSIONS,
-    **python_definitions.EXPRESSIONS,
-    **python_generators.EXPRESSIONS,
+    **expressions.EXPRESSIONS,
+    **comprehensions.EXPRESSIONS,
+    **definitions.EXPRESSIONS,
+    **generators.EXPRESSIONS,
 }
 
 STATEMENTS: Final[Mapping[type, Callable[[Body, Any], None]]] = {
-    **python_assignments.STATEMENTS,
-    **python_definitions.STATEMENTS,
-    **python_statements.STATEMENTS,
-    **python_patterns.STATEMENTS,
+    **assignments.STATEMENTS,
+    **definitions.STATEMENTS,
+    **statements.STATEMENTS,
+    **patterns.STATEMENTS,
 }
 
 _PYTHON_2_MESSAGE: Final = re.compile(

@@ -10,9 +10,9 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_body import Body, Located, misplaced
-from rosward.frontends.python_expressions import BINARY
-from rosward.frontends.python_scopes import PlaceKind, ScopeKind
+from rosward.frontends.python.body import Body, Located, misplaced
+from rosward.frontends.python.expressions import BINARY
+from rosward.frontends.python.scopes import PlaceKind, ScopeKind
 from rosward.ir.ops import (
     NO_REGISTER,
     Binary,

@@ -12,11 +12,11 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_assignments import finish_target, target_register
-from rosward.frontends.python_body import Body, Located
-from rosward.frontends.python_expressions import build
-from rosward.frontends.python_narrowing import branch
-from rosward.frontends.python_scopes import Scope
+from rosward.frontends.python.assignments import finish_target, target_register
+from rosward.frontends.python.body import Body, Located
+from rosward.frontends.python.expressions import build
+from rosward.frontends.python.narrowing import branch
+from rosward.frontends.python.scopes import Scope
 from rosward.ir.ops import Block, ForEach, NewCell
 
 

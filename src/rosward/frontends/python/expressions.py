@@ -13,8 +13,8 @@ import ast
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from rosward.frontends.python_body import Body, misplaced
-from rosward.frontends.python_narrowing import branch, compare, conjunction
+from rosward.frontends.python.body import Body, misplaced
+from rosward.frontends.python.narrowing import branch, compare, conjunction
 from rosward.ir.ops import (
     NO_REGISTER,
     Argument,

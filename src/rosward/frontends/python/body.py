@@ -15,8 +15,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, Protocol, final
 
 from rosward.frontends.front_end import FrontendError
-from rosward.frontends.python_scopes import Place, PlaceKind, Scope, ScopeKind
-from rosward.frontends.python_symbols import Symbols
+from rosward.frontends.python.scopes import PlaceKind, Scope, ScopeKind, VariablePlace
+from rosward.frontends.python.symbols import Symbols
 from rosward.ir.ops import (
     NO_REGISTER,
     Await,
@@ -210,7 +210,7 @@ class Body:
 
     # Variables
 
-    def place(self, name: str) -> Place:
+    def place(self, name: str) -> VariablePlace:
         """Where the variable lives."""
         if name.startswith("__"):
             name = self.scope.mangle(name)

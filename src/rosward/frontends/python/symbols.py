@@ -11,7 +11,7 @@ import ast
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from rosward.frontends.python_scopes import CLASS_CELL, Scope, ScopeKind, defines
+from rosward.frontends.python.scopes import CLASS_CELL, Scope, ScopeKind, defines
 from rosward.ir.ops import NO_REGISTER
 
 _NOT_WALKED: Final = frozenset({"ctx", "op", "ops", "type_comment", "annotation", "returns", "type_params"})

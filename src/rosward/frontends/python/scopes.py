@@ -39,7 +39,7 @@ class PlaceKind(enum.Enum):
     NAME = "name"
 
 
-class Place(NamedTuple):
+class VariablePlace(NamedTuple):
     """A variable's place; `number` is the register, or the cell (for NAME the one to look in next, or NO_REGISTER)."""
 
     kind: PlaceKind
@@ -48,7 +48,7 @@ class Place(NamedTuple):
 
 @final
 class Scope:
-    """The names of one block, filled by `python_symbols`; complete after `link`."""
+    """The names of one block, filled by `symbols`; complete after `link`."""
 
     __slots__ = (
         "at_once",
@@ -91,7 +91,7 @@ class Scope:
         self.cells: list[str] = []  # of an owner: its cells
         self.free: dict[str, int] = {}  # of an owner: what it captures, numbered from 0
         self.registers: dict[str, int] = {}
-        self.places: dict[str, Place] = {}
+        self.places: dict[str, VariablePlace] = {}
 
     def mangle(self, name: str) -> str:
         """`__x` in class `C` is `_C__x`."""
@@ -99,7 +99,7 @@ class Scope:
             return name
         return f"_{self.private}{name}"
 
-    def place(self, name: str) -> Place:
+    def place(self, name: str) -> VariablePlace:
         """Where `name` (mangled) lives, seen from this scope."""
         found = self.places.get(name)
         if found is None:
@@ -115,17 +115,17 @@ class Scope:
         owner = self.owner
         return definer.captured[name] if definer.owner is owner else len(owner.cells) + owner.free[name]
 
-    def _resolve(self, name: str) -> Place:
+    def _resolve(self, name: str) -> VariablePlace:
         definer, _ = find(self, name)
-        place = Place(PlaceKind.GLOBAL, NO_REGISTER)
+        place = VariablePlace(PlaceKind.GLOBAL, NO_REGISTER)
         if definer is not None and name in definer.captured:
-            place = Place(PlaceKind.CELL, self._cell(definer, name))
+            place = VariablePlace(PlaceKind.CELL, self._cell(definer, name))
         elif definer is not None:
-            place = Place(PlaceKind.REGISTER, definer.registers[name])
+            place = VariablePlace(PlaceKind.REGISTER, definer.registers[name])
         if self.kind is ScopeKind.INLINE and self.sees_class and self.parent is not None and definer is not self:
             return self.parent.place(name)
         if self.kind is ScopeKind.CLASS and name not in self.global_names and name not in self.nonlocal_names:
-            return Place(PlaceKind.NAME, place.number if place.kind is PlaceKind.CELL else NO_REGISTER)
+            return VariablePlace(PlaceKind.NAME, place.number if place.kind is PlaceKind.CELL else NO_REGISTER)
         return place
 
 

@@ -10,11 +10,11 @@ import ast
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from rosward.frontends.python_body import Body
-from rosward.frontends.python_comprehensions import comprehension, loops
-from rosward.frontends.python_definitions import captures_of, lower_code, qualified
-from rosward.frontends.python_scopes import ScopeKind
-from rosward.frontends.python_symbols import FIRST
+from rosward.frontends.python.body import Body
+from rosward.frontends.python.comprehensions import comprehension, loops
+from rosward.frontends.python.definitions import captures_of, lower_code, qualified
+from rosward.frontends.python.scopes import ScopeKind
+from rosward.frontends.python.symbols import FIRST
 from rosward.ir.ops import Argument, Call, MakeFunction, Yield
 from rosward.ir.program import Parameters
 
