@@ -27,7 +27,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine.escape import name_of
-from rosward.engine.python import attributes
+from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import remove
@@ -86,10 +86,10 @@ def store_past_hook(machine: Engine, ref: Ref, name: str, value: Value, *, weak:
 
 def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
-    hook = attributes.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
+    hook = members.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
     if hook is not None and (hook.__class__ is Function or hook == FROZEN):
         return machine.call(hook, (ref, Const(name), value)) is not UNBOUND
-    in_class = attributes.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
+    in_class = members.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         if in_class.setter is not None:
             return machine.call(in_class.setter, (ref, value)) is not UNBOUND

@@ -26,22 +26,20 @@ from rosward.domain.values import (
     ModuleValue,
     Native,
     Partial,
-    Range,
     Ref,
     Slice,
     Super,
-    Text,
     Tuple,
     Unknown,
     Value,
 )
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
+from rosward.engine.python.members import bind, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE, may_hide
-from rosward.models.python.contents import KINDS
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
@@ -79,7 +77,7 @@ def load(machine: Engine, value: Value, name: str) -> Value:
             return Const(value.name.rpartition(".")[2])
         base = value.name.removeprefix("builtins.")
         if is_exception(base):
-            return _of_native_class(machine, base, name) or of_exception_class(machine, base, name)
+            return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
     if value.__class__ is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
@@ -103,14 +101,6 @@ _OF_TYPE: Final = frozenset({"__new__", "__init__", "__call__", "__prepare__"})
 _OBJECT: Final = Native("builtins.object")
 _CLASS_METHODS: Final = {"dict.fromkeys": "from_keys"}
 """Class methods of builtins that make what they are asked of, and write to it as the program says."""
-_TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
-
-
-def type_name(value: Value) -> str:
-    """The name of the builtin type of a value that is not an object of the heap."""
-    if value.__class__ is Const:
-        return value.value.__class__.__name__
-    return _TYPE_NAMES.get(value.__class__, "object")
 
 
 def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
@@ -153,42 +143,6 @@ def _of_nodes(machine: Engine, receiver: Value, name: str) -> Value | None:
     return join_all(bound) if bound else None
 
 
-def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
-    """The attribute of a class along its mro, as it stands there; None where no known class has it."""
-    if cls.__class__ is not Class:
-        return (
-            _of_native_class(machine, cls.name, name) if isinstance(cls, Native) and is_builtin_exception(cls) else None
-        )
-    perhaps: Value = UNBOUND
-    for base in cls.mro:
-        if base.__class__ is Class:
-            record = machine.at(base.address)
-            found: Value | None = record.attrs.get(name)
-            if found is not None and found is not UNBOUND:
-                if name not in record.partial:
-                    return join(perhaps, found)
-                perhaps = join(perhaps, found)  # where this class has none, that of the next one
-        elif base.__class__ is Native:
-            inherited = _of_native_class(machine, base.name, name)
-            if inherited is not None:
-                return join(perhaps, inherited)
-    return None if perhaps is UNBOUND else perhaps
-
-
-def is_builtin_exception(cls: Value) -> bool:
-    """Whether a class is one of Python's own exceptions."""
-    return cls.__class__ is Native and is_exception(cls.name)
-
-
-def _of_native_class(machine: Engine, cls: str, name: str) -> Native | None:
-    """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
-    short = cls.removeprefix("builtins.")
-    if short in KINDS:
-        short = KINDS[short] if name != "__next__" else ""  # iterators are lists in models only
-    bases = [b.__name__ for b in getattr(builtins, short).__mro__] if is_exception(short) else [short]
-    return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
-
-
 def method(machine: Engine, value: Value, name: str) -> Value | None:
     """A method of an object's class, bound; None where it has none."""
     if value.__class__ is Ref:
@@ -200,28 +154,6 @@ def method(machine: Engine, value: Value, name: str) -> Value | None:
     if value.__class__ in (External, Unknown):
         return None
     return BoundMethod(value, Native(f"{type_name(value)}.{name}"))
-
-
-def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
-    """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
-    if found.__class__ is Function or found.__class__ is Native:
-        return BoundMethod(receiver, found)
-    if found.__class__ is Descriptor:
-        if found.kind == "staticmethod":
-            return found.getter
-        if found.kind == "classmethod":
-            return BoundMethod(cls, found.getter)
-        return machine.call(found.getter, (receiver,))
-    if found.__class__ is Choice:
-        return join_all(bind(machine, o, receiver, cls) for o in found.options)
-    if found.__class__ is Partial and found.function.__class__ is Native:
-        return BoundMethod(receiver, found)
-    if found.__class__ is Ref:
-        obj = machine.obj(found)
-        getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
-        if getter is not None:
-            return machine.call(getter, (found, receiver, cls))
-    return found
 
 
 def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
@@ -397,7 +329,7 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
             if base.name == "builtins.type" and name in _OF_TYPE:
                 made = Native(f"type.{name}")
                 return made if name == "__new__" else BoundMethod(receiver, made)
-            inherited = _of_native_class(machine, base.name, name)
+            inherited = of_native_class(machine, base.name, name)
             if inherited is not None:
                 return join(perhaps, inherited if name == "__new__" else BoundMethod(receiver, inherited))
     if name == "__new__":

@@ -36,7 +36,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.catcher import LIBRARY
 from rosward.engine.escape import escape, name_of
-from rosward.engine.python import assignment, attributes, classes, native_calls, object_methods
+from rosward.engine.python import assignment, attributes, classes, members, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.throwing import note, note_call
@@ -156,9 +156,9 @@ def _call_choice(machine: Engine, function: Choice, args: Arguments, keywords: K
 
 def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
     obj = machine.obj(ref)
-    method = attributes.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
+    method = members.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
     if method is not None:
-        return call(machine, attributes.bind(machine, method, ref, obj.cls), args, keywords)
+        return call(machine, members.bind(machine, method, ref, obj.cls), args, keywords)
     name = obj.cls.name if isinstance(obj.cls, (Class, External)) else obj.kind
     escape(machine, (*args, *keywords.values()), name)
     return machine.unknown(Cause.CALL, name)

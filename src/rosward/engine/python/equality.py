@@ -28,7 +28,7 @@ from rosward.domain.values import (
     Value,
 )
 from rosward.engine.alternatives import each_apart
-from rosward.engine.python import attributes, specials
+from rosward.engine.python import attributes, members, specials
 from rosward.engine.python.specials import special
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
@@ -170,7 +170,7 @@ def _by_identity(machine: Engine, value: Value) -> bool:
     return (
         cls.__class__ is Class
         and not any(b.__class__ is not Class or (b.stub and not _is_enum(b)) for b in cls.mro)
-        and attributes.lookup(machine, cls, "__eq__") is None
+        and members.lookup(machine, cls, "__eq__") is None
     )
 
 

@@ -33,7 +33,7 @@ from rosward.domain.values import (
     Tuple,
     Value,
 )
-from rosward.engine.python import attributes
+from rosward.engine.python import members
 from rosward.engine.throwing import note
 from rosward.ir import ops
 from rosward.models.python.exceptions import member_of
@@ -195,12 +195,12 @@ def _has(machine: Engine, value: Value, name: str) -> bool:
         own = obj.attrs.get(name, UNBOUND)
         if own is not UNBOUND and not obj.many and name not in obj.partial:
             return True
-        return attributes.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
+        return members.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
     if value.__class__ is ModuleValue:
         record = machine.at(value.address)
         return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
     if value.__class__ is Class:
-        return attributes.lookup(machine, value, name) is not None or name.startswith("__")
+        return members.lookup(machine, value, name) is not None or name.startswith("__")
     if value.__class__ is Choice:
         return all(_has(machine, o, name) for o in value.options)
     if value.__class__ is Const:
@@ -216,10 +216,8 @@ def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
         return True
     cls = machine.obj(target).cls
     if cls.__class__ is not Class:
-        return not attributes.is_builtin_exception(cls)
-    return (
-        attributes.lookup(machine, cls, "__slots__") is not None or attributes.lookup(machine, cls, op.name) is not None
-    )
+        return not members.is_builtin_exception(cls)
+    return members.lookup(machine, cls, "__slots__") is not None or members.lookup(machine, cls, op.name) is not None
 
 
 def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool:
@@ -332,7 +330,7 @@ def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
         return _native(machine, function.name, arguments)
     if function.__class__ is External:
         return not function.name.startswith("_rosward.")
-    return function.__class__ is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None
+    return function.__class__ is not Ref or members.lookup(machine, machine.obj(function).cls, "__call__") is None
 
 
 def _known(machine: Engine, value: Value) -> bool:
@@ -367,7 +365,7 @@ def _native(machine: Engine, name: str, arguments: list[Value]) -> bool:
         and all(_known(machine, a) for a in arguments)
     ):
         return False  # where it fails, it says so
-    if head in ("", "builtins") and attributes.is_builtin_exception(Native(f"builtins.{method}")):
+    if head in ("", "builtins") and members.is_builtin_exception(Native(f"builtins.{method}")):
         return False
     if head in ("", "builtins"):
         safe = method in _SAFE_BUILTINS

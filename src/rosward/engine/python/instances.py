@@ -37,7 +37,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.engine.python import attributes, metaclasses
+from rosward.engine.python import members, metaclasses
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.python.specials import NOT_IMPLEMENTED
 from rosward.models.python.asked import REGISTERED
@@ -81,7 +81,7 @@ def type_of(machine: Engine, value: Value) -> Value | None:
         # a generator, a coroutine, what `iter` gives, a view of a dict
         return None if obj.kind == "generator" or obj.payload in (ITERATOR, VIEW) else obj.cls
     if value.__class__ in (Const, Text, Tuple):
-        return Native(f"builtins.{attributes.type_name(value)}")
+        return Native(f"builtins.{members.type_name(value)}")
     if value.__class__ is Unknown and value.hint and value.hint not in LOOSE_HINTS:
         return Native(f"builtins.{value.hint}")
     if value.__class__ is Class:
@@ -231,9 +231,9 @@ def _has_methods(machine: Engine, cls: Class, methods: tuple[str, ...]) -> bool 
     """Whether a class has each method, and None in the place of none (`__hash__ = None`)."""
     answers: list[bool | None] = []
     for name in methods:
-        found = attributes.lookup(machine, cls, name)
+        found = members.lookup(machine, cls, name)
         if found is None:
-            answers.append(name == "__hash__" and attributes.lookup(machine, cls, "__eq__") is None)
+            answers.append(name == "__hash__" and members.lookup(machine, cls, "__eq__") is None)
         else:
             answers.append(None if found.__class__ in (Unknown, Choice) else found != NONE)
     return False if False in answers else (None if None in answers else True)
@@ -247,7 +247,7 @@ def _by_metaclass(machine: Engine, wanted: Value, name: str, value: Value) -> Va
 
 def _by_hook(machine: Engine, wanted: Class, cls: Value) -> Value:
     """What `__subclasshook__` says; UNBOUND where there is none, or it leaves the answer to the rules."""
-    hook = attributes.lookup(machine, wanted, "__subclasshook__")
+    hook = members.lookup(machine, wanted, "__subclasshook__")
     if hook.__class__ is not Descriptor:
         return UNBOUND
     found = machine.call(BoundMethod(wanted, hook.getter), (cls,))

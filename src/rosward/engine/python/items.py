@@ -23,7 +23,7 @@ from rosward.domain.values import (
 )
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
-from rosward.engine.python import attributes, calls, classes, matching, metaclasses
+from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
 from rosward.ir import ops
 from rosward.models.python.containers.lists import new_tuple
 from rosward.models.python.containers.sets import each_once
@@ -85,11 +85,9 @@ def load(machine: Engine, value: Value, index: Value) -> Value:
         of_class = metaclasses.method(machine, value, "__getitem__")
         if of_class is not None:
             return calls.call(machine, of_class, (index,), {})
-        method = attributes.lookup(machine, value, "__class_getitem__")
+        method = members.lookup(machine, value, "__class_getitem__")
         return (
-            value
-            if method is None
-            else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})
+            value if method is None else calls.call(machine, members.bind(machine, method, value, value), (index,), {})
         )
     if value.__class__ in (External, Native, Function):
         return value  # a generic alias such as list[int]

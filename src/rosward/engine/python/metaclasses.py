@@ -22,7 +22,7 @@ from rosward.domain.values import (
     Ref,
     Value,
 )
-from rosward.engine.python import attributes
+from rosward.engine.python import members
 from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
 
 if TYPE_CHECKING:
@@ -42,12 +42,12 @@ def chosen(machine: Engine, written: Value | None, bases: tuple[Value, ...]) -> 
 def method(machine: Engine, cls: Value, name: str) -> Value | None:
     """What the program's metaclass of a class has under a name, bound to the class; None where it has no such thing."""
     found = in_metaclass(machine, cls, name)
-    return None if found is None else attributes.bind(machine, found, cls, metaclass_of(machine, cls))
+    return None if found is None else members.bind(machine, found, cls, metaclass_of(machine, cls))
 
 
 def prepare(machine: Engine, meta: Value, name: str, bases: Value, keywords: dict[str, Value]) -> dict[str, Value]:
     """What `__prepare__` puts into a class body before its first line."""
-    hook = attributes.lookup(machine, meta, "__prepare__")
+    hook = members.lookup(machine, meta, "__prepare__")
     if hook is None or hook.__class__ not in (Function, Descriptor):
         return {}
     function = hook.getter if isinstance(hook, Descriptor) else hook
@@ -69,7 +69,7 @@ def finish(
     """Run `__new__` and `__init__` of the metaclass over a class whose body has been run; what becomes of it."""
     record = machine.at(cls.address)
     machine.put(cls.address, record.replace(cls=meta))
-    maker, starter = (attributes.lookup(machine, meta, n) for n in ("__new__", "__init__"))
+    maker, starter = (members.lookup(machine, meta, n) for n in ("__new__", "__init__"))
     maker = maker.getter if isinstance(maker, Descriptor) else maker
     if maker.__class__ is not Function:
         complete(machine, cls, {} if starter.__class__ is Function else keywords)
