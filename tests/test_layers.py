@@ -165,6 +165,16 @@ def test_the_engine_asks_a_language_by_its_record_alone() -> None:
     assert not wrong, _told(wrong)
 
 
+def test_a_front_end_is_reached_by_the_registry_alone() -> None:
+    """Which one reads a file is a matter of its suffix."""
+    wrong = [
+        f"{use.file}:{use.line} imports {use.target}"
+        for use in uses()
+        if not use.file.startswith("frontends/") and use.target.startswith("rosward.frontends.python_")
+    ]
+    assert not wrong, _told(wrong)
+
+
 def test_no_import_hides_in_a_function_to_break_a_cycle() -> None:
     """Only the command line imports late, so that `--help` and `--version` answer at once."""
     late = [u for u in uses() if u.inside and layer_of(u.file) != "cli" and (u.file, u.target) not in ON_DEMAND]

@@ -22,6 +22,11 @@ class Severity(enum.Enum):
     WARNING = "warning"
     NOTE = "note"
 
+    @property
+    def rank(self) -> int:
+        """0 for the heaviest."""
+        return list(Severity).index(self)
+
 
 class Rule(NamedTuple):
     """One kind of finding: its stable code, a short title, its severity and what a user can do about it."""

@@ -226,6 +226,15 @@ class Trees:
         return tuple(self.action(depth) for _ in range(self.random.randrange(1, 4 if depth else 12)))
 
 
+def test_each_action_of_the_tree_has_an_execution() -> None:
+    """`test_any_tree` executes random trees, and what has no execution is an exception: so each action is in one of them."""
+    executed: set[str] = set()
+    for seed in range(40):
+        executed |= {type(action).__name__ for action in Trees(seed).actions()}
+    declared = {cls.__name__ for cls in tree.Action.__subclasses__()}
+    assert declared - executed == {"Opaque"}  # a function of Python: test_python_actions.py
+
+
 @pytest.mark.parametrize("seed", range(40))
 def test_any_tree(seed: int) -> None:
     def run() -> Run:

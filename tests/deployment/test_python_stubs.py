@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from deployment.python_tree import Files, Launch
 from rosward.deployment.python.actions import Actions
 from rosward.deployment.python.inert import INERT, NOT_READ
 from rosward.deployment.python.objects import Objects
+from rosward.deployment.python.substitutions import CONDITIONS, FORMS
 from rosward.domain.values import Class, External, ModuleValue, Unknown
 from rosward.effects.log import EffectLog
 from rosward.engine.budget import Budget
@@ -21,25 +23,17 @@ from rosward.models.tables import own_models
 
 ACTION = "launch.action.Action"
 
-FOLDERS = (
-    "launch",
-    "launch_ros",
-    "launch_xml",
-    "launch_yaml",
-    "launch_testing",
-    "launch_testing_ros",
-    "launch_pytest",
-    "nav2_common",
-    "controller_manager",
-    "launch_param_builder",
-    "moveit_configs_utils",
-    "ros_gz_bridge",
-    "ros_gz_sim",
+FOLDERS = sorted(
+    folder
+    for folder in STUBS.iterdir()
+    if folder.name.startswith("launch")
+    or any(re.search(r"^\s*(from|import) launch\b", p.read_text("utf-8"), re.M) for p in folder.rglob("*.pyi"))
 )
+"""The models of launch, and of whatever makes actions or substitutions for it."""
 MODULES = sorted(
     ".".join(path.relative_to(STUBS).with_suffix("").parts).removesuffix(".__init__")
     for folder in FOLDERS
-    for path in (STUBS / folder).rglob("*.pyi")
+    for path in folder.rglob("*.pyi")
 )
 
 
@@ -76,15 +70,7 @@ def test_each_action_of_a_model_is_read_or_known_to_start_nothing(files: Files) 
     library = Library(files.tree, own_models())
     machine = Interpreter(library, Budget(), EffectLog())
     tables = (set(Actions(Objects(machine)).readers), set(INERT), set(NOT_READ))
-    classes: dict[str, Class] = {}
-    for name in MODULES:
-        found = library.find(name, 0, None)
-        assert found is not None
-        module = library.load_model(found)
-        assert isinstance(module, ModuleValue)
-        for value in library.at(module.address).attrs.values():
-            if isinstance(value, Class) and any(isinstance(c, Class) and c.dotted == ACTION for c in value.mro):
-                classes[value.dotted] = value
+    classes = _derived_from(ACTION, library)
     assert len(classes) > 40
     skipped = []
     for dotted, cls in classes.items():
@@ -96,6 +82,33 @@ def test_each_action_of_a_model_is_read_or_known_to_start_nothing(files: Files) 
             skipped.append(dotted)
     assert not skipped
     assert set().union(*tables) <= set(classes)
+
+
+@pytest.mark.parametrize(
+    ("base", "read"),
+    [
+        ("launch.substitution.Substitution", {*FORMS, "launch.substitutions.TextSubstitution"}),  # this one is its text
+        ("launch.condition.Condition", set(CONDITIONS)),
+    ],
+)
+def test_each_substitution_and_condition_of_a_model_has_a_form(base: str, read: set[str], files: Files) -> None:
+    classes = _derived_from(base, Library(files.tree, own_models()))
+    assert len(classes) > 3
+    assert {c for c, cls in classes.items() if c != base and not cls.name.startswith("_")} <= read
+
+
+def _derived_from(base: str, library: Library) -> dict[str, Class]:
+    """The classes of the models that derive from one, by their dotted name."""
+    classes: dict[str, Class] = {}
+    for name in MODULES:
+        found = library.find(name, 0, None)
+        assert found is not None
+        module = library.load_model(found)
+        assert isinstance(module, ModuleValue)
+        for value in library.at(module.address).attrs.values():
+            if isinstance(value, Class) and any(isinstance(c, Class) and c.dotted == base for c in value.mro):
+                classes[value.dotted] = value
+    return classes
 
 
 def test_what_stands_in_no_table_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

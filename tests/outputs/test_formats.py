@@ -74,7 +74,7 @@ def test_the_page_on_outputs_lists_every_format_with_its_files() -> None:
     files = [file for _, cell in rows for file in re.findall(r"`([^`]+)`", cell)]
     assert sorted(names) == sorted([*BY_NAME, "none"])
     assert sorted(files) == sorted(file for each in FORMATS for file in each.files)
-    usual = page_text.partition("without it they are")[2].partition(".")[0]
+    usual = " ".join(page_text.split()).partition("the default is")[2].partition(".")[0]
     assert sorted(re.findall(r"`(\w+)`", usual)) == sorted(DEFAULT_FORMATS)
 
 

@@ -3,9 +3,16 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+import subprocess
 import time
+from pathlib import Path
+from typing import Final
 
 import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
 
 from rosward.source.exclude import Exclusion, Exclusions, PatternError, pattern_of
 
@@ -33,9 +40,16 @@ def means(pattern: str, path: str, *named: str) -> bool:
         ("/a", "/ws/a/b.py", True),
         ("/a", "/ws/x/a", False),
         ("a/**", "/ws/x/a/b.py", False),
+        ("a/**/", "/ws/a/x/b.py", True),
+        ("a/**/", "/ws/a/b.py", False),
         ("a/", "/ws/a/b.py", True),
         ("a/", "/ws/x/a", False),  # a folder, and there is none
         ("b?[0-9].py", "/ws/bc7.py", True),
+        ("[^a].py", "/ws/b.py", True),
+        ("[^a].py", "/ws/a.py", False),
+        (r"\*.py", "/ws/*.py", True),
+        (r"\*.py", "/ws/a.py", False),
+        (r"\[a].py", "/ws/[a].py", True),
     ],
 )
 def test_a_pattern(pattern: str, path: str, expected: bool) -> None:
@@ -61,3 +75,63 @@ def test_hostile_patterns_take_no_time() -> None:
         for path in ("/" + "a" * 200, "/a" * 1_000, "/" + "[" * 200):
             exclusions.of(path)
     assert time.process_time() - start < 10
+
+
+ATOMS: Final = (
+    "a",
+    "b",
+    "ab",
+    ".",
+    ".py",
+    "*",
+    "?",
+    "/",
+    "**/",
+    "/**/",
+    "[ab]",
+    "[!a]",
+    "[^a]",
+    "[a-b]",
+    "[]a]",
+    r"\a",
+    r"\*",
+)
+PATTERNS: Final = st.lists(st.sampled_from(ATOMS), min_size=1, max_size=5).map("".join)
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A repository with files and folders of short names, two levels deep."""
+    top = tmp_path_factory.mktemp("repository")
+    subprocess.run(["git", "init", "-q", str(top)], check=True)
+    for outer in ("", "a", "b", ".a", "a/b", "b/ab"):
+        (top / outer).mkdir(exist_ok=True)
+    for folder in [top, *(p for p in top.glob("[ab.]*/**") if p.is_dir() and ".git" not in p.parts)]:
+        for name in ("ab", "x.py", "a*", "ba.py"):
+            if not (folder / name).exists():
+                (folder / name).touch()
+    return top
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="needs git")
+@settings(max_examples=120, deadline=None, suppress_health_check=list(HealthCheck))
+@given(pattern=PATTERNS)
+def test_a_pattern_means_what_git_takes_it_for(tree: Path, pattern: str) -> None:
+    """Left out: `//`, which means nothing to git, and stars that git takes for folders behind a text (`a**/`)."""
+    parts = pattern.split("/")
+    assume("//" not in pattern and not any("**" in part and part != "**" for part in parts))
+    try:
+        pattern_of(pattern)
+    except PatternError:
+        assume(False)
+    paths = [os.path.relpath(p, tree) for p in tree.rglob("*") if ".git" not in p.parts]
+    (tree / ".git" / "info" / "exclude").write_text(pattern + "\n")
+    said = subprocess.run(
+        ["git", "-C", str(tree), "check-ignore", "--no-index", "-z", "--stdin"],
+        input="\0".join(paths),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    exclusions = Exclusions([Exclusion(str(tree), pattern)])
+    assert {p for p in paths if exclusions.of(str(tree / p))} == set(said.stdout.split("\0")) - {""}

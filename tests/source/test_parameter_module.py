@@ -8,9 +8,10 @@ import ast
 import pytest
 
 from rosward.frontends.python.module import lower_module
+from rosward.source import limits
 from rosward.source.parameter_module import parameter_module
 from rosward.source.parameter_yaml import Check, DescribedParameter, read_parameters
-from rosward.source.yaml_nodes import LARGEST, Malformed
+from rosward.source.yaml_nodes import Malformed
 
 ONE = "r:\n  a: {type: string, default_value: %s}\n"
 
@@ -81,7 +82,7 @@ def test_a_description_is_read_with_its_lines() -> None:
         ("a: &a [x]\nb: &b [*a, *a]\nc: [*b, *b]", 2, "aliases are not read"),
         ("r: " + "{a: " * 200 + "1" + "}" * 200, 1, "nested too deep"),
         ("r:\n" + "".join(f"  p{n}: {{type: int}}\n" for n in range(2_000)), 1_503, "more than is read"),
-        ("r: " + "x" * LARGEST, 0, "too large"),
+        ("r: " + "x" * limits.PARAMETERS_FILE, 0, "too large"),
         ("r:\n  a: {type: int}\n  a: {type: int}", 3, "stands here twice"),
     ],
     ids=lambda value: value[:40] if isinstance(value, str) else None,

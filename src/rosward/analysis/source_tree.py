@@ -13,6 +13,7 @@ from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
+from rosward.source import limits
 from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
@@ -21,7 +22,7 @@ from rosward.source.location import Place
 from rosward.source.parameter_module import parameter_module
 from rosward.source.text import place_name, read_bytes, read_source
 from rosward.source.workspace import SourceFile, Workspace
-from rosward.source.yaml_nodes import LARGEST, Malformed
+from rosward.source.yaml_nodes import Malformed
 
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
 
@@ -101,7 +102,7 @@ class SourceTree:
 
     def _generate(self, path: Path, file: str) -> Module | None:
         """The module that the build makes of the description in a file."""
-        data = read_bytes(path, file, LARGEST)
+        data = read_bytes(path, file, limits.PARAMETERS_FILE)
         if isinstance(data, Finding):
             self.findings.add(data)
             return None

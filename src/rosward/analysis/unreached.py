@@ -20,6 +20,7 @@ from rosward.domain.values import Class, External, Unknown, Value
 from rosward.engine.escape import name_of
 from rosward.findings import Finding, Findings
 from rosward.ir import ops
+from rosward.ir.op import walk
 from rosward.ir.program import Code, Module, OpKey
 from rosward.models.facts import LibraryFacts
 from rosward.source.location import Place
@@ -122,13 +123,7 @@ def _creations(code: Code, methods: Container[str], names: Container[str]) -> It
 
 def _all_ops(code: Code) -> Iterator[tuple[Code, ops.Op]]:
     """Every operation of a body and of the bodies of its classes, each with the body that it belongs to."""
-    yield from _ops_of(code, code.ops)
-
-
-def _ops_of(code: Code, block: ops.Block) -> Iterator[tuple[Code, ops.Op]]:
-    for op in block:
+    for op in walk(code.ops):
         yield code, op
         if isinstance(op, ops.MakeClass):
             yield from _all_ops(op.code)
-        for inner in op.blocks:
-            yield from _ops_of(code, inner)

@@ -15,12 +15,12 @@ from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.policies.match import LONGEST_NAME, Pattern
+from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
 from rosward.source.text import decode, read_bytes
 
 __all__ = ["Accepted", "read_accepted"]
 
-_LARGEST: Final = 1_000_000
 _MOST: Final = 1_000
 
 
@@ -51,7 +51,7 @@ class Accepted:
 
 def read_accepted(path: str) -> list[str]:
     """The lines of a file, without comments. Raises UnreadableError."""
-    data = read_bytes(path, path, _LARGEST)
+    data = read_bytes(path, path, limits.ACCEPTED_FILE)
     text = data if isinstance(data, Finding) else decode(data, path)
     if isinstance(text, Finding):
         raise UnreadableError(f"{path}: {text.message}")

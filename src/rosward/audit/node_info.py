@@ -20,12 +20,12 @@ from typing import Final, final
 from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode, is_hidden, with_actions
 from rosward.findings import Finding
 from rosward.ros.entities import EntityKind
+from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 
-__all__ = ["LONGEST_TEXT", "read_node_info"]
+__all__ = ["read_node_info"]
 
-LONGEST_TEXT: Final = 16_000_000
 _MOST_ENTITIES: Final = 200_000
 _MOST_TOLD: Final = 20
 
@@ -49,8 +49,8 @@ def read_node_info(texts: Mapping[str, str]) -> LiveGraph:
     """What texts say, each by the name of its file. Raises UnreadableError where none of them names a node."""
     reading = _Reading()
     for file, text in texts.items():
-        if len(text) > LONGEST_TEXT:
-            raise UnreadableError(f"{file}: more than {LONGEST_TEXT:,} characters")
+        if len(text) > limits.NODE_INFO_TEXT:
+            raise UnreadableError(f"{file}: more than {limits.NODE_INFO_TEXT:,} characters")
         reading.read(file, text)
     if not reading.known:
         raise UnreadableError(f"{', '.join(texts)}: no text of ros2 node info: no line is the full name of a node")

@@ -121,13 +121,13 @@ def _graph(options: argparse.Namespace) -> LiveGraph:
 
 
 def _text(file: str) -> str:
-    from rosward.audit.node_info import LONGEST_TEXT
     from rosward.findings import Finding
+    from rosward.source import limits
     from rosward.source.text import read_bytes
 
     if file == "-":
-        return sys.stdin.read(LONGEST_TEXT + 1)
-    data = read_bytes(file, file, LONGEST_TEXT)
+        return sys.stdin.read(limits.NODE_INFO_TEXT + 1)
+    data = read_bytes(file, file, limits.NODE_INFO_TEXT)
     if isinstance(data, Finding):
         raise WrongUseError(f"--node-info: {file}: {data.message}")
     return data.decode("utf-8", "replace")

@@ -15,7 +15,7 @@ import json
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from rosward.cli.shared import MODES
 from rosward.findings import RULES
@@ -55,14 +55,16 @@ def offer(parser: argparse.ArgumentParser) -> None:
         "params": FilesCompleter(("yaml", "yml")),
         "POLICY_FILE_PATH": FilesCompleter(("xml",)),
     }
-    action: Any  # argcomplete has actions with a `completer`, argparse does not
     for action in _actions(parser):
+        completer: Completer | None = None
         if action.choices is None and action.dest in by_dest:
-            action.completer = by_dest[action.dest]
+            completer = by_dest[action.dest]
         elif action.metavar == "DIR":
-            action.completer = DirectoriesCompleter()
+            completer = DirectoriesCompleter()
         elif action.dest == "format" and action.metavar == "LIST":
-            action.completer = _formats
+            completer = _formats
+        if completer is not None:
+            action.completer = completer  # type: ignore[attr-defined]  # as argcomplete has it
 
 
 def _actions(parser: argparse.ArgumentParser) -> Iterator[argparse.Action]:

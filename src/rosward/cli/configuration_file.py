@@ -17,12 +17,12 @@ from typing import Final, NamedTuple
 from rosward.cli.configuration_keys import KEYS, Value, WrongValueError
 from rosward.cli.shared import WrongUseError
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 
 __all__ = ["ConfigurationFile", "read_configuration"]
 
-_LIMIT: Final = 1_000_000
 _COMMANDS: Final = "command"
 _NOTHING: Final[Mapping[str, Value]] = {}
 
@@ -50,7 +50,7 @@ def read_configuration(start: Path, commands: Collection[str]) -> ConfigurationF
 def _table(path: Path) -> dict[str, object] | None:
     """The settings in a file; None where it is a pyproject.toml that has none."""
     whole = path.name == "rosward.toml"
-    data = read_bytes(path, str(path), _LIMIT)
+    data = read_bytes(path, str(path), limits.CONFIGURATION_FILE)
     if not isinstance(data, Finding) and not whole and b"rosward" not in data:
         return None
     if isinstance(data, Finding):

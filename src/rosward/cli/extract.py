@@ -120,9 +120,8 @@ def _run(options: argparse.Namespace) -> int:
             printed = partial(findings_text, name, found.shown, options)
             sys.stdout.write(steps(printed, "", f"the format {name} was not written"))
     note_failures(options, steps.findings)
-    heaviest = [severity.value for severity in Severity]
-    failing = heaviest[: heaviest.index(options.fail_on) + 1]
-    return INCOMPLETE if any(f.rule.severity.value in failing for f in found.new) else COMPLETE
+    enough = Severity(options.fail_on).rank
+    return INCOMPLETE if any(f.rule.severity.rank <= enough for f in found.new) else COMPLETE
 
 
 def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:

@@ -31,12 +31,10 @@ from rosward.findings import Finding
 from rosward.holes import literal
 from rosward.ros.parameter_values import ParameterValue, effective_value, scalar_value
 from rosward.ros.validation import validate_namespace, validate_node_name
+from rosward.source import limits
 from rosward.source.location import Place
 
 _KEY: Final = "ros__parameters"
-_KEY_LIMIT: Final = 50_000
-_NESTING_LIMIT: Final = 200  # of lists: libyaml's time is the square of it
-_NAME_LIMIT: Final = 4_000  # of a name made of nested keys
 _WILDCARDS: Final = ("*", "**")
 _VERSIONS: Final = (None, (1, 1))
 _LOADER: Final = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # libyaml is what rcl has
@@ -144,7 +142,7 @@ class _KeyPath:
         glue = "" if not self.depth or self.text.endswith(self.separator) else self.separator
         self.text = f"{self.text if self.depth else ''}{glue}{name}"
         self.depth += 1
-        if len(self.text) > _NAME_LIMIT:
+        if len(self.text) > limits.PARAMETER_NAME:
             raise _TooMuch("its keys are longer than is read")
 
     def pop(self) -> None:
@@ -194,7 +192,7 @@ class _Reader:
                 if self._level < 2:
                     raise _Refused(f"a list stands before {_KEY}")
                 self._lists += 1
-                if self._lists > _NESTING_LIMIT:
+                if self._lists > limits.PARAMETER_NESTING:
                     raise _TooMuch("its lists are nested deeper than is read")
                 self._array = []
             case yaml.SequenceEndEvent():
@@ -241,7 +239,7 @@ class _Reader:
 
     def _parameter(self, name: str) -> None:
         self._keys += 1
-        if self._keys > _KEY_LIMIT:
+        if self._keys > limits.PARAMETER_KEYS:
             raise _TooMuch("it has more parameters than are read")
         parameters = self._nodes[self._node]
         if self._is_new_mapping:
@@ -255,7 +253,7 @@ class _Reader:
             return
         self._position = parameters.find(self._names.text, self._place)
         nested = f"{self._names.text}.{name}"
-        if len(nested) > _NAME_LIMIT:
+        if len(nested) > limits.PARAMETER_NAME:
             raise _TooMuch("its names are longer than is read")
         parameters.rename(self._position, nested, self._place)
 

@@ -24,6 +24,7 @@ from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
 from rosward.policies.records import EnclavePolicy, Policy
 from rosward.policies.rights import Right
+from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
@@ -32,7 +33,6 @@ __all__ = ["Change", "Differences", "RightLine", "compare", "not_compared", "rea
 
 _Line = TypeVar("_Line")
 _Sorted = TypeVar("_Sorted", str, EntityLine)
-_LARGEST: Final = 32_000_000
 
 
 class RightLine(NamedTuple):
@@ -82,7 +82,7 @@ _NO_CHANGE: Final[Change[Any]] = Change((), ())
 
 def read_snapshot(path: str) -> ComparedState:
     """What a file holds: a policy where it is XML, else a network. Raises UnreadableError."""
-    data = read_bytes(path, path, _LARGEST)
+    data = read_bytes(path, path, limits.DIFF_FILE)
     if isinstance(data, Finding):
         raise UnreadableError(f"{path}: {data.message}")
     if not data.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"<"):

@@ -25,14 +25,12 @@ from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.policies.granted import OUTSIDE, name_to_grant, why_not
-from rosward.ros.entities import Entity, EntityKind, Node
+from rosward.ros.entities import KIND_ORDER, Entity, EntityKind, Node
 
 __all__ = ["NOT_WIDENED", "Enclave", "Grant", "Omission", "Profile", "enclave_named", "enclaves"]
 
 NOT_WIDENED: Final[Widenings] = MappingProxyType({})
 """Each right has its own name: so it is unless the user asks otherwise."""
-
-_KIND_ORDER: Final = {kind: index for index, kind in enumerate(EntityKind)}
 
 
 class Grant(NamedTuple):
@@ -111,10 +109,10 @@ def _rights(entities: Iterable[Entity], unknown: UnknownNames) -> tuple[tuple[Gr
         if why:
             omissions.append(Omission(entity, why, dds_name=why == OUTSIDE))
         else:
-            needed.setdefault((_KIND_ORDER[entity.kind], name_to_grant(entity)), []).append(entity)
+            needed.setdefault((KIND_ORDER[entity.kind], name_to_grant(entity)), []).append(entity)
     grants = tuple(Grant(needed[key][0].kind, key[1], tuple(needed[key])) for key in sorted(needed))
     return grants, tuple(
-        sorted(omissions, key=lambda o: (_KIND_ORDER[o.entity.kind], o.entity.name, o.entity.created_at))
+        sorted(omissions, key=lambda o: (KIND_ORDER[o.entity.kind], o.entity.name, o.entity.created_at))
     )
 
 
@@ -142,4 +140,4 @@ def _add(kept: dict[tuple[EntityKind, str], Grant], grant: Grant) -> None:
 
 
 def _in_order(grants: Iterable[Grant]) -> list[Grant]:
-    return sorted(grants, key=lambda grant: (_KIND_ORDER[grant.kind], grant.name))
+    return sorted(grants, key=lambda grant: (KIND_ORDER[grant.kind], grant.name))

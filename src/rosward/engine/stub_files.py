@@ -17,11 +17,11 @@ from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
 STUBS: Final = Path(__file__).parent.parent / "models" / "stubs"
-_LARGEST: Final = 1_000_000
 _LONGEST_NAME: Final = 200
 """No file has a longer name."""
 _CODES: Final = {"python2": "RW006", "depth": "RW005"}
@@ -86,7 +86,7 @@ class StubFiles:
         return found
 
     def _read(self, path: Path, file: str) -> bool:
-        data = read_bytes(path, file, _LARGEST)
+        data = read_bytes(path, file, limits.STUB_FILE)
         source = data if isinstance(data, Finding) else decode(data, file)
         if isinstance(source, Finding):
             self.findings.add(source)

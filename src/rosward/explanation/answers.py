@@ -302,7 +302,7 @@ def _whole_sentence(text: str) -> str:
 
 
 def _whole(resolution: Resolution) -> bool:
-    return resolution not in (Resolution.PATTERN, Resolution.UNKNOWN)
+    return resolution.whole
 
 
 def _qos(qos: Qos | None) -> str:

@@ -4,14 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
-from rosward.findings import RULES, Finding, Rule, Severity
+from rosward.findings import RULES, Finding, Rule
 from rosward.one_cause import OneCause, by_cause
 
 __all__ = ["Doubts", "doubts"]
-
-_ORDER: Final = {severity: index for index, severity in enumerate(Severity)}
 
 
 class Doubts(NamedTuple):
@@ -26,7 +24,7 @@ def doubts(findings: Iterable[Finding]) -> tuple[Doubts, ...]:
     groups: dict[str, list[OneCause]] = {}
     for one in by_cause(findings):
         groups.setdefault(one.finding.code, []).append(one)
-    codes = sorted(groups, key=lambda code: (_ORDER[RULES[code].severity], code))
+    codes = sorted(groups, key=lambda code: (RULES[code].severity.rank, code))
     return tuple(Doubts(RULES[code], tuple(sorted(groups[code], key=_place))) for code in codes)
 
 

@@ -16,12 +16,12 @@ from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
 from rosward.safe import printable
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import decode, read_bytes
 
 __all__ = ["Excerpt", "Excerpts", "SourceLine"]
 
-_LARGEST: Final = 2_000_000
 _LONGEST: Final = 140
 _MOST_FILES: Final = 200
 
@@ -71,7 +71,7 @@ class Excerpts:
             return ()
         if not path.is_relative_to(self._root):
             return ()
-        data = read_bytes(path, file, _LARGEST)
+        data = read_bytes(path, file, limits.EXCERPT_FILE)
         text = data if isinstance(data, Finding) else decode(data, file)
         return () if isinstance(text, Finding) else tuple(text.text.split("\n"))
 

@@ -16,19 +16,12 @@ from rosward.enclaves.grants import enclaves
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Resolution
+from rosward.policies.elements import ELEMENTS
+from rosward.ros.entities import Entity, Node, Parameter, Resolution
 from rosward.source.location import Place
 
 __all__ = ["EntityRules", "NameSource", "PolicyLine", "Start", "Starts", "remap_rules", "remedies", "sources"]
 
-_ELEMENTS: Final = {
-    EntityKind.PUBLISHER: ("topics", "publish", "topic"),
-    EntityKind.SUBSCRIPTION: ("topics", "subscribe", "topic"),
-    EntityKind.SERVICE_SERVER: ("services", "reply", "service"),
-    EntityKind.SERVICE_CLIENT: ("services", "request", "service"),
-    EntityKind.ACTION_SERVER: ("actions", "execute", "action"),
-    EntityKind.ACTION_CLIENT: ("actions", "call", "action"),
-}
 _REMEDIES: Final = (
     ("parameter without a value", "give the parameter a default, or a value: --params FILE.yaml, or the launch file"),
     ("command-line argument", "give the argument a default, or analyse the launch file that passes it: --launch FILE"),
@@ -84,7 +77,7 @@ class EntityRules:
             lines = self.by_enclave.setdefault(enclave.path, [])
             for profile in enclave.profiles:
                 for grant in profile.grants:
-                    outer, verb, inner = _ELEMENTS[grant.kind]
+                    outer, verb, inner = ELEMENTS[grant.kind]
                     line = PolicyLine(enclave.path, f'<{outer} {verb}="ALLOW">', f"<{inner}>{grant.name}</{inner}>", "")
                     lines.append(line)
                     self._lines.update((id(entity), line) for entity in grant.entities)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 
 class Op:
     """An operation; `line` and `column` (both from 1) say where in the source it stands, `number` (from 1) which one of its `Code` it is.
@@ -24,3 +26,16 @@ class Op:
 
 
 Block = list[Op]
+
+
+def walk(block: Block) -> Iterator[Op]:
+    """The operations of a block in the order in which they stand, each before those in its own blocks."""
+    left = [iter(block)]
+    while left:
+        for op in left[-1]:
+            yield op
+            if op.blocks:
+                left += map(iter, reversed(op.blocks))
+                break
+        else:
+            left.pop()

@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 from typing import Final, final
 
-from rosward.ir.op import Block, Op
+from rosward.ir.op import Block, Op, walk
 
 
 class CodeKind(enum.Enum):
@@ -135,17 +135,8 @@ class Code:
         self.annotations = annotations or {}
         self.returns = returns
         self.doc = doc
-        _number(ops)
-
-
-def _number(block: Block, last: int = 0) -> int:
-    """Number the operations of a body, those inside of others included; the last number given."""
-    for op in block:
-        last += 1
-        op.number = last
-        for inner in op.blocks:
-            last = _number(inner, last)
-    return last
+        for number, op in enumerate(walk(ops), 1):
+            op.number = number
 
 
 @final

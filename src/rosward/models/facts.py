@@ -21,9 +21,9 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.text import read_bytes
 
-_LARGEST: Final = 1_000_000
 _MOST_FILES: Final = 10_000
 _DECORATORS: Final = ("node_class", "node_method", "creates", "creator")
 _STATEMENTS: Final = ("raises_nothing", "asks_all", "before_sources", "precise", "exact_calls")
@@ -76,7 +76,7 @@ def marked(folder: Path) -> LibraryFacts:
     """What the marks of the stubs in a folder say; what cannot be read says nothing here, and is told where it is imported."""
     found = LibraryFacts()
     for file in _stubs(folder):
-        data = read_bytes(folder / file, file, _LARGEST)
+        data = read_bytes(folder / file, file, limits.STUB_FILE)
         if not isinstance(data, Finding) and any(word in data for word in _WORDS):
             try:
                 tree = ast.parse(data)

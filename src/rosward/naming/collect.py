@@ -20,7 +20,7 @@ from rosward.naming.implicit import Identity
 from rosward.naming.options import NameOption, interface_types, name_options, together
 from rosward.ros import names
 from rosward.ros.distro import Distro
-from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution
+from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution, least_sure
 from rosward.ros.implicit import service_event_topic
 from rosward.source.location import Place
 
@@ -34,7 +34,6 @@ KINDS: Final = {
 }
 _SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
 _ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
-_ORDER: Final = {r: n for n, r in enumerate(Resolution)}
 _NO_VARIABLES: Final[Mapping[str, Value]] = {}
 
 
@@ -111,10 +110,10 @@ def _identities(log: EffectLog, effect: NodeEffect, findings: Findings) -> list[
                 continue
             namespace = names.full_namespace(space.text)
             about = (names.fully_qualified(namespace, option.text),)
-            resolution = max(option.resolution, space.resolution, key=_ORDER.__getitem__)
-            if option.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not effect.assumed:
+            resolution = least_sure(option.resolution, space.resolution)
+            if not option.resolution.whole and not effect.assumed:
                 findings.add(unknown_node(option, effect.place)._replace(nodes=about))
-            if space.resolution in (Resolution.UNKNOWN, Resolution.PATTERN):
+            if not space.resolution.whole:
                 findings.add(unknown_node(space, effect.place, "namespace")._replace(nodes=about))
             reasons = tuple(str(r) for r in (*option.reasons, *space.reasons))
             depends = tuple(sorted({*option.depends_on, *space.depends_on}))
@@ -206,7 +205,7 @@ def _entities(
                 entity = _entity(effect, kind, text, type_, how, identity, path, sure=sure and alone)
                 if type_ is None:
                     findings.add(unknown_type(kind.value, text, effect.type, effect.place))
-                if entity.resolution in (Resolution.UNKNOWN, Resolution.PATTERN) and not _from_node_only(how):
+                if not entity.resolution.whole and not _from_node_only(how):
                     findings.add(unknown_name(kind.value, entity, how, effect.place))
                 result.append(entity)
                 if effect.introspection and type_ is not None:
@@ -233,7 +232,7 @@ def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Ent
 
 def _from_node_only(option: NameOption) -> bool:
     """The name itself is known: its hole stems from the node's own name or namespace, of which a finding speaks already."""
-    return option.resolution not in (Resolution.UNKNOWN, Resolution.PATTERN)
+    return option.resolution.whole
 
 
 def _resolved(
@@ -267,8 +266,8 @@ def _resolved(
 def _behind_rule(name: NameOption, target: NameOption) -> NameOption:
     """How a name was found that a remap rule gives: as the rule's target was, and, since the rule fits this name only, as that was."""
     depends = tuple(sorted({*name.depends_on, *target.depends_on}))
-    known = name.resolution in _KNOWN and target.resolution in _KNOWN
-    resolution = max(name.resolution, target.resolution, key=_ORDER.__getitem__) if known else target.resolution
+    known = name.resolution.whole and target.resolution.whole
+    resolution = least_sure(name.resolution, target.resolution) if known else target.resolution
     return target._replace(depends_on=depends, resolution=resolution)
 
 
@@ -287,17 +286,14 @@ def _entity(
     depends, reasons = option.depends_on, tuple(str(r) for r in option.reasons)
     causes = causes_of(option.reasons, effect.place)
     if not option.text.startswith("/"):
-        resolution = max(
-            resolution,
-            identity.resolution if HOLE in text or resolution in _KNOWN else resolution,
-            key=_ORDER.__getitem__,
-        )
+        if HOLE in text or resolution.whole:
+            resolution = least_sure(resolution, identity.resolution)
         depends = tuple(sorted({*depends, *identity.depends_on}))
         causes = tuple(sorted({*causes, *identity.causes}))
         reasons = (*reasons, *identity.reasons)
     if resolution is Resolution.UNKNOWN and HOLE in text and text.strip("/*"):
         resolution = Resolution.PATTERN
-    if HOLE not in text and resolution not in _KNOWN:
+    if HOLE not in text and not resolution.whole:
         resolution = Resolution.DEFAULT if depends else Resolution.EXACT
     callback = effect.callback
     return Entity(
@@ -317,9 +313,6 @@ def _entity(
         path=path,
         system=implicit.is_of_container(kind, text, type_),
     )
-
-
-_KNOWN: Final = (Resolution.EXACT, Resolution.DEFAULT, Resolution.BOUND)
 
 
 def _parameters(log: EffectLog, address: int) -> list[Parameter]:

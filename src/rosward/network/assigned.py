@@ -19,13 +19,13 @@ from typing import Final
 from rosward.findings import Finding
 from rosward.ros.entities import Node
 from rosward.ros.names import validate_enclave
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
 
 __all__ = ["NOTHING_ASSIGNED", "Assignment", "AssignmentError", "read_assignment"]
 
-_LIMIT: Final = 10_000_000
 _KEYS: Final = frozenset({"path", "nodes", "processes"})
 
 
@@ -68,7 +68,7 @@ NOTHING_ASSIGNED: Final = Assignment()
 
 def read_assignment(path: Path) -> Assignment:
     """What a file assigns. Raises AssignmentError."""
-    data = read_bytes(path, str(path), _LIMIT)
+    data = read_bytes(path, str(path), limits.ASSIGNMENT_FILE)
     if isinstance(data, Finding):
         raise AssignmentError(data.message)
     try:

@@ -11,18 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Final, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 from rosward.findings import Finding, each_once
 from rosward.network.checks import UnknownNames, check
 from rosward.network.graph import Action, Network, Service, Topic
-from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
+from rosward.ros.entities import KIND_ORDER, Entity, EntityKind, Node, Parameter, Qos, surest
 from rosward.source.location import Place
 
 __all__ = ["apart", "connect", "with_findings"]
 
-_KIND_ORDER: Final = {kind: index for index, kind in enumerate(EntityKind)}
-_RESOLUTION_ORDER: Final = {resolution: index for index, resolution in enumerate(Resolution)}
 _T = TypeVar("_T")
 
 
@@ -70,7 +68,7 @@ def with_findings(network: Network, findings: Iterable[Finding]) -> Network:
 def _settled(node: Node) -> Node:
     groups: dict[tuple[int, str, str, bool], list[Entity]] = {}
     for entity in node.entities:
-        key = (_KIND_ORDER[entity.kind], entity.name, entity.type or "", entity.ros_prefix)
+        key = (KIND_ORDER[entity.kind], entity.name, entity.type or "", entity.ros_prefix)
         groups.setdefault(key, []).append(entity)
     entities = tuple(_merged(groups[key]) for key in sorted(groups))
     return replace(node, entities=entities, parameters=_parameters(node.parameters))
@@ -84,7 +82,7 @@ def _merged(entities: list[Entity]) -> Entity:
     return replace(
         first,
         system=all(e.system for e in entities),
-        resolution=min((e.resolution for e in entities), key=_RESOLUTION_ORDER.__getitem__),
+        resolution=surest(e.resolution for e in entities),
         conditional=all(e.conditional for e in entities),
         callback=", ".join(callbacks) or None,
         qos=_common_qos([e.qos for e in entities]),

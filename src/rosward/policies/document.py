@@ -17,18 +17,13 @@ from typing import Final, NamedTuple, final
 from xml.parsers import expat
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
 from rosward.source.xml_events import RefusedXmlError, parse
 
 __all__ = ["Element", "elements", "read_document"]
 
-_LARGEST: Final = 4_000_000
-_DEEPEST: Final = 30
-_MOST_ELEMENTS: Final = 20_000
-_DEEPEST_INCLUDE: Final = 8
-_MOST_INCLUDES: Final = 200
-_LARGEST_INCLUDED: Final = 1_000_000
 _INCLUDES: Final = ("http://www.w3.org/2001/XInclude include", "http://www.w3.org/2003/XInclude include")
 _POINTER: Final = re.compile(r"(?:xpointer\()?((?:/(?:\*|[A-Za-z_][\w.-]*))+)\)?")
 
@@ -66,11 +61,11 @@ class _Reading:
 
     def document(self, path: str, depth: int) -> Element | None:
         file = place_name(os.path.abspath(path), os.getcwd())  # noqa: PTH100, PTH109
-        data = read_bytes(path, file, _LARGEST_INCLUDED if depth else _LARGEST)
+        data = read_bytes(path, file, limits.POLICY_INCLUDED_FILE if depth else limits.POLICY_FILE)
         if isinstance(data, Finding):
             self._tell(data.message, data.place)
             return None
-        builder = _Builder(file, _MOST_ELEMENTS - self._elements)
+        builder = _Builder(file, limits.POLICY_ELEMENTS - self._elements)
         problem = builder.read(data)
         self._elements += builder.count
         if problem is not None or builder.root is None:
@@ -95,10 +90,10 @@ class _Reading:
         path = os.path.join(folder, href)  # noqa: PTH118
         pointer = _POINTER.fullmatch(element.attributes.get("xpointer", "/*"))
         self._includes += 1
-        if self._includes > _MOST_INCLUDES:
-            message = f"There are more than {_MOST_INCLUDES} inclusions; this one is not read, nor are those after it."
-            return self._tell(message, element.place) if self._includes == _MOST_INCLUDES + 1 else []
-        if depth >= _DEEPEST_INCLUDE:
+        if self._includes > limits.POLICY_INCLUDES:
+            message = f"There are more than {limits.POLICY_INCLUDES} inclusions; this one is not read, nor are those after it."
+            return self._tell(message, element.place) if self._includes == limits.POLICY_INCLUDES + 1 else []
+        if depth >= limits.POLICY_INCLUDE_DEPTH:
             return self._tell("Inclusions are nested too deeply; this one is not read.", element.place)
         if not href or "://" in href or "\0" in href or not self._within(path):
             return self._tell(f"{href!r} is no file in the folder of the policy or below it: not read.", element.place)
@@ -145,8 +140,8 @@ class _Builder:
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self.count += 1
         if self.count > self._most:
-            raise RefusedXmlError(f"The policy has more than {_MOST_ELEMENTS:,} elements.")
-        if len(self._open) >= _DEEPEST:
+            raise RefusedXmlError(f"The policy has more than {limits.POLICY_ELEMENTS:,} elements.")
+        if len(self._open) >= limits.POLICY_DEPTH:
             raise RefusedXmlError("The file is nested too deeply.")
         element = Element(tag, attributes, [], [], Place(self._file, self._parser.CurrentLineNumber))
         if self._open:

@@ -16,22 +16,15 @@ from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.policies.document import Element
+from rosward.policies.elements import ELEMENTS
 from rosward.policies.records import EnclavePolicy, PolicyRule
 from rosward.policies.rights import rights_of
-from rosward.ros.entities import EntityKind
 
 __all__ = ["read_sros2"]
 
 _VERSION: Final = "0.2.0"
-_KINDS: Final = {
-    ("topics", "publish"): EntityKind.PUBLISHER,
-    ("topics", "subscribe"): EntityKind.SUBSCRIPTION,
-    ("services", "reply"): EntityKind.SERVICE_SERVER,
-    ("services", "request"): EntityKind.SERVICE_CLIENT,
-    ("actions", "execute"): EntityKind.ACTION_SERVER,
-    ("actions", "call"): EntityKind.ACTION_CLIENT,
-}
-_CHILD: Final = {"topics": "topic", "services": "service", "actions": "action"}
+_KINDS: Final = {(words.outer, words.verb): kind for kind, words in ELEMENTS.items()}
+_CHILD: Final = {words.outer: words.inner for words in ELEMENTS.values()}
 _BASE: Final = "http://www.w3.org/XML/1998/namespace base"
 
 

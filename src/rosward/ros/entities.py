@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import enum
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Final
 
@@ -15,6 +16,7 @@ from rosward.source.location import Place
 
 __all__ = [
     "ENTITY_LISTS",
+    "KIND_ORDER",
     "Entity",
     "EntityKind",
     "Interface",
@@ -24,7 +26,9 @@ __all__ = [
     "Resolution",
     "assumed_label",
     "is_assumed_label",
+    "least_sure",
     "replace",
+    "surest",
 ]
 
 
@@ -45,6 +49,9 @@ class EntityKind(enum.Enum):
         return word if word in ("service", "action") else "topic"
 
 
+KIND_ORDER: Final = {kind: number for number, kind in enumerate(EntityKind)}
+"""The order in which entities stand in documents and messages."""
+
 ENTITY_LISTS: Final = {
     "publishers": EntityKind.PUBLISHER,
     "subscriptions": EntityKind.SUBSCRIPTION,
@@ -64,6 +71,24 @@ class Resolution(enum.Enum):
     BOUND = "bound"
     PATTERN = "pattern"
     UNKNOWN = "unknown"
+
+    @property
+    def whole(self) -> bool:
+        """Whether all of the name is known."""
+        return self is not Resolution.PATTERN and self is not Resolution.UNKNOWN
+
+
+_SURENESS: Final = {resolution: number for number, resolution in enumerate(Resolution)}
+
+
+def surest(found: Iterable[Resolution]) -> Resolution:
+    """What is found in several ways is found as the surest of them. Raises ValueError where there is none."""
+    return min(found, key=_SURENESS.__getitem__)
+
+
+def least_sure(*found: Resolution) -> Resolution:
+    """What is made of several parts is found as the least sure of them."""
+    return max(found, key=_SURENESS.__getitem__)
 
 
 class Interface(enum.Enum):

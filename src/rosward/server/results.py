@@ -31,6 +31,7 @@ from rosward.server.job import JobStep
 from rosward.server.limits import Limits
 from rosward.server.places import UploadRefusedError
 from rosward.server.settings import Settings, read_settings
+from rosward.source import limits
 from rosward.source.text import read_bytes
 
 __all__ = ["ENDED", "AnalysedSource", "Results", "StoredResult"]
@@ -39,7 +40,6 @@ ENDED: Final = frozenset({"done", "failed", "cancelled"})
 _STATES: Final = frozenset({"waiting", "running"}) | ENDED
 _KINDS: Final = frozenset({"upload", "example", "workspace"})
 _ID: Final = re.compile(r"[0-9a-f]{16}")
-_LARGEST: Final = 16_000_000
 
 
 @final
@@ -218,7 +218,7 @@ def _fields(document: object, **kinds: type) -> dict[str, Any]:
 
 
 def _read_json(file: Path) -> dict[str, object]:
-    data = read_bytes(file, file.name, _LARGEST)
+    data = read_bytes(file, file.name, limits.RESULT_FILE)
     if isinstance(data, Finding) or file.is_symlink():
         raise UploadRefusedError("no file of ours")
     try:

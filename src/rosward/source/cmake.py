@@ -17,6 +17,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake_files import PackageFiles
 from rosward.source.cmake_install import CMakeTarget, Targets, below_share, by_option, shared
@@ -31,10 +32,8 @@ if TYPE_CHECKING:
 
     from rosward.source.workspace import Shared
 
-_FILE_LIMIT: Final = 1_000_000
 _STEP_LIMIT: Final = 50_000
 _VALUE_LIMIT: Final = 1_000_000  # characters
-_DEPTH_LIMIT: Final = 20
 
 _PIECE: Final = re.compile(r"(\\.|\$\{|\$ENV\{|\$CACHE\{|\})", re.DOTALL)
 
@@ -128,7 +127,7 @@ class _Reader:
         if self._boundary.leads_out(path):
             self.findings.append(Finding("RW012", "The link leads out of the sources: it is not read.", Place(file)))
             return
-        data = read_bytes(path, file, _FILE_LIMIT)
+        data = read_bytes(path, file, limits.CMAKE_FILE)
         if isinstance(data, Finding):
             self.findings.append(Finding("RW008", data.message, data.place))
             return
@@ -147,7 +146,7 @@ class _Reader:
             command = commands[position]
             position += 1
             self._steps += 1
-            if self._steps > _STEP_LIMIT or depth > _DEPTH_LIMIT or self._files.exhausted:
+            if self._steps > _STEP_LIMIT or depth > limits.CMAKE_DEPTH or self._files.exhausted:
                 self._doubt("This project is too large to read its build description whole.", command)
                 self._steps = _STEP_LIMIT + 1
                 return

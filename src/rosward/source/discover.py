@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
 from rosward.guard import guarded
+from rosward.source import limits
 from rosward.source.boundary import Boundary
 from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
@@ -27,7 +28,7 @@ from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
 from rosward.source.packages import DescribedPackage, describe, is_build_script
 from rosward.source.surroundings import ROS_2
-from rosward.source.text import PYTHON_LIMIT, place_name, read_bytes
+from rosward.source.text import place_name, read_bytes
 from rosward.source.walk import DESCRIPTIONS, Tree, walk
 from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Target, Workspace
 
@@ -185,7 +186,7 @@ def _is_launch(path: str) -> bool:
         return True
     if not name.endswith("launch.py") and "launch" not in Path(folder).parts[-3:]:
         return False
-    data = read_bytes(path, path, PYTHON_LIMIT)
+    data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and b"generate_launch_description" in data
 
 

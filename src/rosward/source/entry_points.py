@@ -14,6 +14,7 @@ import re
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml
@@ -21,8 +22,6 @@ from rosward.source.toml import read_toml
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-DESCRIPTION_LIMIT: Final = 1_000_000
-"""Bytes above which a package description is not read."""
 
 _DOTTED = r"[^\W\d]\w*(?:\s*\.\s*[^\W\d]\w*)*"
 _ENTRY_POINT: Final = re.compile(rf"\s*([^=\s\[][^=\n]*?)\s*=\s*({_DOTTED})\s*:\s*({_DOTTED})\s*(?:\[[^\]\n]*\]\s*)?")
@@ -174,7 +173,7 @@ def _table(document: Mapping[str, object], *keys: str) -> dict[str, object]:
 
 
 def _read_text(path: str, file: str) -> str | Finding:
-    data = read_bytes(path, file, DESCRIPTION_LIMIT)
+    data = read_bytes(path, file, limits.DESCRIPTION_FILE)
     if isinstance(data, Finding):
         return Finding("RW008", data.message, data.place)
     try:

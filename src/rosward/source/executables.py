@@ -12,7 +12,8 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
-from rosward.source.text import PYTHON_LIMIT, read_bytes
+from rosward.source import limits
+from rosward.source.text import read_bytes
 from rosward.source.workspace import Executable, ExecutableKind
 
 if TYPE_CHECKING:
@@ -56,5 +57,5 @@ def is_python_script(path: str) -> bool:
     """Whether the file is Python: by its suffix, or by its first line."""
     if path.endswith(".py"):
         return True
-    data = read_bytes(path, path, PYTHON_LIMIT)
+    data = read_bytes(path, path, limits.PYTHON_FILE)
     return isinstance(data, bytes) and _SHEBANG.match(data) is not None

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Final, Protocol, final
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.discover import discover
 from rosward.source.location import names_of_path
 from rosward.source.text import place_name, read_bytes
@@ -27,8 +28,6 @@ from rosward.source.workspace import Package, SourceFile, Workspace
 _PACKAGE: Final = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,200}")
 _LIMIT: Final = 20_000
 _PATH_LIMIT: Final = 4096
-DATA_LIMIT: Final = 1_000_000
-"""Bytes above which a file is not read as data."""
 
 _PREFIX_MARKS: Final = (
     ".colcon_install_layout",
@@ -111,7 +110,7 @@ class Installed:
     @staticmethod
     def text(file: SourceFile) -> str | None:
         """The text of a file as `open` reads it; None where it is too large or no text."""
-        data = read_bytes(file.path, file.relative, DATA_LIMIT)
+        data = read_bytes(file.path, file.relative, limits.DATA_FILE)
         if isinstance(data, Finding) or b"\0" in data:
             return None
         try:

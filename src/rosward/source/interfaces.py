@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.definitions import Definition, read_definition
 from rosward.source.text import decode, read_bytes
 
@@ -25,8 +26,6 @@ if TYPE_CHECKING:
 
 KINDS: Final = ("msg", "srv", "action")
 _NOTHING: Final = frozenset[str]()
-_LARGEST: Final = 1_000_000
-"""No interface file is longer, in bytes."""
 
 
 @final
@@ -95,7 +94,7 @@ def _text(file: SourceFile) -> str | None:
     """The text of a .msg, .srv or .action file; None for IDL, and where it cannot be read."""
     if file.path.suffix[1:] not in KINDS:
         return None
-    data = read_bytes(file.path, file.relative, _LARGEST)
+    data = read_bytes(file.path, file.relative, limits.INTERFACE_FILE)
     text = data if isinstance(data, Finding) else decode(data, file.relative)
     return None if isinstance(text, Finding) else text.text
 

@@ -11,15 +11,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import Final, TypeVar
+from typing import TypeVar
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.text import read_bytes
 
 __all__ = ["Fields", "UnreadableError", "json_document"]
 
-_LARGEST: Final = 64_000_000
-_LONGEST: Final = 1_000
 
 T = TypeVar("T")
 
@@ -30,7 +29,7 @@ class UnreadableError(Exception):
 
 def json_document(path: str) -> object:
     """The JSON in a file. Raises UnreadableError."""
-    data = read_bytes(path, path, _LARGEST)
+    data = read_bytes(path, path, limits.JSON_FILE)
     if isinstance(data, Finding):
         raise UnreadableError(f"{path}: {data.message}")
     try:
@@ -54,8 +53,8 @@ class Fields:
     def text(self, key: str) -> str:
         """A text."""
         found = self._value.get(key)
-        if not isinstance(found, str) or len(found) > _LONGEST:
-            raise UnreadableError(f"{self.where}.{key} is no text of at most {_LONGEST} characters")
+        if not isinstance(found, str) or len(found) > limits.JSON_NAME:
+            raise UnreadableError(f"{self.where}.{key} is no text of at most {limits.JSON_NAME} characters")
         return found
 
     def long_text(self, key: str) -> str:
@@ -133,9 +132,9 @@ class Fields:
     def texts(self, key: str, most: int) -> list[str]:
         """A list of texts."""
         found = self._list(key, most)
-        texts = [value for value in found if isinstance(value, str) and len(value) <= _LONGEST]
+        texts = [value for value in found if isinstance(value, str) and len(value) <= limits.JSON_NAME]
         if len(texts) < len(found):
-            raise UnreadableError(f"{self.where}.{key} is no list of texts of at most {_LONGEST} characters")
+            raise UnreadableError(f"{self.where}.{key} is no list of texts of at most {limits.JSON_NAME} characters")
         return texts
 
     def _list(self, key: str, most: int) -> list[object]:

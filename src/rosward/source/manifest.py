@@ -12,19 +12,15 @@ rejects: its nodes are real.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final, NamedTuple
+from typing import NamedTuple
 from xml.parsers import expat
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import read_bytes
 from rosward.source.xml_events import RefusedXmlError, parse
-
-MANIFEST_LIMIT: Final = 1_000_000
-_DEPTH_LIMIT: Final = 50
-_ELEMENT_LIMIT: Final = 2_000  # catkin_pkg compares each dependency with each
-_CONDITION_LIMIT: Final = 200  # characters; catkin_pkg's parser is exponential in nested parentheses
 
 
 class Manifest(NamedTuple):
@@ -42,7 +38,7 @@ def read_manifest(
 
     `folder_name` stands in for a name that cannot be read; conditions are evaluated under `environment`.
     """
-    data = read_bytes(path, file, MANIFEST_LIMIT)
+    data = read_bytes(path, file, limits.MANIFEST_FILE)
     if isinstance(data, Finding):
         return Manifest(folder_name, ""), Finding("RW017", data.message, data.place)
     outline = _Outline()
@@ -95,13 +91,13 @@ class _Outline:
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._path.append(tag)
         self._text.clear()
-        if len(self._path) > _DEPTH_LIMIT:
+        if len(self._path) > limits.MANIFEST_DEPTH:
             raise RefusedXmlError("The package.xml is nested too deeply.")
         self._count += 1
-        if self._count > _ELEMENT_LIMIT:
+        if self._count > limits.MANIFEST_ELEMENTS:
             raise RefusedXmlError("The package.xml has too many elements.")
         condition = attributes.get("condition", "")
-        if len(condition) > _CONDITION_LIMIT or condition.count("(") > 3:
+        if len(condition) > limits.MANIFEST_CONDITION or condition.count("(") > 3:
             raise RefusedXmlError("The package.xml has a condition that is too complex to evaluate.")
 
     def _end(self, _: str) -> None:

@@ -18,7 +18,8 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.findings import Finding
-from rosward.source.entry_points import DESCRIPTION_LIMIT, PythonSide, entry_points, text_lines
+from rosward.source import limits
+from rosward.source.entry_points import PythonSide, entry_points, text_lines
 from rosward.source.glob import glob
 from rosward.source.literal import UNKNOWN, LiteralScope, bind, evaluate
 from rosward.source.location import Place
@@ -33,7 +34,7 @@ _COMMANDS: Final = ("console_scripts", "gui_scripts")
 
 def read_setup_py(path: str, file: str, environment: Mapping[str, str] = ROS_2) -> PythonSide:
     """What the `setup.py` at `path`, called `file`, declares where these environment variables are set."""
-    data = read_bytes(path, file, DESCRIPTION_LIMIT)
+    data = read_bytes(path, file, limits.DESCRIPTION_FILE)
     source = data if isinstance(data, Finding) else decode(data, file)
     if isinstance(source, Finding):
         return PythonSide(findings=(Finding("RW008", source.message, source.place),))

@@ -19,13 +19,12 @@ import tokenize
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-PYTHON_LIMIT: Final = 4_000_000
-"""Bytes above which a Python file is not read: generated data, not a program."""
 
 _SLOW_CODECS: Final = frozenset({"idna", "punycode"})  # quadratic in the length of the text
 _OPEN_FLAGS: Final = (
@@ -69,7 +68,7 @@ def readable_path(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in readable)
 
 
-def read_source(path: Path, root: Path, limit: int = PYTHON_LIMIT) -> SourceText | Finding:
+def read_source(path: Path, root: Path, limit: int = limits.PYTHON_FILE) -> SourceText | Finding:
     """The text of the Python file `path`, or the finding that says why there is none."""
     file = place_name(path, root)
     data = read_bytes(path, file, limit)

@@ -13,17 +13,16 @@ from __future__ import annotations
 
 import importlib
 import sys
-from typing import Any, Final
+from typing import Any
+
+from rosward.source import limits
 
 __all__ = ["read_toml"]
-
-_MOST: Final = 30_000_000
-"""Parts of keys that are looked at: about a second."""
 
 
 def read_toml(text: str) -> dict[str, Any]:
     """The document. Raises ValueError."""
-    if _cost(text) > _MOST:
+    if _cost(text) > limits.TOML_KEY_PARTS:
         raise ValueError("too many dots: its keys are too long to be read")
     tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
     try:

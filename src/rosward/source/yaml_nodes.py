@@ -9,14 +9,12 @@ A reader asks for what it expects and notes what is wrong; nothing is raised for
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import yaml
 
+from rosward.source import limits
 from rosward.source.location import Place
-
-DEEPEST: Final = 100
-LARGEST: Final = 300_000
 
 Scalar = bool | int | float | str
 Plain = Scalar | None
@@ -75,7 +73,7 @@ class Item(NamedTuple):
 def read_yaml(text: str, file: str) -> Item:
     """The one document of a text. Raises `Malformed`."""
     whole = Place(file)
-    if len(text) > LARGEST:
+    if len(text) > limits.PARAMETERS_FILE:
         raise Malformed("the file is too large", whole)
     try:
         _check_events(text, file)
@@ -100,7 +98,7 @@ def _check_events(text: str, file: str) -> None:
             raise Malformed("aliases are not read: write what the anchor stands for", place)
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
-            if depth > DEEPEST:
+            if depth > limits.YAML_DEPTH:
                 raise Malformed("nested too deep", place)
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1

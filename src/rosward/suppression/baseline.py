@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.text import read_bytes
 
 if TYPE_CHECKING:
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["BaselineError", "baseline_text", "read_baseline"]
 
 _VERSION: Final = 1
-_LIMIT: Final = 32_000_000
 
 
 class BaselineError(Exception):
@@ -31,7 +31,7 @@ class BaselineError(Exception):
 
 def read_baseline(path: str | Path) -> frozenset[str]:
     """The fingerprints of a baseline. Raises BaselineError."""
-    data = read_bytes(path, str(path), _LIMIT)
+    data = read_bytes(path, str(path), limits.BASELINE_FILE)
     if isinstance(data, Finding):
         raise BaselineError(f"{path}: {data.message}")
     try:

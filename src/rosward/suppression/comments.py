@@ -19,14 +19,14 @@ from typing import Final, NamedTuple
 
 import yaml
 
+from rosward.source import limits
+
 __all__ = ["IgnoreComment", "ignore_comments"]
 
 _WORD: Final = "rosward:"
 _DIRECTIVE: Final = re.compile(r"rosward:\s*ignore(?![\w-])(?P<open>\s*\[(?P<codes>[^\]]*)(?P<close>\])?)?")
 _IN_HASH: Final = re.compile(r"#\s*(?=rosward:)")
 _BRACKET: Final = re.compile(r"[\[\]{}]")
-_DEEPEST_YAML: Final = 100
-_LONGEST_YAML: Final = 1_000_000
 _HASH: Final = re.compile(r"(?:^|(?<=\s))#")
 _XML_OPENERS: Final = re.compile(r"<!--|<!\[CDATA\[")
 _XML_CLOSERS: Final = {"<!--": "-->", "<![CDATA[": "]]>"}
@@ -128,7 +128,7 @@ def _of_xml(text: str) -> Iterator[_Comment]:
 
 
 def _of_yaml(text: str) -> Iterator[_Comment]:
-    if len(text) > _LONGEST_YAML or _depth(text) > _DEEPEST_YAML:
+    if len(text) > limits.COMMENT_YAML_TEXT or _depth(text) > limits.YAML_DEPTH:
         return
     inside = _scalar_spans(text)
     for number, line in enumerate(text.split("\n"), 1):

@@ -46,12 +46,12 @@ from rosward.naming.final_name import final_name, remaps_of
 from rosward.ros import names
 from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro
+from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
 
 MODELS: Final = Path(__file__).parent.parent.parent / "models" / "nodes"
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
-_LARGEST_FILE: Final = 2_000_000
 _MOST_ENDPOINTS: Final = 2_000
 _MOST_STEPS: Final = 50_000
 _DEEPEST_INCLUDE: Final = 16
@@ -99,7 +99,7 @@ class Declarations:
             if not path.is_file():
                 continue
             file = f"{label.rstrip('/')}/{package}.yaml"
-            data = read_bytes(path, file, _LARGEST_FILE)
+            data = read_bytes(path, file, limits.DECLARED_FILE)
             if isinstance(data, Finding):
                 self.findings.add(Finding("RW324", data.message, data.place))
                 continue

@@ -135,6 +135,8 @@ class RunningLaunch:
             self._loop(action, inner)
         elif isinstance(action, tree.Unread):
             self.scene.findings.tell("RW321", f"Not understood: {action.why.rstrip('.')}.", action.place)
+        elif not isinstance(action, tree.Inert):
+            raise TypeError(f"a {type(action).__name__} has no execution")
 
     def _called(
         self, function: Value, args: Sequence[Value], kwargs: Mapping[str, Value], *, context: bool

@@ -20,11 +20,9 @@ from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, Hole, Text, Tuple, Unknown, Value
 from rosward.holes import literal
 from rosward.ros.parameter_values import InvalidArgument, parse_value
+from rosward.source import limits
 from rosward.source.location import Place
 
-MAX_YAML: Final = 100_000
-"""Characters of a text that is read as YAML; a longer one is taken for a str (a robot description)."""
-_DEEPEST: Final = 50
 _MOST_ITEMS: Final = 10_000
 _MOST_BITS: Final = 4_096
 _SCALARS: Final = (bool, int, float, str)
@@ -45,7 +43,7 @@ class Loaded(NamedTuple):
 
 def load_yaml(text: str) -> Loaded:
     """`yaml.safe_load`, without exceptions, and bounded: in depth, and in what aliases make of it."""
-    if len(text) > MAX_YAML:
+    if len(text) > limits.YAML_TEXT:
         return Loaded(text)
     try:
         if not _is_flat(text):
@@ -60,13 +58,16 @@ def load_yaml(text: str) -> Loaded:
 
 def _is_flat(text: str) -> bool:
     """Whether collections are nested no deeper than we read: the time that a loader takes for them grows with the square."""
-    if text.count("[") + text.count("{") + text.count("- ") + text.count("? ") + text.count("\n") <= _DEEPEST:
+    if (
+        text.count("[") + text.count("{") + text.count("- ") + text.count("? ") + text.count("\n")
+        <= limits.YAML_TEXT_DEPTH
+    ):
         return True
     depth = 0
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
-            if depth > _DEEPEST:
+            if depth > limits.YAML_TEXT_DEPTH:
                 return False
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1

@@ -27,8 +27,6 @@ from rosward.domain.values import Const
 from rosward.findings import Finding
 from rosward.source.location import Place
 
-ELEMENT_LIMIT: Final = 50_000
-DEPTH_LIMIT: Final = 60
 _REFUSAL_LIMIT: Final = 500
 
 

@@ -8,32 +8,24 @@ Text between tags means nothing to launch. A document type could only bring enti
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import NamedTuple, final
 from xml.parsers import expat
 
-from rosward.deployment.markup.element import (
-    DEPTH_LIMIT,
-    ELEMENT_LIMIT,
-    Attribute,
-    Format,
-    Refusals,
-    Tag,
-)
+from rosward.deployment.markup.element import Attribute, Format, Refusals, Tag
 from rosward.deployment.markup.tags import read_description
 from rosward.deployment.markup.values import UnreadableMarkupError
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
-
-XML_LIMIT: Final = 2_000_000
 
 
 def read_xml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     """The launch file `file`; what launch would refuse in it is a finding."""
     refusals = Refusals()
     try:
-        if len(text) > XML_LIMIT:
-            raise UnreadableMarkupError(f"The launch file is longer than {XML_LIMIT:,} characters.")
+        if len(text) > limits.LAUNCH_XML_TEXT:
+            raise UnreadableMarkupError(f"The launch file is longer than {limits.LAUNCH_XML_TEXT:,} characters.")
         root = _Document(file, refusals).read(text)
         if root.tag != "launch":
             raise UnreadableMarkupError(f"The root is <{root.tag}>, not <launch>.", root.place.line, root.place.column)
@@ -88,10 +80,10 @@ class _Document:
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._count += 1
-        if len(self._stack) >= DEPTH_LIMIT:
+        if len(self._stack) >= limits.LAUNCH_DEPTH:
             raise self._unreadable("The tags are nested too deeply.")
-        if self._count > ELEMENT_LIMIT:
-            raise self._unreadable(f"The launch file has more than {ELEMENT_LIMIT:,} tags.")
+        if self._count > limits.LAUNCH_ELEMENTS:
+            raise self._unreadable(f"The launch file has more than {limits.LAUNCH_ELEMENTS:,} tags.")
         place = Place(self._file, self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
         self._stack.append(_Open(tag, place, attributes, []))
 

@@ -14,21 +14,14 @@ from typing import Final, final
 
 import yaml
 
-from rosward.deployment.markup.element import (
-    DEPTH_LIMIT,
-    ELEMENT_LIMIT,
-    Attribute,
-    Format,
-    Refusals,
-    Tag,
-)
+from rosward.deployment.markup.element import Attribute, Format, Refusals, Tag
 from rosward.deployment.markup.tags import read_description
 from rosward.deployment.markup.values import UnreadableMarkupError, Values, compose
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.location import Place
 
-YAML_LIMIT: Final = 500_000
 _MERGE: Final = "tag:yaml.org,2002:merge"
 
 
@@ -36,8 +29,8 @@ def read_yaml(text: str, file: str) -> tuple[Description, tuple[Finding, ...]]:
     """The launch file `file`; what launch would refuse in it is a finding."""
     refusals = Refusals()
     try:
-        if len(text) > YAML_LIMIT:
-            raise UnreadableMarkupError(f"It is longer than {YAML_LIMIT:,} characters.")
+        if len(text) > limits.LAUNCH_YAML_TEXT:
+            raise UnreadableMarkupError(f"It is longer than {limits.LAUNCH_YAML_TEXT:,} characters.")
         root = _Document(file, refusals).root(compose(text))
     except UnreadableMarkupError as error:
         message = f"The YAML launch file cannot be read. {error}"
@@ -76,9 +69,9 @@ class _Document:
     def _visit(self, node: yaml.Node, depth: int) -> None:
         """Count what is read: aliases make more of it than there are nodes."""
         self._count += 1
-        if self._count > ELEMENT_LIMIT:
+        if self._count > limits.LAUNCH_ELEMENTS:
             raise self._unreadable("With its aliases it is too large.", node)
-        if depth > DEPTH_LIMIT:
+        if depth > limits.LAUNCH_DEPTH:
             raise self._unreadable("It is nested too deeply.", node)
 
     def _element(self, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Tag:

@@ -30,7 +30,7 @@ class _Form(NamedTuple):
     fields: tuple[str, ...] = ()
 
 
-_FORMS: Final = {
+FORMS: Final = {
     "launch.substitutions.LaunchConfiguration": _Form("var", ("name", "default?")),
     "launch.substitutions.EnvironmentVariable": _Form("env", ("name", "default?")),
     "launch.substitutions.FindExecutable": _Form("find-exec", ("name",)),
@@ -73,7 +73,7 @@ _TABLES: Final = {
 _CONDITIONAL: Final = {"nav2_common.launch.ReplaceString": ("test", "path")}
 """Substitutions with a condition of their own: its field, and what stands for them where it does not hold."""
 _TAKE_NUMBERS: Final = frozenset({"var", "equals", "not-equals", "parameter-file", "rewritten-yaml"})
-_CONDITIONS: Final = {
+CONDITIONS: Final = {
     "launch.conditions.IfCondition": _Form("if", ("predicate",)),
     "launch.conditions.UnlessCondition": _Form("unless", ("predicate",)),
     "launch.conditions.LaunchConfigurationEquals": _Form("equals", ("name", "value?")),
@@ -120,7 +120,7 @@ class Texts:
         if isinstance(value, Const):
             self.objects.tell("RW320", f"launch wants a str or a substitution here, not {value.value!r}", place)
             return (Const(str(value.value), value.origins),)
-        if self.objects.kind(value) in _FORMS or self.is_substitution(value):
+        if self.objects.kind(value) in FORMS or self.is_substitution(value):
             return self._substitution(value, place)
         if self.objects.is_sequence(value):
             return self._several(value, place)
@@ -167,7 +167,7 @@ class Texts:
             return Condition("python", (), place, value)
         made = self.objects.place(value)
         here = made if made.file else place
-        form = _CONDITIONS.get(self.objects.kind(value))
+        form = CONDITIONS.get(self.objects.kind(value))
         if form is None or self.objects.overrides(value, "evaluate"):
             predicate = self.objects.field(value, "predicate")
             bare = self.objects.kind(value) == _CONDITION and not self.objects.overrides(value, "evaluate")
@@ -183,7 +183,7 @@ class Texts:
             return (Substitution("python", (), here, value),)
         if kind == "launch.substitutions.TextSubstitution":
             return self.template(self.objects.field(value, "text"), here)
-        form = _FORMS.get(kind)
+        form = FORMS.get(kind)
         if form is None:
             return (self.objects.unknown(kind, here),)
         tables = tuple(self.pairs(self.objects.field(value, name), here) for name in _TABLES.get(kind, ()))

@@ -29,9 +29,8 @@ def text(scan: Scan) -> str:
 
 def github_commands(findings: Iterable[Judged]) -> str:
     """The commands, errors first: GitHub shows ten of each kind for a step."""
-    order = list(_COMMANDS)
     groups = alike((j for j in findings if not j.known), lambda j: j.finding)
-    return "".join(_command(*group) for group in sorted(groups, key=lambda g: order.index(g[0].finding.rule.severity)))
+    return "".join(_command(*group) for group in sorted(groups, key=lambda g: g[0].finding.rule.severity.rank))
 
 
 def _command(judged: Judged, *also: Judged) -> str:

@@ -22,21 +22,11 @@ from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Omission, Profi
 from rosward.enclaves.widened import Widened, Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.ros.entities import Entity, EntityKind, Interface, Resolution
+from rosward.policies.elements import ELEMENTS
+from rosward.ros.entities import Entity, Interface
 from rosward.safe import xml_attribute, xml_comment, xml_text
 
-__all__ = ["VERBS", "Line", "policies", "policy_lines", "policy_xml"]
-
-_ELEMENTS: Final = (
-    (EntityKind.ACTION_CLIENT, "actions", "call", "action"),
-    (EntityKind.ACTION_SERVER, "actions", "execute", "action"),
-    (EntityKind.SERVICE_SERVER, "services", "reply", "service"),
-    (EntityKind.SERVICE_CLIENT, "services", "request", "service"),
-    (EntityKind.PUBLISHER, "topics", "publish", "topic"),
-    (EntityKind.SUBSCRIPTION, "topics", "subscribe", "topic"),
-)
-VERBS: Final = {kind: attribute for kind, _, attribute, _ in _ELEMENTS}
-"""What a policy calls the right to have an endpoint of a kind."""
+__all__ = ["Line", "policies", "policy_lines", "policy_xml"]
 
 _MOST_PLACES: Final = 5
 _HEADER: Final = (
@@ -109,7 +99,7 @@ def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
     yield Line(f"        <profile {attributes}>")
     for note in notes:
         yield Line(f"          {xml_comment(note)}")
-    for kind, element, attribute, child in _ELEMENTS:
+    for kind, (element, attribute, child) in ELEMENTS.items():
         grants = [grant for grant in profile.grants if grant.kind is kind]
         if grants:
             yield Line(f'          <{element} {attribute}="ALLOW">')
@@ -160,7 +150,7 @@ def _origin(grant: Grant) -> str:
         parts.append("by " + ", ".join(vias))
     if all(entity.conditional for entity in own):
         parts.append("conditional")
-    if any(entity.resolution in (Resolution.PATTERN, Resolution.UNKNOWN) for entity in own):
+    if not all(entity.resolution.whole for entity in own):
         parts.append(
             "partly known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
         )

@@ -10,15 +10,12 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable, Mapping
-from typing import Final
 
 from rosward.network.holes import may_be
 from rosward.outputs.report.numbered import NumberedEndpoint
-from rosward.ros.entities import Resolution
+from rosward.ros.entities import Resolution, surest
 
 __all__ = ["endpoint_rows"]
-
-_ORDER: Final = {resolution: index for index, resolution in enumerate(Resolution)}
 
 
 def endpoint_rows(endpoints: Iterable[NumberedEndpoint], findings: Mapping[str, list[str]]) -> list[object]:
@@ -33,7 +30,7 @@ def endpoint_rows(endpoints: Iterable[NumberedEndpoint], findings: Mapping[str, 
 def _row(endpoint: NumberedEndpoint, names: list[tuple[str, str]], findings: list[str]) -> dict[str, object]:
     entities = [end.entity for end in endpoint.ends]
     own = [entity for entity in entities if not entity.system]
-    resolution = min((entity.resolution for entity in own or entities), key=_ORDER.__getitem__)
+    resolution = surest(entity.resolution for entity in own or entities)
     row: dict[str, object] = {
         "id": endpoint.id,
         "kind": endpoint.word,

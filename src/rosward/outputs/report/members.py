@@ -14,7 +14,7 @@ from rosward.network.launch_tree import LaunchEntry
 from rosward.outputs.report.numbered import Member, NumberedEnd
 from rosward.outputs.report.plain import place_row, place_rows, value_row
 from rosward.outputs.report.rights import NONE, DocumentRights
-from rosward.ros.entities import Entity, Node, Parameter, Qos, Resolution
+from rosward.ros.entities import Entity, Node, Parameter, Qos
 
 __all__ = ["entity_rows", "node_row"]
 
@@ -86,7 +86,7 @@ def _entity(
 
 
 def _lacks(entity: Entity) -> bool:
-    return entity.resolution in (Resolution.PATTERN, Resolution.UNKNOWN) or entity.type is None
+    return not entity.resolution.whole or entity.type is None
 
 
 def _qos(qos: Qos) -> dict[str, object]:

@@ -14,9 +14,10 @@ from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Profile, enclav
 from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
-from rosward.outputs.policies.policy import VERBS, policy_lines
+from rosward.outputs.policies.policy import policy_lines
 from rosward.outputs.report.numbered import Numbered
 from rosward.outputs.report.plain import shown
+from rosward.policies.elements import ELEMENTS
 
 __all__ = ["NONE", "DocumentRights", "EntityRight", "rights"]
 
@@ -87,7 +88,7 @@ def _lines(enclave: Enclave, enclave_id: str, numbers: Numbered, found: Document
 def _rule(grant: Grant, enclave_id: str, numbers: Numbered, found: DocumentRights) -> str:
     rule = f"r{len(found.rules)}"
     entities = [numbers.entity_ids[id(entity)] for entity in grant.entities]
-    text = shown(f"{VERBS[grant.kind]} {grant.name}")
+    text = shown(f"{ELEMENTS[grant.kind].verb} {grant.name}")
     found.rules.append({"id": rule, "enclave": enclave_id, "text": text, "entities": entities})
     for entity in entities:
         found.right_of.setdefault(entity, EntityRight(rule, ""))

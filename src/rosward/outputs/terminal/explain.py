@@ -24,7 +24,7 @@ from rosward.explanation.answers import Answer, DoubtTold, EnclaveTold, EndTold,
 from rosward.explanation.excerpts import Excerpt
 from rosward.explanation.provenance import NameSource, PolicyLine, Start
 from rosward.outputs.documents.json_text import json_text
-from rosward.ros.entities import EntityKind
+from rosward.ros.entities import KIND_ORDER, EntityKind
 from rosward.safe import encodable, printable
 from rosward.source.location import Place
 
@@ -38,7 +38,6 @@ _GROUPS: Final = 8
 
 _SHOWN: Final = 12
 _NAMED: Final = 6
-_ORDER: Final = tuple(kind.value for kind in EntityKind)
 _RESOLUTIONS: Final = {
     "exact": "exact: the code alone decides it",
     "default": "default: holds where nobody sets it otherwise",
@@ -129,7 +128,7 @@ def _meeting(meeting: MeetingTold) -> Iterator[str]:
 def _overview(meeting: MeetingTold) -> Iterator[str]:
     """Who has an end of it, those that give before those that take."""
     nodes: dict[str, dict[str, None]] = {}
-    for end in sorted(meeting.ends, key=lambda e: _ORDER.index(e.kind)):
+    for end in sorted(meeting.ends, key=lambda e: KIND_ORDER[EntityKind(e.kind)]):
         nodes.setdefault(end.kind, {})[end.node] = None
     counts = Counter(end.kind for end in meeting.ends)
     heads = {kind: f"{counts[kind]} {kind}{'' if counts[kind] == 1 else 's'}" for kind in nodes}
