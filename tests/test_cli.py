@@ -139,8 +139,8 @@ def test_verbose_prints_every_doubt(capsys: pytest.CaptureFixture[str]) -> None:
     short = capsys.readouterr().out
     assert main(["extract", "-v"]) == 1
     long = capsys.readouterr().out
-    assert "-v lists all" in short
-    assert "-v lists all" not in long
+    assert "use -v to list all" in short
+    assert "use -v to list all" not in long
     assert "talker.py:15" in long
 
 
@@ -248,7 +248,7 @@ def test_a_file_in_the_way_of_the_output_is_status_2(capsys: pytest.CaptureFixtu
 )
 def test_wrong_use_is_status_2(arguments: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     wrong(*arguments)
-    assert "--help` tells how it is used" in capsys.readouterr().err
+    assert "--help` for usage" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -66,7 +66,7 @@ def test_a_robot_that_its_source_explains(capsys: pytest.CaptureFixture[str]) ->
     assert audited(capsys, "src", "--snapshot", "robot.json") == (
         0,
         "1 node runs: 1 explained. The explained node has 10 entities: 10 explained.\n"
-        "The source explains all that runs, and all that it surely has runs.\n",
+        "The source explains everything that runs, and everything it expects is running.\n",
     )
 
 
@@ -79,7 +79,7 @@ def test_a_difference_as_it_is_printed(robot: dict[str, Any], capsys: pytest.Cap
         " (seen in 3 of 10 looks)\n"
         "\n"
         "1 node runs: 1 explained. The explained node has 11 entities: 10 explained.\n"
-        "1 running entity not explained.\n",
+        "1 unexplained running entity.\n",
     )
 
 
@@ -164,7 +164,7 @@ def test_without_rclpy_something_has_to_say_what_runs(
 ) -> None:
     monkeypatch.setattr(script, "rclpy", None)
     assert main(["audit", "src"]) == 2
-    assert "name a --snapshot or --node-info" in capsys.readouterr().err
+    assert "use --snapshot or --node-info" in capsys.readouterr().err
     assert main(["snapshot", "-o", "new.json"]) == 2
     assert not Path("new.json").exists()
 

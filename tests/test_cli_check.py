@@ -63,7 +63,7 @@ def checked(text: str, capsys: pytest.CaptureFixture[str], *options: str) -> tup
 
 def test_the_policy_of_the_same_sources_is_clean(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "policy.xml", "src"]) == 0
-    assert capsys.readouterr().out == "Clean: 1 enclave lets its process do what the code does, and no more.\n"
+    assert capsys.readouterr().out == "Clean: 1 enclave allows its process exactly what the code does.\n"
     assert main(["check", "permissions/robot/talker/permissions.xml", "src"]) == 0
 
 
@@ -111,7 +111,7 @@ def test_part_of_a_pattern_is_not_all_of_it(policy: str, capsys: pytest.CaptureF
     status, found = checked(policy.replace(f">{pattern}<", ">/robot/left/state<"), capsys)
     assert (status, found) == (1, [f"RW401 talker.py subscription {pattern}"])
     main(["check", "policy.xml", "src"])
-    assert "may be lacking" in capsys.readouterr().out
+    assert "may be missing" in capsys.readouterr().out
 
 
 def test_what_is_denied_is_lacking(policy: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -137,7 +137,7 @@ def test_what_is_not_known_of_the_code_is_never_clean(policy: str, capsys: pytes
     main(["check", "policy.xml", "src"])
     told = capsys.readouterr().out
     assert "RW101 talker.py" in told
-    assert "No difference as far as the code is known: 1 question about the code open" in told
+    assert "No difference as far as the code is known: 1 open question about the code" in told
 
 
 @pytest.mark.parametrize("arguments", [["src"], ["missing.xml", "src"], ["policy.xml", "missing"]])
@@ -233,10 +233,10 @@ def test_comments_in_code_and_policy_count(policy: str, capsys: pytest.CaptureFi
         NODE.replace('"chatter", 10)', '"chatter", 10)  # rosward: ignore[RW401]'), encoding="utf-8"
     )
     assert main(["check", "policy.xml", "src"]) == 1
-    assert capsys.readouterr().out.endswith("\n1 right lacking, 1 ignored.\n")
+    assert capsys.readouterr().out.endswith("\n1 missing permission, 1 ignored.\n")
     Path("rosward.toml").write_text('accepted = ["RW401"]\n', encoding="utf-8")
     assert main(["check", "policy.xml", "src"]) == 0
-    assert capsys.readouterr().out.endswith("and no more, 2 ignored.\n")
+    assert capsys.readouterr().out.endswith("exactly what the code does, 2 ignored.\n")
 
 
 def test_a_baseline(policy: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -63,9 +63,9 @@ def test_two_networks_as_text(capsys: pytest.CaptureFixture[str]) -> None:
         "  + /talker: publisher /status (std_msgs/msg/String)\n"
         "entities lost: 1\n"
         "  - /talker: publisher /chatter (std_msgs/msg/String)\n"
-        "rights gained: 1\n"
+        "permissions gained: 1\n"
         "  + /talker: publisher /status  (talker.py:7)\n"
-        "rights lost: 1\n"
+        "permissions lost: 1\n"
         "  - /talker: publisher /chatter  (talker.py:7)\n"
     )
     assert main(["diff", old, new, "--fail-on", "new-rights"]) == 1
@@ -77,12 +77,12 @@ def test_two_networks_as_markdown(capsys: pytest.CaptureFixture[str]) -> None:
     main(["diff", old, new, "--format", "markdown"])
     out = capsys.readouterr().out
     assert out.startswith(
-        "**rosward:** 1 new right, 1 right gone, 1 new entity, 1 entity gone.\n\n"
-        "| enclave | new right | where |\n|---|---|---|\n| `/talker` | publisher `/status` | `talker.py:7` |\n\n"
+        "**rosward:** 1 new permission, 1 permission removed, 1 new entity, 1 entity removed.\n\n"
+        "| enclave | new permission | where |\n|---|---|---|\n| `/talker` | publisher `/status` | `talker.py:7` |\n\n"
         "<details><summary>entities gained: 1</summary>\n\n- `/talker: publisher /status (std_msgs/msg/String)`\n\n</details>"
     )
     main(["diff", old, old, "--format", "markdown"])
-    assert capsys.readouterr().out == "**rosward:** no change of nodes, entities and rights.\n"
+    assert capsys.readouterr().out == "**rosward:** no change in nodes, entities or permissions.\n"
 
 
 def test_a_name_that_became_unknown_is_a_new_right(capsys: pytest.CaptureFixture[str]) -> None:
@@ -130,14 +130,14 @@ def test_rights_are_compared_by_what_they_allow(
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "no JSON"),
-        ("[" * 100_000, "no JSON"),
-        ("[]", "the document is no object"),
-        ('{"schema_version": 3}', "schema_version is not 1 or 2"),
-        ('{"schema_version": true}', "schema_version is not 1 or 2"),
-        ('{"schema_version": 1}', "the document.distro is no text"),
-        ('{"schema_version": 1, "distro": "jazzy"}', "the document.nodes is no list"),
-        ('{"schema_version": 1, "distro": "jazzy", "nodes": [3]}', "nodes[0] is no object"),
+        ("", "not valid JSON"),
+        ("[" * 100_000, "not valid JSON"),
+        ("[]", "the document must be an object"),
+        ('{"schema_version": 3}', "schema_version must be 1 or 2"),
+        ('{"schema_version": true}', "schema_version must be 1 or 2"),
+        ('{"schema_version": 1}', "the document.distro must be a string"),
+        ('{"schema_version": 1, "distro": "jazzy"}', "the document.nodes must be a list"),
+        ('{"schema_version": 1, "distro": "jazzy", "nodes": [3]}', "nodes[0] must be an object"),
         ("<policy", "not well-formed"),
         ("<x/>", "neither an SROS2 policy"),
     ],
@@ -151,10 +151,10 @@ def test_what_cannot_be_read_is_status_2(text: str, message: str, capsys: pytest
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"enclave": 3}, "nodes[0].enclave is no text"),
-        ({"publishers": None}, "nodes[0].publishers is no list"),
-        ({"publishers": [{"name": "x"}]}, "nodes[0].publishers[0].resolution is no text"),
-        ({"defined_at": {"file": "a.py", "line": -1}}, "nodes[0].defined_at.line is no number"),
+        ({"enclave": 3}, "nodes[0].enclave must be a string"),
+        ({"publishers": None}, "nodes[0].publishers must be a list"),
+        ({"publishers": [{"name": "x"}]}, "nodes[0].publishers[0].resolution must be a string"),
+        ({"defined_at": {"file": "a.py", "line": -1}}, "nodes[0].defined_at.line must be a non-negative integer"),
     ],
 )
 def test_a_node_of_another_form_is_refused(
@@ -174,13 +174,13 @@ def test_a_name_that_no_topic_has_is_refused(capsys: pytest.CaptureFixture[str])
     document["nodes"][0]["publishers"][0]["name"] = "/[a-z]"
     Path("bad").write_text(json.dumps(document), encoding="utf-8")
     assert main(["diff", str(file), "bad"]) == 2
-    assert "'/[a-z]' is no full name" in capsys.readouterr().err
+    assert "'/[a-z]' is not a full name" in capsys.readouterr().err
 
 
 def test_a_network_and_a_policy_are_not_compared(capsys: pytest.CaptureFixture[str]) -> None:
     new = network("new", '"status"')
     assert main(["diff", policy("old.xml", ("publish", "ALLOW", "/a")), new]) == 2
-    assert "compare two of one kind" in capsys.readouterr().err
+    assert "both must be of the same kind" in capsys.readouterr().err
     assert main(["diff", "missing.json", new]) == 2
 
 

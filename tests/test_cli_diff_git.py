@@ -183,11 +183,11 @@ def test_links_that_lead_out_are_not_followed(tmp_path: Path, capsys: pytest.Cap
     ("arguments", "told"),
     [
         (["--git", "nowhere"], "there is no commit 'nowhere'"),
-        (["--git=--upload-pack=x..HEAD"], "is no revision"),
+        (["--git=--upload-pack=x..HEAD"], "is not a revision"),
         (["--git", "HEAD", "elsewhere"], "elsewhere is in neither HEAD nor the work tree"),
         (["--git", "HEAD", "/"], "is not in the repository"),
-        (["--git", "HEAD", "--models", "nowhere"], "is on neither side"),
-        (["one"], "name two files or folders"),
+        (["--git", "HEAD", "--models", "nowhere"], "exists on neither side"),
+        (["one"], "pass two files or folders"),
         (["src", "src/talker.py"], "is a folder"),
     ],
 )
@@ -225,7 +225,7 @@ def test_a_launch_file_that_is_new_starts_nothing_before(capsys: pytest.CaptureF
     assert main(["diff", "--git", "HEAD", "--launch", "a.launch.xml"]) == 0
     printed = capsys.readouterr()
     assert "nodes gained: 1\n  + /left\n" in printed.out
-    assert "so nothing is started there" in printed.err
+    assert "nothing is started on that side" in printed.err
 
 
 def test_two_folders(capsys: pytest.CaptureFixture[str]) -> None:

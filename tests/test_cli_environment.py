@@ -60,9 +60,9 @@ def test_several_names_of_the_shell(monkeypatch: pytest.MonkeyPatch) -> None:
     ("given", "told"),
     [
         (("--env", "A"), "'A' is not of the form NAME=VALUE"),
-        (("--env", "=1"), "'' is no name of an environment variable"),
-        (("--env", "A B=1"), "'A B' is no name of an environment variable"),
-        (("--env", "A:=1"), "A:=1 is of the form of a launch argument (--arg)"),
+        (("--env", "=1"), "'' is not a valid name of an environment variable"),
+        (("--env", "A B=1"), "'A B' is not a valid name of an environment variable"),
+        (("--env", "A:=1"), "A:=1 has the form of a launch argument (--arg)"),
         (("--env-from-shell", "B,C"), "not set in this shell: B"),
     ],
 )
@@ -83,8 +83,8 @@ def test_the_command_line_adds_to_the_file() -> None:
     [
         ("env = 1", "env must be a table of strings"),
         ("[env]\nA = 1", "env must be a table of strings"),
-        ('[env]\n"A B" = ""', "env must be a table of variables: 'A B' is no name"),
-        ('[env]\nROS_VERSION = "1"', "ROS_VERSION is '2' for the distro jazzy, it cannot be '1'"),
+        ('[env]\n"A B" = ""', "env must be a table of variables: 'A B' is not a valid name"),
+        ('[env]\nROS_VERSION = "1"', "ROS_VERSION is '2' for the distro jazzy, so it cannot be '1'"),
     ],
 )
 def test_what_is_no_table_of_variables_is_refused(text: str, told: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -95,7 +95,7 @@ def test_what_enclaves_txt_says_is_what_it_takes() -> None:
     write("demo/launch/x.launch.xml", XML.replace("/>\n</", ' ros_args="--enclave /left/talker"/>\n</'))
     assert main(["extract", "-q", "--launch", "demo:x.launch.xml", "--enclaves", "launch"]) == 0
     starts = Path("rosward-out/enclaves.txt").read_text(encoding="utf-8")
-    assert "/left/talker\n  demo/talker: its start says so" in starts
+    assert "/left/talker\n  demo/talker: already set by its start" in starts
 
 
 @pytest.mark.parametrize("arguments", [[], ["--launch", "demo:x.launch.xml"], ["--node", "demo/talker:north"]])
@@ -134,7 +134,7 @@ def test_sourced_underlays(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captu
     monkeypatch.setenv("AMENT_PREFIX_PATH", f"/nowhere:{Path('opt').absolute()}")
     arguments = ["extract", "-q", "demo", "--launch", "base:base.launch.xml"]
     assert main(arguments) == 2
-    assert "there is no package base among the sources and underlays" in capsys.readouterr().err
+    assert "no package base in the sources or underlays" in capsys.readouterr().err
     assert main([*arguments, "--ament-prefix-path"]) == 0
 
 
@@ -167,4 +167,4 @@ def test_wrong_use_is_status_2(arguments: tuple[str, ...], capsys: pytest.Captur
     with pytest.raises(SystemExit) as exit_:
         main(list(arguments))
     assert exit_.value.code == 2
-    assert "--help` tells how it is used" in capsys.readouterr().err
+    assert "--help` for usage" in capsys.readouterr().err

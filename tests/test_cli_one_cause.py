@@ -83,8 +83,8 @@ def test_the_names_of_one_unset_argument_are_one_line(capsys: pytest.CaptureFixt
     lines = capsys.readouterr().out.splitlines()
     told = [line for line in lines if line.startswith(("  launch/", "  demo/"))]
     assert told == [
-        "  launch/unset.launch.xml:2  The launch argument 'prefix' has no default and is given no value. "
-        "(and 3 more of this cause: 1 RW101, 2 RW102)"
+        "  launch/unset.launch.xml:2  The launch argument 'prefix' has no default and was not given a value. "
+        "(and 3 more with this cause: 1 RW101, 2 RW102)"
     ]
     assert "Incomplete: 1 error, 0 warnings." in lines
     assert extract("unset.launch.xml", "--arg", "prefix:=/a") == 0
@@ -143,7 +143,7 @@ def test_a_comment_ignores_its_place_and_leaves_the_others(capsys: pytest.Captur
     Path("demo/robot.py").write_text(text, encoding="utf-8")
     assert extract("unset.launch.xml") == 1
     out = capsys.readouterr().out
-    assert "(and 2 more of this cause: 1 RW101, 1 RW102)" in out
+    assert "(and 2 more with this cause: 1 RW101, 1 RW102)" in out
     assert "2 ignored." in out
 
 
@@ -151,7 +151,7 @@ def test_annotations_are_one_for_each_cause(capsys: pytest.CaptureFixture[str]) 
     extract("unset.launch.xml", "-q", "--format", "github")
     (line,) = capsys.readouterr().out.splitlines()
     assert line.startswith("::error file=launch/unset.launch.xml,line=2")
-    assert line.endswith("(and 3 more of this cause: 1 RW101, 2 RW102)")
+    assert line.endswith("(and 3 more with this cause: 1 RW101, 2 RW102)")
 
 
 def test_findings_of_a_loop_belong_to_each_of_its_items() -> None:
@@ -178,7 +178,7 @@ def test_a_name_that_is_made_at_each_start_is_one_note(capsys: pytest.CaptureFix
     Path("launch/ekf.launch.xml").write_text(f"<launch>\n{nodes}\n</launch>\n", encoding="utf-8")
     assert extract("ekf.launch.xml", "-v") == 0
     out = capsys.readouterr().out
-    assert "note RW107 name made at each start: 1" in out
+    assert "note RW107 name generated at each start: 1" in out
     assert "RW102" not in out
     assert "RW302" not in out
     assert "/transform_listener_impl_*" in {n["fqn"] for n in written("network.json")["nodes"]}

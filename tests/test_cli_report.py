@@ -62,7 +62,7 @@ def test_loose_ends_are_in_the_report_and_elsewhere_on_request(capsys: pytest.Ca
     assert "RW332" not in capsys.readouterr().out
     assert extract("-v", "--loose-ends") == 0
     assert told() == (["RW332"], ["RW332"])
-    assert "topic /chatter: publisher in /talker, and no subscription" in capsys.readouterr().out
+    assert "topic /chatter: publisher in /talker, but no subscription" in capsys.readouterr().out
 
 
 def test_the_configuration_can_ask_for_them() -> None:

@@ -219,7 +219,7 @@ def test_a_step_on_the_way_of_everything_costs_what_it_gives(
     assert {"bad", "good"} == {n["name"] for n in document["nodes"]}
     assert all(f'"/{name}"' in text for name in ("before_bad", "after_bad", "before_good", "after_good"))
     assert text.count('"RW299"') == 1
-    assert "rosward itself failed here (RuntimeError in rosward/" in text
+    assert "rosward failed here (RuntimeError in rosward/" in text
     assert "RW299" in capsys.readouterr().err
     assert len(ET.parse(out / "policy.xml").getroot().findall(".//enclave")) == 2
     for file in ("graph.dot", "graph.mmd", "graph.svg", "report.html", "findings.sarif", "findings.junit.xml"):
@@ -300,8 +300,8 @@ def test_the_launch_tree_shows_the_rest(
     ("step", "kept"),
     [
         ("rosward.diff.compare._beyond", "nodes gained: 1"),
-        ("rosward.diff.compare._change", "rights gained: 11"),
-        ("rosward.diff.of_nodes.snapshot_of", "nothing is compared"),
+        ("rosward.diff.compare._change", "permissions gained: 11"),
+        ("rosward.diff.of_nodes.snapshot_of", "nothing was compared"),
         ("rosward.pipeline.connect", "nodes gained: 1"),
         ("rosward.outputs.terminal.diff_text._line", "the differences were not written"),
     ],

@@ -69,8 +69,8 @@ def test_each_launch_file_has_arguments_of_its_own(tmp_path: Path) -> None:
     ("wrong", "said"),
     [
         ({"launch": "p/q:f"}, "is not of the form FILE or PKG:FILE"),
-        ({"arguments": {"a": "b"}}, "none is named"),
-        ({"launch": FLEET, "arguments": {"a": 1}}, "'a' is no text"),
+        ({"arguments": {"a": "b"}}, "none was given"),
+        ({"launch": FLEET, "arguments": {"a": 1}}, "'a' must be a string"),
     ],
 )
 def test_what_cannot_be_meant_is_refused(wrong: dict[str, object], said: str) -> None:
@@ -86,5 +86,5 @@ def test_what_is_not_there_is_told() -> None:
 def test_a_request_and_launch_files_are_too_much() -> None:
     from rosward.deployment.request import Request
 
-    with pytest.raises(rosward.RequestError, match="by the request, or by launch"):
+    with pytest.raises(rosward.RequestError, match="pass either a request"):
         rosward.extract(EXAMPLES, launch=FLEET, request=Request(all_launch=True))

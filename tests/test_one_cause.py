@@ -23,7 +23,7 @@ def test_what_tells_of_the_cause_itself_leads() -> None:
     unset, wide = at(9, "RW312", ARGUMENT), at(2, "RW302", ARGUMENT)
     (one,) = by_cause([*names, wide, unset])
     assert one == OneCause(unset, (*names, wide))
-    assert more_of(one) == "3 more of this cause: 3 RW101"
+    assert more_of(one) == "3 more with this cause: 3 RW101"
 
 
 def test_the_heaviest_leads() -> None:
@@ -43,12 +43,12 @@ def test_a_wildcard_is_no_news_beside_the_name_that_makes_it() -> None:
     (one,) = by_cause([at(2, "RW102", ("c",)), at(2, "RW302", ("c",))])
     assert more_of(one) == ""
     (one,) = by_cause([at(2, "RW102", ("c",)), at(2, "RW302", ("c",)), at(3, "RW302", ("c",))])
-    assert more_of(one) == "1 more of this cause: 1 RW302"
+    assert more_of(one) == "1 more with this cause: 1 RW302"
 
 
 def test_of_one_code_the_number_is_enough() -> None:
     (one,) = by_cause([at(line, "RW318", ("container /c",)) for line in range(1, 15)])
-    assert more_of(one) == "13 more of this cause"
+    assert more_of(one) == "13 more with this cause"
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -112,13 +112,36 @@ def test_a_long_message_takes_no_time() -> None:
     assert time.process_time() - start < 5
 
 
-def test_a_fingerprint_tells_code_file_line_message_and_occurrence_apart() -> None:
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("the name of this publisher is only known as /r_*", "/r_* is all that is known of the name of this publisher"),
+        ("'a b' is no valid name: try --arg a:=b", "not a valid name, 'a b', set a:=b"),
+        ("`ros2 run x` is started, whose interface is not known", "`ros2 run x` has an unknown interface"),
+        ("Broadcaster /tf of TransformBroadcaster", "TransformBroadcaster creates /tf"),
+    ],
+)
+def test_a_fingerprint_does_not_depend_on_the_words_of_a_message(old: str, new: str) -> None:
+    marks = [fingerprints([Finding("RW102", text, Place("a.py", 3))], lambda _f, _n: "x") for text in (old, new)]
+    assert marks[0] == marks[1]
+
+
+@pytest.mark.parametrize(
+    "other", ["this publisher is /b", "this subscription is /a", "'this' publisher is /a", "publisher /a 2"]
+)
+def test_a_fingerprint_depends_on_what_a_message_names(other: str) -> None:
+    texts = ("this publisher is /a", other)
+    marks = [fingerprints([Finding("RW102", text, Place("a.py", 3))], lambda _f, _n: "x") for text in texts]
+    assert marks[0] != marks[1]
+
+
+def test_a_fingerprint_tells_code_file_line_names_and_occurrence_apart() -> None:
     findings = [
-        Finding("RW102", "m", Place("a.py", 1)),
-        Finding("RW102", "m", Place("a.py", 2)),
-        Finding("RW104", "m", Place("a.py", 1)),
-        Finding("RW102", "n", Place("a.py", 1)),
-        Finding("RW102", "m", Place("b.py", 1)),
+        Finding("RW102", "of '/m'", Place("a.py", 1)),
+        Finding("RW102", "of '/m'", Place("a.py", 2)),
+        Finding("RW104", "of '/m'", Place("a.py", 1)),
+        Finding("RW102", "of '/n'", Place("a.py", 1)),
+        Finding("RW102", "of '/m'", Place("b.py", 1)),
     ]
     marks = fingerprints(findings, lambda _f, _n: "same")
     assert len(set(marks)) == len(findings)

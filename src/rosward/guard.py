@@ -56,7 +56,7 @@ class Steps:
 
 def internal_error(error: Exception, place: Place, missing: str) -> Finding:
     """What is told of a failure: its type and the place in rosward where it arose. Its message may quote anything, so that is left out."""
-    message = f"rosward itself failed here ({type(error).__name__} in {where(error)}): {missing}. Please report this."
+    message = f"rosward failed here ({type(error).__name__} in {where(error)}): {missing}. Please report this."
     return Finding(INTERNAL_ERROR, message, place)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which findings have one cause, so that a person reads them as one?
 
-    RW312 the launch argument 'ns' has no value            ->  RW312 …, and 54 more of this cause: 37 RW101, 17 RW102
+    RW312 the launch argument 'ns' has no value            ->  RW312 …, and 54 more with this cause: 37 RW101, 17 RW102
     RW101 the name of this publisher is not known because of launch argument …: ns
     …
 
@@ -58,12 +58,12 @@ def _order(finding: Finding) -> tuple[object, ...]:
 
 
 def more_of(one: OneCause) -> str:
-    """What there is beside the finding that is shown: `54 more of this cause: 37 RW101, 17 RW102`; empty where there is nothing."""
+    """What there is beside the finding that is shown: `54 more with this cause: 37 RW101, 17 RW102`; empty where there is nothing."""
     named = {finding.place for finding in (one.finding, *one.also) if finding.code not in _FOLLOW}
     counts = Counter(f.code for f in one.also if f.code not in _FOLLOW or f.place not in named)
     if not counts:
         return ""
-    told = f"{sum(counts.values()):,} more of this cause"
+    told = f"{sum(counts.values()):,} more with this cause"
     if set(counts) == {one.finding.code}:
         return told
     return f"{told}: " + ", ".join(f"{number:,} {code}" for code, number in sorted(counts.items()))

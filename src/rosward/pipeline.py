@@ -63,7 +63,7 @@ class Result:
     excluded: int = 0
     """How many files and folders were left unread because a pattern means them."""
     ignored: int = 0
-    """How many folders were left unread because they are marked to be ignored (COLCON_IGNORE and the like)."""
+    """How many folders were left unread because they are marked as ignored (COLCON_IGNORE or similar)."""
     launch_files: int = 0
     """How many launch files there are."""
 
@@ -135,7 +135,7 @@ def extract(
     chosen = Distro(distro)
     if launch or arguments:
         if request != EVERYTHING:
-            raise RequestError("what is started is said by the request, or by launch and arguments")
+            raise RequestError("pass either a request, or launch and arguments")
         request = launching(launch, arguments)
     mode = (
         EnclaveMode(enclaves) if enclaves is not None else EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
@@ -226,14 +226,16 @@ def _network(
     placed = steps(
         lambda: with_enclaves(named, wanted.mode, wanted.assigned),
         None,
-        "the enclaves are not those that were asked for: each node has one of its own",
+        "the enclaves are not the requested ones: each node has its own",
     )
     nodes, conflicts = placed or (each_its_own(named), [])
     nothing: list[Finding] = []
-    too_large = steps(lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large is not told")
+    too_large = steps(
+        lambda: size_findings(nodes, unknown), nothing, "whether permissions are too large was not checked"
+    )
     findings.update((*conflicts, *too_large))
     if not nodes:
-        findings.add(Finding("RW007", "No node was found in what was read.", Place("", 0)))
+        findings.add(Finding("RW007", "No node was found.", Place("", 0)))
     counts = _ReadCounts(
         read.sources.files_read, read.sources.lines_read, len({n.process for n in nodes if not n.assumed})
     )
@@ -241,7 +243,7 @@ def _network(
     network = steps(
         lambda: connect(distro, nodes, findings, **counts._asdict(), unknown=unknown, net=read.budget.net),
         None,
-        "what the nodes meet at is missing, and what is wrong in the whole is not told",
+        "connections between nodes are missing, and the whole system was not checked",
     )
     if network is None:
         network = with_findings(apart(distro, nodes, **counts._asdict()), findings)

@@ -47,7 +47,7 @@ def test_a_node_and_what_it_has_without_a_source() -> None:
     rogue = node("/rogue", pub("/spy"))
     (difference,) = found([TALKER], TALKER, rogue).differences
     assert difference.finding.code == "RW501"
-    assert "/rogue runs, and the source does not explain it; it has publisher /spy," in difference.finding.message
+    assert "/rogue runs but is not explained by the source; it has publisher /spy," in difference.finding.message
     assert difference.finding.place == Place("robot.json")
 
 
@@ -83,7 +83,7 @@ def test_another_type_is_told_once() -> None:
     live = replace(TALKER, entities=(pub("/chatter", "std_msgs/msg/Int32"), *TALKER.entities[1:]))
     (difference,) = found([TALKER], live).differences
     assert difference.finding.code == "RW504"
-    assert "has the type std_msgs/msg/Int32, and std_msgs/msg/String by the source" in difference.finding.message
+    assert "has type std_msgs/msg/Int32, but the source says std_msgs/msg/String" in difference.finding.message
 
 
 def test_a_type_that_the_source_does_not_know_fits_each() -> None:

@@ -52,12 +52,12 @@ def test_a_node_of_which_the_middleware_tells_nothing_lacks_nothing() -> None:
 
 def test_a_snapshot_without_any_node_is_doubted() -> None:
     (finding,) = snapshot_of({**document(), "nodes": []}).findings
-    assert (finding.code, finding.message[:17]) == ("RW505", "No node was seen:")
+    assert (finding.code, finding.message[:17]) == ("RW505", "No node was seen.")
 
 
 def test_problems_of_the_snapshot_are_told() -> None:
     broken = {**document(), "problems": ["node x in /: gone"]}
-    assert [f.message for f in snapshot_of(broken).findings] == ["The snapshot could not ask for node x in /: gone."]
+    assert [f.message for f in snapshot_of(broken).findings] == ["The snapshot could not query node x in /: gone."]
 
 
 def places(value: object, way: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
@@ -89,7 +89,7 @@ def test_files_that_are_no_snapshot_are_refused(text: str, tmp_path: Path) -> No
     file = tmp_path / "robot.json"
     file.write_text(text, encoding="utf-8")
     for read in (read_snapshot, read_network):
-        with pytest.raises(UnreadableError, match=r"robot\.json: no "):
+        with pytest.raises(UnreadableError, match=r"robot\.json: not "):
             read(str(file))
     with pytest.raises(UnreadableError):
         read_snapshot(str(tmp_path))
@@ -98,7 +98,7 @@ def test_files_that_are_no_snapshot_are_refused(text: str, tmp_path: Path) -> No
 def test_one_node_twice_is_refused() -> None:
     twice = document()
     twice["nodes"] *= 2
-    with pytest.raises(UnreadableError, match="is there twice"):
+    with pytest.raises(UnreadableError, match="is listed twice"):
         snapshot_of(twice)
 
 

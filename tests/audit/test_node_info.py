@@ -149,7 +149,7 @@ def test_the_warning_about_nodes_of_one_name_counts() -> None:
 def test_what_is_not_understood_is_told_with_its_line() -> None:
     graph = read_node_info({"i.txt": f"$ ros2 node info /a\n{COMPLEX}Unable to find node '/b'\n"})
     assert [(str(f.place), f.code, f.message) for f in graph.findings] == [
-        ("i.txt:1", "RW505", "The line is not understood: $ ros2 node info /a"),
+        ("i.txt:1", "RW505", "The line could not be parsed: $ ros2 node info /a"),
         ("i.txt:18", "RW505", "There was no node /b."),
     ]
 

@@ -310,7 +310,7 @@ def test_light_and_dark_follow_the_system_until_the_user_says(browser: Browser, 
         dark = page.evaluate(colour)
         assert dark != light
         assert page.evaluate(ink) != light_ink
-        page.get_by_role("button", name="Light or dark").click()
+        page.get_by_role("button", name="Light or dark theme").click()
         assert (page.evaluate(colour), page.evaluate(ink)) == (light, light_ink)
         page.reload()
         drawn(page)

@@ -102,7 +102,7 @@ def test_a_click_opens_a_frame_so_that_it_can_be_read(browser: Browser, tmp_path
 
 def test_from_afar_the_names_of_frames_keep_their_size(browser: Browser, tmp_path: Path) -> None:
     with opened(browser, written(tmp_path, stack(190)), **DESK) as page:
-        page.get_by_role("button", name="Draw all of it").click()
+        page.get_by_role("button", name="Draw everything").click()
         drawn(page)
         settle(page)
         page.evaluate("rosward.graph.fit()")

@@ -130,7 +130,7 @@ def test_a_zip_is_uploaded_and_its_policy_downloaded(page: Page, tmp_path: Path)
     page.set_input_files("#pick-files", {"name": "ws.zip", "mimeType": "application/zip", "buffer": zipped()})
     page.wait_for_url("**/results/*")
     open_tab(page, "Downloads")
-    page.get_by_role("button", name="Look at the policy of /talker").click()
+    page.get_by_role("button", name="View the policy of /talker").click()
     page.locator("#look pre").get_by_text("<topic>/chatter</topic>").wait_for()
     with page.expect_download() as coming:
         page.get_by_role("link", name="Download the policy of /talker").click()
@@ -175,7 +175,7 @@ def test_a_dropped_file_is_taken(page: Page) -> None:
 def test_a_workspace_that_changes_shows_its_new_result_by_itself(page: Page, tmp_path: Path) -> None:
     program = tmp_path / "talker.py"
     program.write_text(TALKER, encoding="utf-8")
-    page.get_by_label("or name a folder of this machine").fill(str(tmp_path))
+    page.get_by_label("or open a folder on this machine").fill(str(tmp_path))
     page.keyboard.press("Enter")
     page.wait_for_url("**/results/*")
     assert "/chatter" in report_of(page)

@@ -96,7 +96,7 @@ def test_from_the_finding_to_a_declared_node(capsys: pytest.CaptureFixture[str])
     status, node = extracted()
     assert (status, node["interface"]) == (1, "unknown")
     main(["extract", "ws", "--launch", "demo:a.launch.xml", "--format", "none"])
-    assert "`rosward declare acme/lidar_node` begins a declaration of it" in capsys.readouterr().out
+    assert "`rosward declare acme/lidar_node` creates a declaration for it" in capsys.readouterr().out
 
     Path("info.txt").write_text(NODE_INFO + OTHER)
     assert main(["declare", "acme/lidar_node", "--from", "info.txt", "--node", "/front/lidar"]) == 0
@@ -154,10 +154,10 @@ def test_source_in_cpp_is_searched_and_not_trusted() -> None:
     assert found.entities[0].qos == Qos("best_effort", "volatile", "keep_last", 5)
     assert found.entities[1].qos == Qos("reliable", "transient_local", "keep_last", 1)
     assert found.told == (
-        "lidar.cpp:13: subscriptions of std_msgs::msg::String: its name is no literal (topic_)",
-        "lidar.cpp:16: publishers of Unheard: its package is not known",
+        "lidar.cpp:13: subscriptions of std_msgs::msg::String: its name is not a literal (topic_)",
+        "lidar.cpp:16: publishers of Unheard: its package is unknown",
     )
-    assert found.open == "found by a search of lidar.cpp, and not verified"
+    assert found.open == "found by a text search of lidar.cpp, not verified"
 
 
 def test_source_in_python_is_searched_too() -> None:
@@ -191,8 +191,8 @@ def test_what_is_in_the_file_stays() -> None:
         (["acme/camera"], "declares acme/camera already"),
         (["acme/lidar", "--from", "absent.json"], "absent.json"),
         (["acme/lidar", "--from", "two.txt", "--node", "/nobody"], "/front/camera, /front/lidar"),
-        (["acme/thing", "--from", "two.txt"], "Name one by --node: /front/camera, /front/lidar"),
-        (["acme/lidar", "--from", "ws"], "no source in C++ or Python"),
+        (["acme/thing", "--from", "two.txt"], "choose one with --node: /front/camera, /front/lidar"),
+        (["acme/lidar", "--from", "ws"], "no C++ or Python source"),
     ],
 )
 def test_what_cannot_be_declared(arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -207,7 +207,7 @@ def test_what_cannot_be_declared(arguments: list[str], message: str, capsys: pyt
 
 def test_it_can_be_printed(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["declare", "acme/lidar_node", "-o", "-"]) == 0
-    assert capsys.readouterr().out.startswith("# Begun by `rosward declare`")
+    assert capsys.readouterr().out.startswith("# Created by `rosward declare`")
     assert not Path("models").exists()
 
 

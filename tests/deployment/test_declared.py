@@ -188,7 +188,7 @@ def test_a_plugin_that_is_not_declared_is_told() -> None:
     file: Rows = {"planner_server": {"planner_plugins": ["mine"], "mine.plugin": "my_planner::Mine"}}
     log = start("nav2_planner", "planner_server", file=file)
     assert [f.message for f in log.findings] == [
-        "The interface of nav2_planner/planner_server is not wholly known: a planner is of a class that is not declared."
+        "The interface of nav2_planner/planner_server is not completely known: a planner is of a class that is not declared."
     ]
     assert codes(log) == ["RW314"]
     assert next(iter(log.findings)).place == HERE

@@ -152,9 +152,9 @@ Visualization Manager:
 """
     log = start("rviz2", "rviz2", ["-d", "/v.rviz"], read_file=lambda _: view)
     assert [f.message.rpartition(": ")[2] for f in log.findings] == [
-        "its display moveit_rviz_plugin/MotionPlanning is not known.",
-        "its tool acme/Poke is not known.",
-        "its panel nav2_rviz_plugins/Navigation 2 is not known.",
+        "its display moveit_rviz_plugin/MotionPlanning is unknown.",
+        "its tool acme/Poke is unknown.",
+        "its panel nav2_rviz_plugins/Navigation 2 is unknown.",
     ]
 
 

@@ -33,26 +33,32 @@ def complaint(body: str, head: str = HEAD) -> str:
     [
         ("executables: {a: {node: a, publisher: []}}", "unknown key 'publisher'"),
         ("executables: {a: {publishers: []}}", "'node' is missing"),
-        ("executables: {a: {}}", "it has no nodes: write 'nodes: []' if it makes none"),
+        ("executables: {a: {}}", "'nodes' is missing: write 'nodes: []' if it creates no node"),
         ("executables: {a: {node: a, publishers: [{name: x, qos: 1}]}}", "'type' is missing"),
         ("executables: {a: {node: a, publishers: [{name: x, type: std_msgs/msg/String}]}}", "'qos' is missing"),
-        ("executables: {a: {node: a, publishers: [{name: x, type: a/srv/B, qos: 1}]}}", "package/msg/Name is expected"),
+        ("executables: {a: {node: a, publishers: [{name: x, type: a/srv/B, qos: 1}]}}", "expected package/msg/Name"),
         ("executables: {a: {node: a, publishers: [{name: x, type: a/msg/B, qos: often}]}}", "unknown profile 'often'"),
-        ("executables: {a: {node: a, publishers: [{name: '*', type: a/msg/B, qos: 1}]}}", "a name has no spaces"),
+        (
+            "executables: {a: {node: a, publishers: [{name: '*', type: a/msg/B, qos: 1}]}}",
+            "a name must not contain spaces",
+        ),
         ("executables: {a: {node: a, groups: [{when: {param: x}}]}}", "one of is, not, in, set"),
         ("executables: {a: {node: a, groups: [{for_each: {as: x}}]}}", "one of family, words, list, below, values"),
-        ("executables: {a: {node: a, groups: [{for_each: {as: x, family: odom}}]}}", "a family has {n}"),
-        ("executables: {a: {node: a, groups: [{since: indigo}]}}", "'since' names a distribution"),
-        ("executables: {a: {node: a, groups: [{cases: {}}]}}", "'switch', 'cases' and 'otherwise' belong together"),
+        ("executables: {a: {node: a, groups: [{for_each: {as: x, family: odom}}]}}", "a family must have {n}"),
+        ("executables: {a: {node: a, groups: [{since: indigo}]}}", "'since' must name a distribution"),
+        (
+            "executables: {a: {node: a, groups: [{cases: {}}]}}",
+            "'switch', 'cases' and 'otherwise' must be used together",
+        ),
         ("executables: {a: {node: a, options: {fast: true}}}", "unknown option 'fast'"),
-        ("executables: {a: {same_as: b}}", "same_as names no other executable"),
-        ("interfaces: {x: {include: [y]}}", "no interface is called y"),
+        ("executables: {a: {same_as: b}}", "same_as does not name another executable"),
+        ("interfaces: {x: {include: [y]}}", "there is no interface y"),
         ("interfaces: {x: {include: [y]}, y: {include: [x]}}", "includes itself"),
-        ("executables: &x {a: *x}", "aliases are not read"),
-        ("executables: {a: {node: a, node: b}}", "'node' stands here twice"),
-        ("executables: [", "no YAML"),
-        ("executables: " + "[" * 120 + "]" * 120, "nested too deep"),
-        ("executables: {a: {node: [1]}}", "a text is expected here"),
+        ("executables: &x {a: *x}", "aliases are not supported"),
+        ("executables: {a: {node: a, node: b}}", "'node' occurs twice here"),
+        ("executables: [", "not valid YAML"),
+        ("executables: " + "[" * 120 + "]" * 120, "nested too deeply"),
+        ("executables: {a: {node: [1]}}", "expected a string here"),
     ],
 )
 def test_what_is_wrong_is_told_with_its_line(body: str, expected: str) -> None:
@@ -62,9 +68,9 @@ def test_what_is_wrong_is_told_with_its_line(body: str, expected: str) -> None:
 
 
 def test_the_head() -> None:
-    assert "nodl_version: 2 is expected" in complaint("package: acme", "")
+    assert "expected nodl_version: 2" in complaint("package: acme", "")
     assert "declares package other" in complaint("", HEAD.replace("acme", "other"))
-    assert "client_library is rclcpp or rclpy" in complaint("", HEAD.replace("rclpy", "roscpp"))
+    assert "client_library must be rclcpp or rclpy" in complaint("", HEAD.replace("rclpy", "roscpp"))
     assert "the file is empty" in complaint("", "")
 
 

@@ -272,23 +272,23 @@ CASES = {
         RW320 2: Unexpected nested tag <parma> in <node>.
         RW320 3: <node> has no attribute 'exec', which launch requires.
         RW320 3: <remap> has no attribute 'to', which launch requires.
-        RW320 4: <node> has both 'if' and 'unless', which launch does not take together.
-        RW320 4: "it's" is no command line: No closing quotation.
-        RW320 4: 'respawn_delay' of <node> is not a float from zero up; it takes no substitution.
+        RW320 4: <node> has both 'if' and 'unless', which launch does not accept together.
+        RW320 4: "it's" is not a valid command line: No closing quotation.
+        RW320 4: 'respawn_delay' of <node> must be a non-negative float; substitutions are not allowed.
         RW320 5: launch has no substitution $(find …).
-        RW320 5: '$(var a' is no text of launch: a substitution is not closed, or its arguments are not divided by one blank (at the end).
-        RW320 5: '$(env)' is no text of launch: $(env …) does not take 0 arguments (at the end).
+        RW320 5: '$(var a' is not a valid launch string: a substitution is not closed, or its arguments are not separated by one space (at the end).
+        RW320 5: '$(env)' is not a valid launch string: $(env …) does not take 0 arguments (at the end).
         RW320 6: Unexpected nested tag <arg> in <let>.
         RW320 7: <include> has no attribute 'file', which launch requires.
         RW320 8: <param> has neither 'name' nor 'from'.
         RW320 8: <param> has neither a 'value' nor nested parameters.
-        RW320 8: launch knows no type 'double' of a parameter.
-        RW320 9: The value of <param> is nothing that a parameter can be.
-        RW320 9: 'a' in <param> is no int.
-        RW320 10: The value of <param> is no list, as List[int] asks for.
+        RW320 8: launch has no parameter type 'double'.
+        RW320 9: The value of <param> is not a valid parameter value.
+        RW320 9: 'a' in <param> is not of type int.
+        RW320 10: The value of <param> is not a list, which List[int] requires.
         RW320 10: The list in <param> has elements of several types.
-        RW320 11: 'scoped' of <group> is of type int, where launch takes true or false.
-        RW320 11: 'period' of <timer> is no number.
+        RW320 11: 'scoped' of <group> is of type int, but launch requires true or false.
+        RW320 11: 'period' of <timer> is not a number.
         """,
     ),
     "a tag that is not known may start anything": (
@@ -299,7 +299,7 @@ CASES = {
         </launch>
         """,
         """
-        2: Unread condition=if[$(var <sim>)] why='No description of the tag <my_robot> is known.'
+        2: Unread condition=if[$(var <sim>)] why='The tag <my_robot> is unknown.'
         3: Inert kind='log'
         """,
     ),

@@ -161,18 +161,18 @@ CASES = {
             12: mixed = [1, 2.0]
             13: exact = 1
             14: deep = typed[$(unknown <value>)]
-        RW320 2: 'name' of <node> is of type int, where launch takes only text: quote it.
-        RW320 2: 'respawn' of <node> is of type bool, where launch takes only text: quote it.
-        RW320 2: 'if' of <node> is of type bool, where launch takes only text: quote it.
-        RW320 2: 'respawn_delay' of <node> is not a float from zero up; it takes no substitution.
-        RW320 3: 'period' of <timer> is of type int, where launch takes a float.
-        RW320 4: 'value' of <set_parameter> is of type int, where launch takes only text: quote it.
-        RW320 5: 'scoped' of <group> is of type int, where launch takes true or false.
-        RW320 10: The value of <param> is nothing that a parameter can be.
-        RW320 11: The value of <param> is nothing that a parameter can be.
+        RW320 2: 'name' of <node> is of type int, but launch requires a string: quote it.
+        RW320 2: 'respawn' of <node> is of type bool, but launch requires a string: quote it.
+        RW320 2: 'if' of <node> is of type bool, but launch requires a string: quote it.
+        RW320 2: 'respawn_delay' of <node> must be a non-negative float; substitutions are not allowed.
+        RW320 3: 'period' of <timer> is of type int, but launch requires float.
+        RW320 4: 'value' of <set_parameter> is of type int, but launch requires a string: quote it.
+        RW320 5: 'scoped' of <group> is of type int, but launch requires true or false.
+        RW320 10: The value of <param> is not a valid parameter value.
+        RW320 11: The value of <param> is not a valid parameter value.
         RW320 12: The list in <param> has elements of several types.
-        RW320 13: 1 in <param> is no float.
-        RW320 14: The value of <param> is nothing that a parameter can be.
+        RW320 13: 1 in <param> is not of type float.
+        RW320 14: The value of <param> is not a valid parameter value.
         """,
     ),
     "a shape that launch does not take": (
@@ -198,18 +198,18 @@ CASES = {
         8: SetConfiguration name=$(unknown <name>) value=$(unknown <value>)
         10: ScopeChange what='environment' how='reset'
         12: SetConfiguration name=b value=c
-        13: Unread why='No description of the tag <wait> is known.'
+        13: Unread why='The tag <wait> is unknown.'
         RW320 2: Unexpected attribute 'nmae' of <node>.
         RW320 2: Unexpected nested tag <parma> in <node>.
-        RW320 3: 'remap' of <node> is no list of mappings, as launch expects it.
-        RW320 4: An action is a mapping with its tag as the only key.
-        RW320 7: <group> has no nested entities: launch expects a list, or one below the key 'children'.
+        RW320 3: 'remap' of <node> is not a list of mappings, which launch expects.
+        RW320 4: An action must be a mapping with its tag as the only key.
+        RW320 7: <group> has no nested entities: launch expects a list, or a list below the key 'children'.
         RW320 8: <let> has no attribute 'name', which launch requires.
         RW320 8: <let> has no attribute 'value', which launch requires.
         RW320 8: Unexpected nested entities in <let>.
-        RW320 10: <reset_env> is no mapping, as launch expects it ({} if it has no attributes).
-        RW320 11: An action is a mapping with its tag as the only key.
-        RW320 12: The key 'name' stands twice in one mapping: launch takes the last, the first is lost.
+        RW320 10: <reset_env> is not a mapping, which launch expects ({} if it has no attributes).
+        RW320 11: An action must be a mapping with its tag as the only key.
+        RW320 12: The key 'name' occurs twice in one mapping: launch uses the last one and ignores the first.
         """,
     ),
 }

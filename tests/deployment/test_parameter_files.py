@@ -45,7 +45,7 @@ def refused(text: str) -> str:
     given, (finding,) = read_parameter_file(text, "robot.yaml")
     assert given == ()
     assert finding.code == "RW317"
-    return f"{finding.place}: {finding.message.removeprefix('rcl refuses this parameter file: ')}"
+    return f"{finding.place}: {finding.message.removeprefix('rcl rejects this parameter file: ')}"
 
 
 def test_nodes_names_and_values() -> None:
@@ -104,15 +104,15 @@ def test_nothing(text: str) -> None:
         ("a:\n  ros__parameters:\n    x:\n    y: 1\n", "robot.yaml:3: a parameter has no value."),
         ("a:\n  ros__parameters:\n    x: [1, b]\n", "robot.yaml:3: the items of a list must have one type."),
         ("a:\n  ros__parameters:\n    x: &v 1\n    y: *v\n", "robot.yaml:4: it has an alias."),
-        ("a:\n  x: 1\n", "robot.yaml:2: a value stands before ros__parameters."),
-        ("a: [1]\n", "robot.yaml:1: a list stands before ros__parameters."),
-        ("- a\n", "robot.yaml:1: a list stands where a name is expected."),
+        ("a:\n  x: 1\n", "robot.yaml:2: a value comes before ros__parameters."),
+        ("a: [1]\n", "robot.yaml:1: a list comes before ros__parameters."),
+        ("- a\n", "robot.yaml:1: a list is in place of a name."),
         ("ros__parameters:\n  x: 1\n", "robot.yaml:1: there is no node name before ros__parameters."),
-        ("a-b:\n  ros__parameters: {x: 1}\n", "robot.yaml:2: 'a-b' is no name of a node: a node name must hold only alphanumerics and '_'."),
-        ("/a*:\n  ros__parameters: {x: 1}\n", "robot.yaml:2: '/a*' is no name of a node: a wildcard stands for a whole name."),
-        ("/a:\n  /b:\n    ros__parameters: {x: 1}\n", "robot.yaml:3: '/a//b' is no name of a node: it has an empty part."),
+        ("a-b:\n  ros__parameters: {x: 1}\n", "robot.yaml:2: 'a-b' is not a valid node name: a node name must hold only alphanumerics and '_'."),
+        ("/a*:\n  ros__parameters: {x: 1}\n", "robot.yaml:2: '/a*' is not a valid node name: a wildcard must be a whole name."),
+        ("/a:\n  /b:\n    ros__parameters: {x: 1}\n", "robot.yaml:3: '/a//b' is not a valid node name: it has an empty part."),
         ("a: {ros__parameters: {x: 1}\n", "robot.yaml:2: not YAML (did not find expected ',' or '}')."),
-        ("%YAML 1.2\n---\na:\n", "robot.yaml:1: rcl does not know YAML 1.2."),
+        ("%YAML 1.2\n---\na:\n", "robot.yaml:1: rcl does not support YAML 1.2."),
     ],
 )  # fmt: skip
 def test_refused(text: str, expected: str) -> None:

@@ -135,7 +135,7 @@ DOUBTS = {
         """
         StartNode package=demo executable=0
         StartNode package=demo executable=a
-        Maybe why=condition in Python not known
+        Maybe why=unknown condition in Python
           StartNode package=demo executable=camera
         StartNode package=demo executable=z
         """,
@@ -151,7 +151,7 @@ DOUBTS = {
         """,
         """
         StartNode package=demo executable=a
-        Maybe why=condition in Python not known
+        Maybe why=unknown condition in Python
           StartNode package=demo executable=b
         """,
     ),
@@ -165,7 +165,7 @@ DOUBTS = {
         """,
         """
         StartNode package=demo executable=a
-        Maybe why=condition in Python not known
+        Maybe why=unknown condition in Python
           StartNode package=demo executable=b
           StartNode package=demo executable=c
         """,
@@ -178,7 +178,7 @@ DOUBTS = {
             return LaunchDescription([node, Node(package='demo', executable='d' if here else 'e')])
         """,
         """
-        Maybe why=condition in Python not known
+        Maybe why=unknown condition in Python
           StartNode package=demo executable=b
           StartNode package=demo executable=c
         StartNode package=demo executable=d | e
@@ -190,7 +190,7 @@ DOUBTS = {
         def generate_launch_description():
             return LaunchDescription([generate_robot('r')])
         """,
-        "Unread why=call that is not modelled: somewhere.generate_robot (main.launch.py:14)",
+        "Unread why=unmodelled call: somewhere.generate_robot (main.launch.py:14)",
     ),
 }
 
@@ -250,7 +250,7 @@ MISTAKES = {
         """,
         """
         StartNode package=demo executable=talker name=5
-        RW320: launch wants a str or a substitution here, not 5
+        RW320: launch requires a str or a substitution here, not 5
         """,
     ),
     "no Python": (

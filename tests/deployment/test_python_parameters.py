@@ -62,8 +62,8 @@ def test_parameters(text: str, tmp_path: Path) -> None:
 
 
 REFUSED = {
-    "{'a': None}": "launch_ros takes no None as the value of a parameter",
-    "{'a': []}": "launch_ros takes no empty list as the value of a parameter",
+    "{'a': None}": "launch_ros does not accept None as a parameter value",
+    "{'a': []}": "launch_ros does not accept an empty list as a parameter value",
 }
 
 

@@ -114,7 +114,7 @@ def _derived_from(base: str, library: Library) -> dict[str, Class]:
 def test_what_stands_in_no_table_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rosward.deployment.python.actions.INERT", frozenset[str]())
     text = "def generate_launch_description(): return LaunchDescription([LogInfo(msg='x')])"
-    assert Files(tmp_path, text).shown(Launch()).strip() == "Unread why=LogInfo is no launch entity that is known"
+    assert Files(tmp_path, text).shown(Launch()).strip() == "Unread why=LogInfo is not a known launch entity"
 
 
 def test_an_action_that_derives_from_another_is_read_as_that_one(tmp_path: Path) -> None:

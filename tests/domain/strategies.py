@@ -8,7 +8,7 @@ from typing import Final
 from hypothesis import strategies as st
 
 from rosward.domain.choice import join_all
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Alternatives, Obj, ObjKind
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State
@@ -70,7 +70,7 @@ CLASS: Final = Native("builtins.object")
 
 
 @st.composite
-def instances(draw: st.DrawFn, kind: str = "instance") -> Obj:
+def instances(draw: st.DrawFn, kind: ObjKind = "instance") -> Obj:
     attrs = draw(attributes)
     partial = frozenset(name for name in attrs if draw(st.booleans()))
     return Obj(kind, CLASS, attrs=attrs, many=draw(st.booleans()), partial=partial)
@@ -96,7 +96,7 @@ def cells(draw: st.DrawFn) -> Obj:
 
 
 @st.composite
-def lists(draw: st.DrawFn, kind: str = "list", payload: object = None) -> Obj:
+def lists(draw: st.DrawFn, kind: ObjKind = "list", payload: object = None) -> Obj:
     elements = draw(st.sampled_from((values, references)))
     record = Obj(kind, CLASS, many=draw(st.booleans()), payload=payload)
     several = st.lists(elements, max_size=3)

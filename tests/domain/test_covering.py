@@ -11,7 +11,7 @@ from hypothesis import given
 from domain.covering import object_covers, state_covers
 from domain.strategies import CLASS, FUNCTIONS, REASONS, triples
 from rosward.domain.choice import join
-from rosward.domain.heap import Alternatives, Obj
+from rosward.domain.heap import Alternatives, Obj, ObjKind
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import State
@@ -48,7 +48,7 @@ def _generator(turn: int | None, *ahead: Const, ended: bool = False) -> Obj:
     return Obj("generator", NONE, payload=Suspension({point: (NONE, NONE, *kept)}, ended=ended))
 
 
-def _instance(kind: str = "instance", partial: str = "", payload: object = None, **attrs: Const | Ref) -> Obj:
+def _instance(kind: ObjKind = "instance", partial: str = "", payload: object = None, **attrs: Const | Ref) -> Obj:
     return Obj(kind, CLASS, attrs=dict(attrs), partial=frozenset(partial), payload=payload)
 
 

@@ -51,9 +51,9 @@ def test_conflicts_are_told() -> None:
     placed, findings = with_enclaves(made, EnclaveMode.PROCESS, assignment)
     assert [n.enclave for n in placed] == ["/x", "/x", "/z"]
     assert [f"{f.code} {f.message}" for f in findings] == [
-        "RW341 no node is called /nobody",
+        "RW341 there is no node /nobody",
         "RW308 process demo/pair is assigned to several enclaves: /x, /y",
-        "RW308 process demo/c is assigned to /z, but its start names /mine: change that",
+        "RW308 process demo/c is assigned to /z, but it is started with /mine: change one of them",
     ]
 
 
@@ -67,19 +67,19 @@ def test_what_is_not_assigned_never_meets_what_is() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("enclave = 3", "it holds tables [[enclave]], and nothing else"),
-        ("[other]\nx = 1", "it holds tables [[enclave]], and nothing else: other"),
+        ("enclave = 3", "only [[enclave]] tables are allowed"),
+        ("[other]\nx = 1", "only [[enclave]] tables are allowed, not: other"),
         ("[[enclave]]\nnodes = []", 'each [[enclave]] needs a path = "/…"'),
-        ('[[enclave]]\npath = "/a"\nnode = []', "has no 'node'; there are nodes, path, processes"),
-        ('[[enclave]]\npath = "a b"', "is refused by rcl"),
-        ('[[enclave]]\npath = "/a*"', "a * has no place in it"),
+        ('[[enclave]]\npath = "/a"\nnode = []', "has an unknown key 'node'; expected one of: nodes, path, processes"),
+        ('[[enclave]]\npath = "a b"', "is rejected by rcl"),
+        ('[[enclave]]\npath = "/a*"', "* is not allowed in it"),
         ('[[enclave]]\npath = "/a"\nnodes = "/x"', "nodes of enclave /a must be a list of strings"),
         (
             '[[enclave]]\npath = "/a"\nnodes = ["/x"]\n[[enclave]]\npath = "/b"\nnodes = ["/x"]',
             "/x is assigned to /a and to /b",
         ),
-        ("[[", "this is no TOML"),
-        ("a = " + "[" * 5_000, "this is no TOML"),
+        ("[[", "not valid TOML"),
+        ("a = " + "[" * 5_000, "not valid TOML"),
     ],
 )
 def test_what_is_no_assignment(text: str, message: str, tmp_path: Path) -> None:

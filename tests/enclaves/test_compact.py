@@ -139,7 +139,7 @@ def test_what_a_pattern_allows_besides_is_told() -> None:
     assert (small.name, small.more) == ("/sensors/front_*/range", ("/sensors/front_x/range",))
     (finding,) = compact(network.nodes, largest=4_000).findings
     assert finding.message == (
-        "enclave /a: publisher /sensors/front_*/range stands for 40 names; "
+        "enclave /a: publisher /sensors/front_*/range replaces 40 names; "
         "it also allows /sensors/front_x/range, and any other name of this form"
     )
     assert finding.place == network.nodes[0].entities[0].created_at[0]
@@ -152,7 +152,7 @@ def test_what_no_pattern_helps_is_left_as_it_is() -> None:
     assert compaction.widened == {}
     (finding,) = compaction.findings
     assert finding.code == "RW304"
-    assert "patterns bring them to" in finding.message
+    assert "patterns reduce them only to" in finding.message
 
 
 def test_a_part_of_an_action_may_be_left() -> None:

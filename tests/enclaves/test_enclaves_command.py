@@ -58,11 +58,11 @@ def test_permissions_that_are_too_large(
     Path("fleet_panel.py").write_text(PANEL, encoding="utf-8")
     assert main(["extract", "--format", "policy,permissions"]) == 0
     warned = capsys.readouterr().out
-    line = "fleet_panel.py:7  the signed permissions of enclave /panel come to about 72 KB, 60 KB are safe"
+    line = "fleet_panel.py:7  the signed permissions of enclave /panel take about 72 KB, but at most 60 KB are safe"
     assert line in warned
     assert main(["extract", "--format", "policy,permissions", "--compact", "-v"]) == 0
     noted = capsys.readouterr().out
-    line = "enclave /panel: service client /fleet/robot_*/stop stands for 250 names; it also allows any other name of this form"
+    line = "enclave /panel: service client /fleet/robot_*/stop replaces 250 names; it also allows any other name of this form"
     assert line in noted
     assert "RW304" not in noted
     document = Path("rosward-out/permissions/panel/permissions.xml").read_text("utf-8")

@@ -105,7 +105,7 @@ def test_an_example_by_hand() -> None:
     found = suggest(made)
     assert [e.path for e in found.enclaves] == ["/camera", "/recorder_and_viewer"]
     assert [step.price for step in found.ladder.steps] == [Price(0, 14), Price(1 + 2 + 2, 14 + 7 + 7)]
-    assert "1 step costs nothing but rights of the client library." in enclaves_text(found)
+    assert "1 step costs only permissions of the client library." in enclaves_text(found)
 
 
 def test_a_name_with_a_hole_covers_what_it_matches() -> None:

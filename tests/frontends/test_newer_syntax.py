@@ -61,7 +61,7 @@ def test_what_is_old_stays(text: str) -> None:
 
 @pytest.mark.skipif(sys.version_info >= (3, 14), reason="this Python reads it")
 def test_what_cannot_be_read_says_what_it_needs() -> None:
-    with pytest.raises(FrontendError, match=r"template string needs Python 3\.14"):
+    with pytest.raises(FrontendError, match=r"template strings need Python 3\.14"):
         lower_module("x = 1\ny = t'{x}'\n", "f.py")
 
 

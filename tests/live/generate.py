@@ -145,7 +145,7 @@ def _run(real: RealRclpy, seeds: Iterable[int], given: argparse.Namespace) -> in
         f"{total} programs with {entities} entities, {wrong} disagreements; {compared} ran to their end: {dict(ends)}"
     )
     print(
-        f"not exact: {vague} programs with a partly known name, {unseen} with an entity that did not show, {told} that say so"
+        f"not exact: {vague} programs with a partially known name, {unseen} with an entity that did not show, {told} that say so"
     )
     return int(wrong > 0)
 

@@ -161,7 +161,7 @@ def test_another_qos_is_told(tmp_path: Path) -> None:
     (tmp_path / "robot.py").write_text(ROBOT, encoding="utf-8")
     (difference,) = compared(tmp_path / "robot.py", seen).differences
     assert difference.finding.message == (
-        "publisher /robot/map of /robot/base has durability volatile, and transient_local by the source"
+        "publisher /robot/map of /robot/base has durability volatile, and transient_local"
     )
 
 
@@ -174,4 +174,4 @@ def test_the_command_looks_at_the_graph_by_itself(tmp_path: Path) -> None:
             command, cwd=tmp_path, env={**environment, "PYTHONPATH": paths}, capture_output=True, text=True, check=False
         )
     assert (run.returncode, run.stderr) == (0, "")
-    assert run.stdout.endswith("The source explains all that runs, and all that it surely has runs.\n")
+    assert run.stdout.endswith("The source explains everything that runs, and everything it expects is running.\n")

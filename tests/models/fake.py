@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from models.fake_process import FakeProcess
 from rosward.domain.choice import options
-from rosward.domain.heap import Obj, fields_of
+from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series
 from rosward.domain.text import make, matches
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
@@ -26,7 +26,7 @@ from rosward.domain.values import (
     Unknown,
     Value,
 )
-from rosward.models.native import Items, NativeCall, NativeFunction, perform
+from rosward.models.native import Items, NativeCall, NativeFunction, ResumptionKind, perform
 from rosward.models.python.builtins import attributes as builtin_attributes
 from rosward.models.python.builtins import constructors as builtin_constructors
 from rosward.models.python.builtins import functions as builtin_functions
@@ -145,7 +145,7 @@ class FakeMachine(FakeProcess):
     def is_stepped(self, value: Value) -> bool:
         return isinstance(value, Ref) and self.obj(value).kind == "generator"
 
-    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
         return self.unknown(Cause.CALL, f"{kind} {iterator} {value} {default}")
 
     def close_generator(self, ref: Ref) -> None:
@@ -179,7 +179,7 @@ class FakeMachine(FakeProcess):
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         return self._sequence("set", Series(tuple(dict.fromkeys(items)), rest))
 
-    def _sequence(self, kind: str, series: Series) -> Ref:
+    def _sequence(self, kind: ObjKind, series: Series) -> Ref:
         return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind)))
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:

@@ -86,7 +86,7 @@ def test_a_model_that_changed_is_another_question(tmp_path: Path, monkeypatch: p
     Path("models/nodes/acme.yaml").write_text(ACME.replace("rclcpp", "rclpy"))
     told = list(asked_differently(before, question(Path())))
     assert len(told) == 1
-    assert told[0].startswith("asked differently: models was ")
+    assert told[0].startswith("different options: models was ")
 
 
 def test_it_comes_back_from_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -101,7 +101,7 @@ def test_what_differs_is_told_line_by_line() -> None:
     old = Asked(paths=(".",), launch=(LaunchAsked("a:b"),), options=(("tests", False), ("unknown", "deny")))
     new = old._replace(launch=(LaunchAsked("a:b", (("who", "c"),)),), options=(("tests", True), ("unknown", "deny")))
     assert list(asked_differently(old, new)) == [
-        "asked differently: launch argument who of a:b was not given, is c",
-        "asked differently: option tests was off, is on",
+        "different options: launch argument who of a:b was not set, is now c",
+        "different options: option tests was off, is now on",
     ]
     assert list(asked_differently(NOT_TOLD, new)) == []

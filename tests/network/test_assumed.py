@@ -85,8 +85,8 @@ def test_network_json_tells_it_by_the_process(sources: Path, tmp_path: Path) -> 
 
 def test_every_text_names_it(sources: Path) -> None:
     network = rosward.extract(sources).network
-    assert "Assumed: nothing in the sources makes class robot.py:Assumed" in policy_xml(network)
-    assert "which nothing in the sources makes" in starts_text(network)
+    assert "Assumed: nothing in the sources creates class robot.py:Assumed" in policy_xml(network)
+    assert "which nothing in the sources creates" in starts_text(network)
     assert graph_dot(network).count('style="filled,dashed"') == 1
     assert "rosAssumed" in graph_mermaid(network)
     documents = {n.fqn: nodl_document(n) for n in network.nodes}
@@ -100,7 +100,7 @@ def test_the_command_line_tells_it(sources: Path, capsys: pytest.CaptureFixture[
     assert "2 nodes in 1 process." in printed
     assert "1 node is assumed: nothing starts it" in printed
     main(["explain", "/assumed", str(sources)])
-    assert "it is assumed that somebody makes class robot.py:Assumed" in capsys.readouterr().out
+    assert "class robot.py:Assumed is assumed to be created elsewhere" in capsys.readouterr().out
     main(["list", "nodes", str(sources), "--json"])
     rows = json.loads(capsys.readouterr().out)["rows"]
     assert {row["node"]: row["assumed"] for row in rows} == {"/assumed": True, "/started": False}

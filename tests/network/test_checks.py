@@ -51,7 +51,7 @@ def test_long_enclaves() -> None:
 
 def test_a_topic_outside_the_ros_names() -> None:
     (text,) = found("RW305", node("/a", pub("/x", line=8, ros_prefix=False)))
-    assert text == "src/demo/demo/node.py:8: node /a: publisher /x has no rt before its name on DDS"
+    assert text == "src/demo/demo/node.py:8: node /a: publisher /x has no rt prefix in its DDS name"
 
 
 def test_differing_types() -> None:
@@ -74,7 +74,7 @@ def test_types_that_do_not_clash() -> None:
 
 def test_a_node_name_used_twice() -> None:
     (text,) = found("RW307", node("/a", process="p"), node("/a", process="q", defined_at=Place("z.py", 1)))
-    assert text == "z.py:1: 2 nodes are called /a (in p, q)"
+    assert text == "z.py:1: 2 nodes are named /a (in p, q)"
     assert not found("RW307", node("/r*/a", process="p"), node("/r*/a", process="q"))
 
 

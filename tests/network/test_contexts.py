@@ -63,7 +63,7 @@ def test_what_the_start_names_counts_for_the_whole_process() -> None:
 def test_several_named_enclaves_conflict() -> None:
     nodes = [started("/a", "demo/pair", "/x"), started("/b", "demo/pair", "/y")]
     findings = with_enclaves(nodes, EnclaveMode.PROCESS)[1]
-    assert [f.message for f in findings] == ["process demo/pair is given several enclaves: /x, /y"]
+    assert [f.message for f in findings] == ["process demo/pair is started with several enclaves: /x, /y"]
 
 
 def test_a_named_enclave_that_nodes_have_to_share_is_told() -> None:

@@ -63,14 +63,14 @@ def test_each_node_says_what_is_known_of_it() -> None:
         "acme/other": "unknown",
     }
     assert found["/good"].lacks == found["/whole"].lacks == ()
-    assert found["/odd"].lacks == ("RW101: the name of a publisher is not known",)
+    assert found["/odd"].lacks == ("RW101: the name of a publisher is unknown",)
     assert "it loads plugins" in found["/open"].lacks[0]
     assert "no executable of that name" in found["acme/other"].lacks[0] or "neither" in found["acme/other"].lacks[0]
 
 
 def test_the_summary_counts_them(capsys: pytest.CaptureFixture[str]) -> None:
     main(["extract", "--models", "models", "--launch", "demo:a.launch.xml", "--format", "none"])
-    assert "  5 nodes: 1 analysed, 1 declared, 2 partly known, 1 unknown\n" in capsys.readouterr().out
+    assert "  5 nodes: 1 analysed, 1 declared, 2 partially known, 1 unknown\n" in capsys.readouterr().out
 
 
 def test_it_comes_back_from_the_file() -> None:
@@ -88,7 +88,8 @@ def test_a_file_of_version_1_says_it_by_its_findings() -> None:
     del document["asked"]
     for node in document["nodes"]:
         del node["interface"], node["lacks"], node["label"]
-    Path("network.json").write_text(json.dumps(document))
+    text = json.dumps(document).replace("not completely known", "not wholly known")  # as such files have it
+    Path("network.json").write_text(text)
     again = {n.fqn: n.interface for n in read_network("network.json").nodes}
     assert again == {n.fqn: n.interface for n in found.values()} | {"/odd": Interface.ANALYSED}
 

@@ -30,10 +30,10 @@ def client(name: str, **more: object) -> Entity:
 def test_each_kind() -> None:
     action = entity(EntityKind.ACTION_CLIENT, "/drive", "p/action/Drive", 8)
     assert found(node("/a", pub("/out", line=5), sub("/in", line=6), client("/do", line=7), action)) == [
-        "6 RW331 topic /in: subscription in /a, and no publisher",
-        "5 RW332 topic /out: publisher in /a, and no subscription",
-        "7 RW333 service /do: service client in /a, and no server",
-        "8 RW334 action /drive: action client in /a, and no server",
+        "6 RW331 topic /in: subscription in /a, but no publisher",
+        "5 RW332 topic /out: publisher in /a, but no subscription",
+        "7 RW333 service /do: service client in /a, but no server",
+        "8 RW334 action /drive: action client in /a, but no server",
     ]
 
 
@@ -51,7 +51,7 @@ def test_a_server_needs_no_client() -> None:
 
 def test_one_finding_for_a_name() -> None:
     nodes = [node(f"/n{n}", sub("/in")) for n in range(5)]
-    assert found(*nodes) == ["1 RW331 topic /in: subscription in /n0, /n1, /n2 and 2 more, and no publisher"]
+    assert found(*nodes) == ["1 RW331 topic /in: subscription in /n0, /n1, /n2 and 2 more, but no publisher"]
 
 
 def test_what_the_client_library_makes_needs_no_other_end_and_can_be_one() -> None:
@@ -83,10 +83,10 @@ def test_a_partly_known_name_may_be_the_other_end() -> None:
 def test_an_unknown_name_may_be_the_other_end_if_its_type_fits() -> None:
     subscription = node("/a", sub("/in", "p/msg/A"))
     assert found(subscription, node("/b", pub("/*", None, resolution=UNKNOWN))) == [
-        "1 RW331 topic /in: subscription in /a, and no publisher that is known; that of unknown name in /b may be it"
+        "1 RW331 topic /in: subscription in /a, but no publisher that is known; one of unknown name in /b may match"
     ]
     assert found(subscription, node("/b", pub("/*", "p/msg/B", resolution=UNKNOWN))) == [
-        "1 RW331 topic /in: subscription in /a, and no publisher"
+        "1 RW331 topic /in: subscription in /a, but no publisher"
     ]
 
 
@@ -94,7 +94,7 @@ def test_a_node_of_unknown_interface_may_have_the_other_end() -> None:
     place = Place("launch/robot.launch.py", 9, 5)
     driver = node("/driver", defined_at=place)
     assert found(node("/a", sub("/in")), driver, findings=(Finding("RW314", "C++", place),)) == [
-        "1 RW331 topic /in: subscription in /a, and no publisher that is known; /driver, of unknown interface, may have it"
+        "1 RW331 topic /in: subscription in /a, but no publisher that is known; /driver, whose interface is unknown, may have it"
     ]
 
 

@@ -22,11 +22,11 @@ def found(*nodes: Node) -> list[str]:
 def test_the_subscription_wants_more_than_is_offered() -> None:
     assert found(node("/driver", pub("/scan", qos=BEST, line=3)), node("/viewer", sub("/scan", qos=SURE, line=5))) == [
         "src/demo/demo/node.py:5: topic /scan: subscription in /viewer requests reliable, "
-        "publisher in /driver offers best_effort: no message passes between them"
+        "publisher in /driver offers best_effort: they exchange no messages"
     ]
     assert found(node("/server", pub("/map", qos=SURE, line=3)), node("/viewer", sub("/map", qos=LATCHED, line=5))) == [
         "src/demo/demo/node.py:5: topic /map: subscription in /viewer requests transient_local, "
-        "publisher in /server offers volatile: no message passes between them"
+        "publisher in /server offers volatile: they exchange no messages"
     ]
 
 

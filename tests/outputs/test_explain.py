@@ -26,7 +26,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 FLEET = ("--launch", "delivery_bringup:fleet.launch.py")
 BASE = "delivery_robot/delivery_base/delivery_base"
 ROBOT = "delivery_robot/delivery_bringup/launch/robot.launch.py"
-OTHERWISE = "make it a constant, or a parameter with a default; or accept the wildcard in the policy"
+OTHERWISE = "use a constant or a parameter with a default, or accept the wildcard in the policy"
 
 UNKNOWN = """\
 import os
@@ -102,13 +102,13 @@ def test_a_topic_with_its_two_ends(explain: Explain) -> None:
     assert "publisher of /porter/base_driver\n" in publisher
     assert rows(publisher, "created") == [f"{BASE}/base_driver.py:31"]
     assert "> 31 │         self._battery = self.create_publisher(BatteryState, 'battery', SENSOR)" in publisher
-    assert rows(publisher, "name") == ["exact: the code alone decides it"]
+    assert rows(publisher, "name") == ["exact: determined by the code alone"]
     assert rows(publisher, "started") == ["ros2 run delivery_base base_driver"]
     assert rows(publisher, "policy") == [
         'enclave /porter/base_driver: <topics publish="ALLOW"> <topic>/porter/battery</topic>'
     ]
     assert rows(subscription, "callback") == ["BatteryMonitor._on_state"]
-    assert rows(subscription, "name") == ["default: holds where nobody sets it otherwise"]
+    assert rows(subscription, "name") == ["default: holds unless it is set from outside"]
     assert rows(subscription, "made of") == [f"parameter input = 'battery': its default ({BASE}/battery_monitor.py:19)"]
 
 
@@ -121,9 +121,7 @@ def test_a_remapped_name_with_many_nodes(explain: Explain) -> None:
     text = explain("/fleet/heartbeat", EXAMPLES, *FLEET)
     assert "  13 publishers   /porter1/base_driver, " in text
     assert text.count("create_publisher(Header, f'/{ROBOT}/heartbeat', 10)") == 1
-    assert rows(text, "remap") == [
-        "/porter/heartbeat → /fleet/heartbeat  (a rule of the launch that leads to this name)"
-    ]
+    assert rows(text, "remap") == ["/porter/heartbeat → /fleet/heartbeat  (remap rule of the launch file)"]
     assert re.search(rf"/porter1/base_driver +delivery_base/base_driver, launched at {ROBOT}:33, included at", text)
     assert "  … and 1 more (--json has all)" in text
     ends = explain.json("/fleet/heartbeat", EXAMPLES, *FLEET)["meetings"][0]["ends"]
@@ -134,7 +132,7 @@ def test_a_name_from_the_parameter_of_a_launch_file(explain: Explain) -> None:
     text = explain("/porter1/eye/image_raw", EXAMPLES, *FLEET)
     subscription = text[text.index("subscription of /porter1/dock_detector") :].split("\n\n")[0]
     assert rows(subscription, "by") == ["message_filters.Subscriber"]
-    assert rows(subscription, "name") == ["bound: it is set from outside"]
+    assert rows(subscription, "name") == ["bound: set from outside"]
     assert rows(subscription, "made of") == [f"parameter camera = 'eye': set in the launch file ({ROBOT}:48)"]
 
 
@@ -151,7 +149,7 @@ def test_a_value_that_is_not_of_the_launch_is_not_said_to_be(explain: Explain, t
     text = explain("/porter1/other", EXAMPLES, *FLEET, "--params", str(file))
     assert "parameter input = 'other': set from outside; the launch passes " in text
     text = explain("/porter1/ear/image_raw", EXAMPLES, *FLEET, "--params", str(file))
-    over = "set from outside, over the launch file or beside it"
+    over = "set from outside, overriding or in addition to the launch file"
     assert rows(text, "made of") == [f"parameter camera = 'ear': {over} ({ROBOT}:48)"]
 
 
@@ -159,9 +157,11 @@ def test_a_name_known_in_part_what_is_missing_and_how_to_supply_it(explain: Expl
     """A full name asks for the names with a hole that it may be, too."""
     text = explain("/robot/left/state", unknown)
     assert text.startswith("topic /robot/*/state  std_msgs/msg/String\n")
-    assert rows(text, "name") == ["pattern: known in part"]
+    assert rows(text, "name") == ["pattern: partially known"]
     assert rows(text, "missing") == ["parameter without a value: topic (talker.py:12)"]
-    assert rows(text, "supply") == ["give the parameter a default, or a value: --params FILE.yaml, or the launch file"]
+    assert rows(text, "supply") == [
+        "give the parameter a default, or a value with --params FILE.yaml or in the launch file"
+    ]
     assert rows(text, "policy") == ['enclave /talker: <topics publish="ALLOW"> <topic>/robot/*/state</topic>']
 
 
@@ -169,7 +169,7 @@ def test_what_is_told_to_supply_makes_the_name_known(explain: Explain, unknown: 
     (unknown / "p.yaml").write_text("/**:\n  ros__parameters: {topic: left}\n", encoding="utf-8")
     text = explain("/robot/left/state", unknown, "--params", str(unknown / "p.yaml"))
     assert text.startswith("topic /robot/left/state ")
-    assert rows(text, "name") == ["bound: it is set from outside"]
+    assert rows(text, "name") == ["bound: set from outside"]
     assert rows(text, "made of") == ["parameter topic = 'left': set from outside"]
 
 
@@ -178,12 +178,12 @@ def test_the_unknown_name(explain: Explain, unknown: Path) -> None:
     text = explain("/*", unknown)
     assert text.count("\npublisher of /talker\n") == 1
     assert rows(text, "created")[0] == "talker.py:16"
-    assert rows(text, "name") == ["unknown: not known"]
+    assert rows(text, "name") == ["unknown: cannot be determined"]
     assert rows(text, "missing") == ["command-line argument: sys.argv"]
     assert rows(text, "supply") == [
-        "give the argument a default, or analyse the launch file that passes it: --launch FILE"
+        "give the argument a default, or analyse the launch file that passes it (--launch FILE)"
     ]
-    assert rows(text, "policy") == ["enclave /talker: no rule: name not known"]
+    assert rows(text, "policy") == ["enclave /talker: no rule: unknown name"]
 
 
 def test_the_names_that_end_in_an_unknown_part(explain: Explain, unknown: Path) -> None:
@@ -199,7 +199,7 @@ def test_the_unknown_name_in_a_policy_with_wildcards(explain: Explain, unknown: 
 
 def test_no_full_name_is_said_to_be_the_unknown_one(explain: Explain, unknown: Path) -> None:
     """It may be any: as an answer to `/else` it would say nothing."""
-    assert "nothing in the result" in explain("/else", unknown, status=1)
+    assert "no name in the result" in explain("/else", unknown, status=1)
 
 
 def test_the_causes_that_have_a_remedy_of_their_own() -> None:
@@ -235,9 +235,9 @@ def test_a_node(explain: Explain) -> None:
 def test_a_node_with_its_findings(explain: Explain, unknown: Path) -> None:
     text = explain("talker", unknown)
     assert "    limit = nan  talker.py:13\n" in text
-    assert "    topic = (not plain, or not known)  talker.py:12\n" in text
+    assert "    topic = (unknown or not a plain value)  talker.py:12\n" in text
     assert "error RW101 unknown name\n" in text
-    assert "warning RW102 partly known name\n" in text
+    assert "warning RW102 partially known name\n" in text
 
 
 def test_several_names_with_one_end(explain: Explain) -> None:
@@ -245,9 +245,7 @@ def test_several_names_with_one_end(explain: Explain) -> None:
     assert "topic /porter1/battery_low " in text
     assert "topic /porter2/battery_low " in text
     text = explain("get_parameters", EXAMPLES)
-    assert text.startswith(
-        "get_parameters is the end of several names; give more of one for all that there is to tell\n"
-    )
+    assert text.startswith("get_parameters matches the end of several names; pass a longer name to see all details\n")
     assert re.search(r"^  service  /porter/base_driver/get_parameters  1 service.server$", text, re.MULTILINE)
 
 
@@ -264,7 +262,7 @@ def test_a_line(place: str, explain: Explain) -> None:
 def test_a_line_that_leads_to_others(explain: Explain) -> None:
     """The call of the base class, in the line of which the node gets its heartbeat."""
     text = explain(f"{BASE}/base_driver.py:23")
-    assert text.startswith("through a call in this line\n")
+    assert text.startswith("through a call on this line\n")
     assert "  publisher /porter/heartbeat of /porter/base_driver  delivery_robot/delivery_common/" in text
 
 
@@ -282,7 +280,7 @@ def test_an_entry_of_a_launch_file(explain: Explain) -> None:
 def test_a_finding(code: str, explain: Explain, unknown: Path) -> None:
     text = explain(code, unknown)
     assert rows(text, "where") == ["talker.py:16"]
-    assert rows(text, "do") == ["Give the value that is missing a default in the source."]
+    assert rows(text, "do") == ["Give the missing value a default in the source."]
     assert "> 16 │         self.create_publisher(String, sys.argv[1], 10)" in text
 
 
@@ -295,13 +293,13 @@ def test_an_enclave_of_several_nodes() -> None:
     assert text.startswith("enclave /robot/arms\n  nodes     /left, /right\n  rules\n")
     assert '    <topics publish="ALLOW"> <topic>/a</topic>\n' in text
     assert '    <topics subscribe="ALLOW"> <topic>/a</topic>\n' in text
-    assert "  left out\n    /b*: name not known" in text
+    assert "  omitted\n    /b*: unknown name" in text
 
 
 def test_nothing_is_called_so(explain: Explain) -> None:
     text = explain("/porter/batery", status=1)
     assert text.startswith(
-        "/porter/batery: nothing in the result is called so, ends so, or stands there\ndid you mean\n"
+        "/porter/batery: no name in the result matches or ends with this, and nothing is at this place\ndid you mean\n"
     )
     assert text.splitlines()[2] == "  /porter/battery"
 

@@ -98,7 +98,7 @@ def size(picture: str) -> tuple[float, float]:
     ("network", "expected"),
     [
         (talker_and_listener(), {"talker", "chatter"}),
-        (stack(24), {"/sensing/lidar/top/stage_0_of_filter", "Without 1 that joins many with many."}),
+        (stack(24), {"/sensing/lidar/top/stage_0_of_filter", "Omitted: 1 that connects many nodes with many."}),
         (stack(190), {"/sensing/lidar/top/", "12 nodes", "/stage_0_of_filter"}),
         (fleet(110), {"/robot*/", "660 nodes", "/dispatcher"}),
         (fleet(500), {"/robot*/", "3000 nodes", "/dispatcher"}),

@@ -56,7 +56,7 @@ LABEL = r'"((?:[A-Za-z0-9_/ .?]|#\d+;)+)"'
 SHAPE = re.compile(rf" *(?:(n\d+)\(\[{LABEL}\]\)|(t\d+)\[{LABEL}\]|(s\d+)\{{\{{{LABEL}\}}\}}|(a\d+)\[/{LABEL}/\])")
 SUBGRAPH = re.compile(rf" *subgraph (g\d+)\[{LABEL}\]")
 ARROW = re.compile(r"  ([ntsa]\d+) (-->|-\.->) ([ntsa]\d+)")
-CUT = re.compile(r'  cut\["left out of this drawing: [a-z0-9 ]+"\]')
+CUT = re.compile(r'  cut\["omitted from this drawing: [a-z0-9 ]+"\]')
 STYLE = re.compile(r"  classDef ros[A-Z][a-z]+ [a-z0-9#:,\- ]+|  class [ntsa]\d+(?:,[ntsa]\d+)* ros[A-Z][a-z]+")
 
 
@@ -317,7 +317,7 @@ def test_what_viewers_would_refuse_is_left_out_and_the_drawing_and_its_block_say
 ) -> None:
     text = graph_mermaid(network)
     drawing = Drawing(text)
-    assert drawing.notes == [f'  cut["left out of this drawing: {note}"]']
+    assert drawing.notes == [f'  cut["omitted from this drawing: {note}"]']
     assert len(drawing.labels("n")) <= 150
     assert len(drawing.arrows) <= 400
     assert drawing.notes[0] in fenced(text)

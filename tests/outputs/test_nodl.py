@@ -39,7 +39,7 @@ def test_a_talker() -> None:
     made = node("/talker", pub("/chatter", qos=RELIABLE))
     assert nodl_document(made) == (
         "nodl_version: 2\n"
-        "description: Node talker of demo/talker, read from its source by rosward.\n"
+        "description: Node talker of demo/talker, extracted from its source by rosward.\n"
         "publishers:\n"
         "- name: chatter\n"
         "  type: std_msgs/msg/String\n"
@@ -95,14 +95,14 @@ def test_every_kind_has_its_section_and_implicit_entities_have_none() -> None:
 def test_qos_that_is_not_known_is_said_to_be_so(qos: Qos | None, written: dict[str, Any], known: bool) -> None:
     (endpoint,) = document(node("/n", pub("/p", qos=qos)))["publishers"]
     assert endpoint["qos"] == written
-    assert ("QoS is not known" in endpoint.get("description", "")) is not known
+    assert ("QoS is unknown" in endpoint.get("description", "")) is not known
 
 
 def test_what_nodl_cannot_say_stands_at_the_head() -> None:
     text = nodl_document(node("/n", pub("/robot_*/cmd"), pub("/p", None), pub("/q", qos=RELIABLE, conditional=True)))
     assert text.startswith(
-        "# Not described: publisher /p, whose type is not known.\n"
-        "# Not described: publisher /robot_*/cmd, whose name is not wholly known.\n"
+        "# Not described: publisher /p, whose type is unknown.\n"
+        "# Not described: publisher /robot_*/cmd, whose name is not completely known.\n"
     )
     (only,) = yaml.safe_load(text)["publishers"]
     assert (only["name"], only["description"]) == ("q", "only in some executions")
@@ -124,7 +124,7 @@ def test_parameters() -> None:
         "frames": {"type": "string_array", "default_value": ["a", "b"]},
         "port": {"type": "int"},
     }
-    assert "# Not described: parameter what, whose type is not known." in nodl_document(made)
+    assert "# Not described: parameter what, whose type is unknown." in nodl_document(made)
 
 
 def test_hostile_names_break_nothing() -> None:

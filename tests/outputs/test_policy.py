@@ -57,13 +57,13 @@ def test_the_whole_of_a_small_policy() -> None:
         == """\
 <?xml version="1.0" encoding="UTF-8"?>
 <!-- Written by rosward from the source of the system. -->
-<!-- Behind each rule stands where it comes from; a rule with nothing behind it is needed by the client library. -->
+<!-- The comment after each rule says where it comes from; a rule without a comment is needed by the client library. -->
 <policy version="0.2.0">
   <enclaves>
     <enclave path="/ns/a">
       <profiles>
         <profile ns="/ns" node="a">
-          <!-- Not granted: publisher /ns/* at src/demo/demo/node.py:22: name not known; sys.argv[1] is not known -->
+          <!-- Not granted: publisher /ns/* at src/demo/demo/node.py:22: unknown name; sys.argv[1] is not known -->
           <actions call="ALLOW">
             <action>/dock</action>  <!-- src/demo/demo/node.py:24 -->
           </actions>
@@ -73,7 +73,7 @@ def test_the_whole_of_a_small_policy() -> None:
             <topic>/x</topic>  <!-- src/demo/demo/node.py:20 -->
           </topics>
           <topics subscribe="ALLOW">
-            <topic>/r_*/y</topic>  <!-- src/demo/demo/node.py:21, conditional, partly known name: * also matches / -->
+            <topic>/r_*/y</topic>  <!-- src/demo/demo/node.py:21, conditional, partially known name: * also matches / -->
           </topics>
         </profile>
       </profiles>

@@ -120,9 +120,9 @@ def test_a_whole_document() -> None:
             "id": "f0",
             "code": "RW332",
             "severity": "note",
-            "title": "topic that nobody subscribes to",
-            "help": "Check name and remapping; or tools alone, or nobody, reads it.",
-            "message": "topic /a/chatter: publisher in /a/talker, and no subscription",
+            "title": "topic without a subscription",
+            "help": "Check the name and its remapping. Perhaps only tools read it, or nothing does.",
+            "message": "topic /a/chatter: publisher in /a/talker, but no subscription",
             "place": here,
             "subjects": ["n0", "t0", "e0"],
             "first": None,
@@ -157,13 +157,11 @@ def test_every_line_with_a_right_leads_to_who_needs_it() -> None:
 
 
 def test_an_entity_without_a_rule_says_why() -> None:
-    asking = node(
-        "/a", pub("/*", None, resolution=Resolution.UNKNOWN, reasons=("call that is not modelled: f (a.py:3)",))
-    )
+    asking = node("/a", pub("/*", None, resolution=Resolution.UNKNOWN, reasons=("unmodelled call: f (a.py:3)",)))
     row = Report(connect("jazzy", [asking])).entity("/a", "publisher", "/*")
-    assert (row["rule"], row["why_not"]) == (None, "name not known")
-    assert row["reasons"] == ["call that is not modelled: f (a.py:3)"]
-    assert row["remedies"] == ["describe the call in a stub file: --models DIR"]
+    assert (row["rule"], row["why_not"]) == (None, "unknown name")
+    assert row["reasons"] == ["unmodelled call: f (a.py:3)"]
+    assert row["remedies"] == ["describe the call in a stub file (--models DIR)"]
     allowed = Report(connect("jazzy", [asking]), unknown="wildcard")
     assert allowed.row(allowed.entity("/a", "publisher", "/*")["rule"])["text"] == "publish /*"
 

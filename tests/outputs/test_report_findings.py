@@ -53,12 +53,12 @@ def test_of_two_in_one_place_the_message_decides() -> None:
         pub("/r_*", line=8, resolution=PATTERN),
         pub("/*", line=8, resolution=UNKNOWN),
     )
-    assert subjects("RW101", [two], Finding("RW101", "the name of this publisher is not known", place)) == [
+    assert subjects("RW101", [two], Finding("RW101", "the name of this publisher is unknown", place)) == [
         ["/a", "topic /*", "publisher /* of /a"]
     ]
-    message = "the name of this publisher is only known as /r_*"
+    message = "the name of this publisher is known only as /r_*"
     assert subjects("RW102", [two], Finding("RW102", message, place)) == [["/a", "topic /r_*", "publisher /r_* of /a"]]
-    message = "the type of the publisher /left is not known"
+    message = "the type of the publisher /left is unknown"
     assert subjects("RW104", [two], Finding("RW104", message, place)) == [
         ["/a", "topic /left", "publisher /left of /a"]
     ]
@@ -67,9 +67,9 @@ def test_of_two_in_one_place_the_message_decides() -> None:
 def test_a_line_belongs_to_the_node_that_is_defined_or_started_there() -> None:
     at = Place("launch/robot.launch.py", 12, 9)
     nodes = [node("/a", launched_by=at), node("/b", launched_by=Place("launch/robot.launch.py", 20))]
-    unknown_interface = Finding("RW314", "the interface of the node demo/a is not known: C++", at)
+    unknown_interface = Finding("RW314", "the interface of the node demo/a is unknown: C++", at)
     assert subjects("RW314", nodes, unknown_interface) == [["/a"]]
-    unknown_name = Finding("RW105", "the name of this node is not known", Place("src/demo/demo/any.py", 7, 1))
+    unknown_name = Finding("RW105", "the name of this node is unknown", Place("src/demo/demo/any.py", 7, 1))
     assert subjects("RW105", [node("/*", pub("/x", line=7), resolution=UNKNOWN)], unknown_name) == [["/*"]]
 
 
@@ -106,7 +106,7 @@ def test_an_enclave_is_its_nodes() -> None:
     path = "/" + "a" * 70
     nodes = [node(f"/{name}", defined_at=here, enclave=path if name in "ab" else f"/{name}") for name in "abc"]
     assert subjects("RW303", nodes) == [["/a", "/b"]]
-    message = "enclave /c: publisher /x_* stands for 3 names; it also allows any other name of this form"
+    message = "enclave /c: publisher /x_* replaces 3 names; it also allows any other name of this form"
     assert subjects("RW340", nodes, Finding("RW340", message, here)) == [["/c"]]
 
 

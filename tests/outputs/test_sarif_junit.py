@@ -53,7 +53,7 @@ def test_a_finding_is_a_result_with_rule_level_place_and_fingerprint() -> None:
                     }
                 }
             ],
-            "partialFingerprints": {"roswardFinding/v1": "RW102src/talker.py20"},
+            "partialFingerprints": {"roswardFinding/v2": "RW102src/talker.py20"},
         }
     ]
     rule = run["tool"]["driver"]["rules"][run["results"][0]["ruleIndex"]]

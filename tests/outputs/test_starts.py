@@ -50,14 +50,16 @@ def test_without_an_executable() -> None:
 
 
 def test_what_the_start_names_needs_nothing() -> None:
-    assert text(replace(launched("x.py"), given_enclave="/talker")) == "/talker\n  demo/talker: its start says so"
+    assert (
+        text(replace(launched("x.py"), given_enclave="/talker")) == "/talker\n  demo/talker: already set by its start"
+    )
 
 
 def test_one_place_that_starts_several() -> None:
     """A constant in a loop would be the same for all of them."""
     first = launched("x.py")
     second = replace(first, name="other", enclave="/other", process="demo/talker#2")
-    assert "  demo/talker, started at x.py:3 as others are: give it --enclave /talker among" in text(first, second)
+    assert "  demo/talker, started at x.py:3 like others: add --enclave /talker to" in text(first, second)
 
 
 def test_the_nodes_of_a_shared_enclave() -> None:

@@ -35,15 +35,15 @@ rosward read 2 files (120 lines) for jazzy: 2 nodes in 2 processes.
 
 error RW101 unknown name: 1
   src/demo/demo/node.py:60  publisher of node /robot1/listener: sys.argv[1] is not known (main.py:3)
-  Give the value that is missing a default in the source.
+  Give the missing value a default in the source.
 
-warning RW102 partly known name: 1
+warning RW102 partially known name: 1
   src/demo/demo/node.py:31  publisher /robot_*/cmd_vel: parameter 'robot_id' has no default
   Supply the missing part, or accept the wildcard in the policy.
 
-warning RW302 wildcard grants more than one name segment: 1
+warning RW302 wildcard matches more than one name segment: 1
   src/demo/demo/node.py:31  node /robot1/talker: publisher /robot_*/cmd_vel: it also allows /robot_any/depth/cmd_vel
-  In DDS permissions * also matches /: make the unknown part known.
+  In DDS permissions, * also matches /. Make the unknown part known.
 
 Incomplete: 1 error, 2 warnings.
   rosward-out/report.html
@@ -54,14 +54,14 @@ Incomplete: 1 error, 2 warnings.
 def test_long_lists_are_cut_and_say_so() -> None:
     findings = [Finding("RW202", f"call {n}", Place("a.py", n)) for n in range(1, 8)]
     text = printed(connect("jazzy", [], findings))
-    assert "a.py:5  call 5\n  … and 2 more (-v lists all)\n" in text
+    assert "a.py:5  call 5\n  … and 2 more (use -v to list all)\n" in text
     assert "call 6" not in text
     assert "call 7" in printed(connect("jazzy", [], findings), verbose=True)
 
 
 def test_notes_are_counted_and_shown_if_asked() -> None:
     network = connect("jazzy", [], [Finding("RW205", "dead", Place("a.py", 1))])
-    assert "Complete: no errors, 0 warnings, 1 note (-v shows notes).\n" in printed(network)
+    assert "Complete: no errors, 0 warnings, 1 note (use -v to show notes).\n" in printed(network)
     assert "a.py:1  dead" not in printed(network)
     assert "a.py:1  dead" in printed(network, verbose=True)
 

@@ -81,22 +81,22 @@ def test_an_inclusion_stays_in_the_folder_of_the_policy() -> None:
     found = read_policy([written(POLICY.format(ns="/", rules=rules), "p/policy.xml")])
     assert names(found) == ["topics publish /rosout"]
     assert messages(found) == [
-        "p/policy.xml:4 '../secret.xml' is no file in the folder of the policy or below it: not read.",
-        "p/policy.xml:5 'http://localhost/x.xml' is no file in the folder of the policy or below it: not read.",
+        "p/policy.xml:4 '../secret.xml' is not a file in or below the folder of the policy. It was not read.",
+        "p/policy.xml:5 'http://localhost/x.xml' is not a file in or below the folder of the policy. It was not read.",
         "p/no.xml The file cannot be read: No such file or directory.",
     ]
 
 
 def test_a_file_that_includes_itself_ends() -> None:
     found = policy('<xi:include href="policy.xml" xpointer="xpointer(/policy/enclaves/enclave/profiles/profile/*)"/>')
-    assert messages(found) == ["policy.xml:3 Inclusions are nested too deeply; this one is not read."]
+    assert messages(found) == ["policy.xml:3 Inclusions are nested too deeply; this one was not read."]
 
 
 def test_files_that_include_each_other_without_end_are_read_in_bounded_time() -> None:
     include = '<xi:include href="policy.xml" xpointer="xpointer(/policy/enclaves/enclave/profiles/profile/*)"/>\n'
     found = policy(include * 30)
     assert len(found.findings) <= 201
-    assert "There are more than 200 inclusions; this one is not read, nor are those after it." in [
+    assert "There are more than 200 inclusions; this one and those after it were not read." in [
         f.message for f in found.findings
     ]
 
@@ -108,13 +108,13 @@ def test_files_that_include_each_other_without_end_are_read_in_bounded_time() ->
         ("", "policy.xml:1 The file is not well-formed XML: no element found."),
         (
             '<!DOCTYPE x [<!ENTITY a "a">]><policy/>',
-            "policy.xml:1 The file has a document type declaration; entities are not read.",
+            "policy.xml:1 The file has a document type declaration; entities are not supported.",
         ),
         ("<a>" * 100, "policy.xml:1 The file is nested too deeply."),
         ("<package/>", "policy.xml:1 <package> is neither an SROS2 policy (<policy>) nor DDS permissions (<dds>)."),
-        ('<policy version="0.2.0"/>', "policy.xml:1 There is no enclave in it."),
-        ('<policy version="0.1.0"/>', "policy.xml:1 This policy is of version 0.1.0, sros2 takes 0.2.0."),
-        ("<dds/>", "policy.xml:1 There is no grant in it."),
+        ('<policy version="0.2.0"/>', "policy.xml:1 It has no enclave."),
+        ('<policy version="0.1.0"/>', "policy.xml:1 This policy has version 0.1.0, but sros2 requires 0.2.0."),
+        ("<dds/>", "policy.xml:1 It has no grant."),
         ("<policy>" + "<a/>" * 20_001, "policy.xml:1 The policy has more than 20,000 elements."),
     ],
 )
@@ -127,10 +127,10 @@ def test_what_is_no_policy_is_told(text: str, message: str) -> None:
     [
         ('<topics publish="allow"/>', 'policy.xml:3 publish="allow" has no meaning for <topics>.'),
         ('<topics reply="ALLOW"/>', 'policy.xml:3 reply="ALLOW" has no meaning for <topics>.'),
-        ("<topic>x</topic>", "policy.xml:3 <topic> has no place in <profile>: sros2 refuses the policy."),
+        ("<topic>x</topic>", "policy.xml:3 <topic> is not allowed in <profile>: sros2 rejects the policy."),
         (
             '<topics publish="ALLOW"><topic>/[[:alpha:]]</topic></topics>',
-            "policy.xml:3 The character class in /[[:alpha:]] is not understood.",
+            "policy.xml:3 The character class in /[[:alpha:]] could not be parsed.",
         ),
         (
             f'<topics publish="ALLOW"><topic>/{"x" * 600}</topic></topics>',
@@ -145,8 +145,8 @@ def test_a_rule_that_means_nothing_is_told(rules: str, message: str) -> None:
 def test_rules_that_sros2_loses_are_told() -> None:
     text = '<policy version="0.2.0"><enclaves><enclave path="/e"><profiles/><profiles/></enclave>\n<enclave path="/e"/></enclaves></policy>'
     assert messages(read_policy([written(text)])) == [
-        "policy.xml:1 Enclave /e has <profiles> before; DDS takes the first, these are lost.",
-        "policy.xml:2 Enclave /e stands before; sros2 takes the first, and the rules here are lost.",
+        "policy.xml:1 Enclave /e already has <profiles>; DDS uses the first ones and ignores these.",
+        "policy.xml:2 Enclave /e is already defined; sros2 uses the first one and ignores the rules here.",
     ]
 
 
@@ -164,7 +164,7 @@ def test_of_permissions_the_first_rule_that_matches_decides() -> None:
         "rt/*": Verdict.IN_PART,
         "r*": Verdict.IN_PART,
     }
-    assert found.notes == ("policy.xml:3: domains are not compared: 5", "policy.xml:3: partitions are not compared")
+    assert found.notes == ("policy.xml:3: domains were not compared: 5", "policy.xml:3: partitions were not compared")
 
 
 @pytest.mark.parametrize(

@@ -143,7 +143,7 @@ def test_the_distro_is_the_sourced_one(
     assert "get_type_description" in policy()
     monkeypatch.setenv("ROS_DISTRO", "foxy")
     assert verb("policy.xml", "src", "--no-config") == 2
-    assert "ROS_DISTRO is foxy, which is not known: choose --distro humble|" in capsys.readouterr().err
+    assert "ROS_DISTRO is foxy, which is unknown: choose --distro humble|" in capsys.readouterr().err
 
 
 def test_sourced_folders_are_underlays(
@@ -162,7 +162,7 @@ def test_sourced_folders_are_underlays(
     assert verb(*words) == 0
     assert "/chatter" in policy()
     assert verb(*words, "--no-ament-prefix-path") == 2
-    assert "there is no package base among the sources and underlays" in capsys.readouterr().err
+    assert "no package base in the sources or underlays" in capsys.readouterr().err
 
 
 def test_its_own_file_is_written_anew_and_another_is_left_alone(verb: Verb, capsys: pytest.CaptureFixture[str]) -> None:
@@ -184,7 +184,7 @@ def test_its_own_file_is_written_anew_and_another_is_left_alone(verb: Verb, caps
 def test_without_a_node_there_is_no_policy(verb: Verb, capsys: pytest.CaptureFixture[str]) -> None:
     write("src/plain.py", "x = 1\n")
     assert verb("policy.xml", "src", "-q") == 1
-    assert capsys.readouterr().err == "rosward: no nodes found, so no policy was written\n"
+    assert capsys.readouterr().err == "rosward: no nodes found, no policy written\n"
     assert not Path("policy.xml").exists()
 
 

@@ -25,7 +25,7 @@ def test_without_it_the_command_says_what_to_install(
 ) -> None:
     monkeypatch.setattr(serve, "_NEEDED", ("no_such_package_of_ours",))
     assert main(["serve"]) == 2
-    assert capsys.readouterr().err == "rosward: serve needs further packages: pip install 'rosward[serve]'\n"
+    assert capsys.readouterr().err == "rosward: serve needs additional packages: pip install 'rosward[serve]'\n"
 
 
 @pytest.mark.parametrize("port", ["-1", "65536", "http", ""])
@@ -41,7 +41,7 @@ def test_a_port_is_a_number(port: str) -> None:
     [
         (["no/such/folder"], "no such file or folder: no/such/folder"),
         (["/dev/null"], "there is no folder or file /dev/null"),
-        ([".", ".."], "serve begins with one PATH"),
+        ([".", ".."], "serve takes a single PATH"),
     ],
 )
 def test_a_path_that_cannot_be_opened(paths: list[str], why: str, capsys: pytest.CaptureFixture[str]) -> None:

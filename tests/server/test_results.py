@@ -43,7 +43,7 @@ def test_a_removed_result_takes_its_upload_with_it(page: Page, tmp_path: Path) -
     page.post(f"/api/results/{again}/delete")
     assert list((tmp_path / "results/sources").iterdir()) == []
     assert page.client.get(f"/results/{sent}").status_code == 404
-    assert "not there any more" in page.refused(f"/api/results/{sent}/again", {})
+    assert "no longer exists" in page.refused(f"/api/results/{sent}/again", {})
 
 
 def test_files_are_downloaded_or_looked_at_as_text(page: Page) -> None:
@@ -162,7 +162,7 @@ def test_what_has_changed_since_the_result_before(real_page: Page, tmp_path: Pat
     changes = real_page.text(second["id"], "changes.txt")
     assert "+ /talker: publisher /status (std_msgs/msg/String)" in changes
     assert "- /talker: publisher /chatter (std_msgs/msg/String)" in changes
-    assert "Since the result before" in real_page.client.get(f"/results/{second['id']}").text
+    assert "Changes since the previous result" in real_page.client.get(f"/results/{second['id']}").text
 
 
 @pytest.mark.parametrize("path", ["", " ", "no/such/folder", "\0", "/dev/null", "a" * 5_000, 7, None])
@@ -175,7 +175,7 @@ def test_a_folder_without_programs_says_so(real_page: Page, tmp_path: Path) -> N
     result = real_page.wait(real_page.post("/api/workspaces", {"path": str(tmp_path / "empty")})["id"])
     assert (result["state"], result["message"]) == (
         "failed",
-        "There is no Python file and no launch file in it. C++ is not read.",
+        "It contains no Python or launch files. C++ is not analysed.",
     )
 
 

@@ -114,7 +114,7 @@ def test_it_opens_the_workspace_and_ends_without_a_trace(server: Running) -> Non
     assert (status, "policies/talker/policy.xml" in page) == (200, True)
     assert [p.name.startswith("rosward-serve-") for p in server.temporary.iterdir()] == [True]
     status, rest = server.end(signal.SIGINT)
-    assert (status, rest.splitlines()[-1]) == (0, "rosward: ended")
+    assert (status, rest.splitlines()[-1]) == (0, "rosward: stopped")
     assert "Traceback" not in rest
     assert list(server.temporary.iterdir()) == []
 
@@ -168,4 +168,4 @@ def test_it_listens_on_this_machine_alone(server: Running) -> None:
 def test_for_other_machines_it_warns(tmp_path: Path) -> None:
     running = start(tmp_path, "--host", "0.0.0.0")
     assert running.address.startswith("http://127.0.0.1:")
-    assert "WARNING: it listens on 0.0.0.0" in running.end(signal.SIGINT)[1]
+    assert "WARNING: listening on 0.0.0.0" in running.end(signal.SIGINT)[1]

@@ -64,7 +64,7 @@ def test_a_folder_that_leads_outside(tmp_path: Path) -> None:
 
 def test_a_nul_in_a_name_does_not_shorten_it(tmp_path: Path) -> None:
     data = packed({"evil.py#.txt": b"x"}).replace(b"evil.py#.txt", b"evil.py\0.txt")
-    refused(data, tmp_path, "cannot be printed")
+    refused(data, tmp_path, "unprintable characters")
 
 
 def test_a_link_is_not_made(tmp_path: Path) -> None:
@@ -83,7 +83,7 @@ def test_a_link_to_a_folder_and_a_file_in_it(tmp_path: Path) -> None:
     with zipfile.ZipFile(data, "w") as archive:
         archive.writestr(link, str(tmp_path))
         archive.writestr("out/evil.py", "evil")
-    refused(data.getvalue(), tmp_path, "there twice")
+    refused(data.getvalue(), tmp_path, "listed twice")
 
 
 @pytest.mark.parametrize("kind", [stat.S_IFCHR, stat.S_IFIFO, stat.S_IFSOCK, stat.S_IFBLK])
@@ -95,7 +95,7 @@ def test_a_device_is_not_made(kind: int, tmp_path: Path) -> None:
 
 
 def test_two_names_for_one_place(tmp_path: Path) -> None:
-    refused(packed({"demo/a.py": b"1", "Demo/a.py": b"2"}), tmp_path, "the same name on some machines")
+    refused(packed({"demo/a.py": b"1", "Demo/a.py": b"2"}), tmp_path, "identical names on some systems")
 
 
 def test_one_file_of_nothing_but_zeros(tmp_path: Path) -> None:
@@ -162,7 +162,7 @@ def test_a_zip_within_a_zip_stays_closed(tmp_path: Path) -> None:
 
 
 def test_a_method_that_is_not_read(tmp_path: Path) -> None:
-    refused(packed({"a.py": b"x"}, zipfile.ZIP_LZMA), tmp_path, "a method that is not read")
+    refused(packed({"a.py": b"x"}, zipfile.ZIP_LZMA), tmp_path, "unsupported compression method")
 
 
 def test_an_encrypted_entry(tmp_path: Path) -> None:
@@ -181,7 +181,7 @@ def test_the_form_for_very_large_archives(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("data", [b"", b"PK", b"PK\x05\x06", b"no zip" * 100, packed({"a.py": b"x"})[:-10]])
 def test_what_is_no_zip(data: bytes, tmp_path: Path) -> None:
-    refused(data, tmp_path, "no zip that can be read")
+    refused(data, tmp_path, "not a readable zip file")
 
 
 def test_every_byte_changed_ends_in_files_or_a_refusal(tmp_path: Path) -> None:

@@ -57,7 +57,7 @@ def test_a_name_that_leads_outside_is_refused(page: Page, tmp_path: Path, name: 
 
 
 def test_two_names_for_one_place_are_refused(page: Page, tmp_path: Path) -> None:
-    assert "the same name" in refused(page, tmp_path, {"demo/a.py": b"", "Demo/a.py": b""})
+    assert "identical names" in refused(page, tmp_path, {"demo/a.py": b"", "Demo/a.py": b""})
 
 
 def test_nothing_is_refused(page: Page, tmp_path: Path) -> None:
@@ -65,7 +65,7 @@ def test_nothing_is_refused(page: Page, tmp_path: Path) -> None:
 
 
 def test_a_zip_comes_alone(page: Page, tmp_path: Path) -> None:
-    assert "alone" in refused(page, tmp_path, {"a.zip": packed({"a.py": b""}), "b.py": b""})
+    assert "on its own" in refused(page, tmp_path, {"a.zip": packed({"a.py": b""}), "b.py": b""})
 
 
 def test_what_is_no_source_is_left_out_and_told(real_page: Page) -> None:

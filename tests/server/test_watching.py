@@ -95,9 +95,9 @@ def test_the_number_of_watched_workspaces_is_bounded(tmp_path: Path) -> None:
         for name in ("a", "b"):
             (tmp_path / name).mkdir()
         begin(page, tmp_path / "a")
-        assert "watched already" in page.refused("/api/workspaces", {"path": str(tmp_path / "b"), "watch": True})
+        assert "already being watched" in page.refused("/api/workspaces", {"path": str(tmp_path / "b"), "watch": True})
 
 
 def test_an_upload_cannot_be_watched(page: Page) -> None:
     sent = page.send({"a.py": b""}).json()["id"]
-    assert "only a folder" in page.refused(f"/api/results/{sent}/watch", {"on": True})
+    assert "only folders" in page.refused(f"/api/results/{sent}/watch", {"on": True})

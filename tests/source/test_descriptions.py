@@ -226,7 +226,7 @@ BROKEN = {
     "empty": "",
     "no XML": "name: demo",
     "unknown format": manifest("demo").replace('format="3"', 'format="99"'),
-    "format is no number": manifest("demo").replace('format="3"', 'format="x"'),
+    "format is not a number": manifest("demo").replace('format="3"', 'format="x"'),
     "no maintainer": manifest("demo").replace('<maintainer email="a@b.org">a</maintainer>', ""),
     "two build types": manifest("demo").replace("<export>", "<export><build_type>x</build_type>"),
     "bad condition": manifest("demo", extra='<depend condition="((">x</depend>'),

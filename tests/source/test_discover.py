@@ -371,7 +371,7 @@ def test_folders_that_are_marked_to_be_ignored_are_told(tmp_path: Path) -> None:
     write(tmp_path, {"attic/COLCON_IGNORE": "", "attic/a.py": "", "old/AMENT_IGNORE": "", "old/b.py": "", "c.py": ""})
     found = discover([tmp_path])
     assert names(found) == ["c.py"]
-    message = "2 folders are marked to be ignored (COLCON_IGNORE and the like): attic, old."
+    message = "2 folders are marked as ignored (COLCON_IGNORE or similar): attic, old."
     assert [(f.code, f.message) for f in found.findings] == [("RW013", message)]
 
 
@@ -393,7 +393,7 @@ def test_two_packages_of_one_name_are_told(tmp_path: Path) -> None:
     write(tmp_path, {f"right/{name}": text for name, text in python_package("demo", "talker").items()})
     found = discover([tmp_path])
     assert [(f.code, f.message) for f in found.findings] == [
-        ("RW014", "2 packages are called demo: left/demo, right/demo.")
+        ("RW014", "2 packages are named demo: left/demo, right/demo.")
     ]
 
 

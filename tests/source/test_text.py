@@ -107,7 +107,7 @@ def test_twenty_megabytes(tmp_path: Path) -> None:
 
 def test_a_named_pipe_does_not_block(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "x.py")
-    assert problem(tmp_path / "x.py") == Finding("RW002", "This is a named pipe, not a file with text.", ("x.py", 0, 1))  # type: ignore[arg-type]
+    assert problem(tmp_path / "x.py") == Finding("RW002", "This is a named pipe, not a text file.", ("x.py", 0, 1))  # type: ignore[arg-type]
 
 
 def test_a_socket(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

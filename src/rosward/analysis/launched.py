@@ -132,7 +132,7 @@ def _of_systems(
         for program in system.programs:
             progress("analysing", number, len(programs))
             number += 1
-            missing = "what this program makes is missing"
+            missing = "what this program creates is missing"
             found = guarded(partial(runs.of, program), program.started.place, missing, net=outset.budget.net)
             made = _Made((), (found,)) if isinstance(found, Finding) else found
             findings.update(made.findings)
@@ -145,7 +145,7 @@ def _of_systems(
         asked.add_required(each.log.variables)
     entered = {code for run in runs.all() for code in run.entered}
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
-    missing = "code that never runs is not told"
+    missing = "unreachable code is not reported"
     told = guarded(
         lambda: list(unreached(runs.all(), read, outset.library.facts)), Place("", 0), missing, net=outset.budget.net
     )
@@ -192,7 +192,7 @@ class _Runs:
         nodes, doubts = collect(log, process, self._outset.distro)
         line = read_words(Series(program.configuration.own), program.configuration)
         told = [
-            Finding("RW320", f"rcl refuses the command line of {program.process}: {error}", started.place)
+            Finding("RW320", f"rcl rejects the command line of {program.process}: {error}", started.place)
             for error in line.errors
         ]
         doubtful = tuple(dict.fromkeys((*line.open, *line.holes)))

@@ -92,9 +92,9 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         handed.follow(machine)
         log.tell_spun()
     except LimitReachedError as limit:
-        log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not followed", Place(entry.file)))
+        log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
     except Exception as error:
-        log.findings.add(_failed(entry, error, "some callbacks were not followed", net=budget.net))
+        log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
     log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,

@@ -85,7 +85,7 @@ def read_sources(
     )
     if not (workspace.files or workspace.launch_files or request.nodes):
         raise NothingToReadError(
-            f"nothing to read: no Python file and no launch file in {', '.join(map(str, wanted))} (C++ is not read)"
+            f"nothing to read: no Python or launch file in {', '.join(map(str, wanted))} (C++ is not analysed)"
         )
     sources = SourceTree(workspace, [Path(u) for u in underlays], net=bounds.net)
     tell = progress or silent
@@ -93,7 +93,7 @@ def read_sources(
     folders = tuple(Path(m) for m in models)
     library = Library(sources, own_models(), folders, shell(variables), net=bounds.net)
     steps = Steps(net=bounds.net)
-    missing = "each file is run by itself, under its own name, and not as an executable"
+    missing = "each file is analysed as a program of its own, under its own name"
     made = steps(lambda: make_plan(workspace, sources, library), None, missing)
     plan = made or plain_plan(workspace)
     plan = plan._replace(findings=(*plan.findings, *steps.findings))

@@ -109,13 +109,13 @@ class SourceTree:
         try:
             made = parameter_module(data.decode("utf-8-sig", "replace"), file, self._generated[file])
         except Malformed as problem:
-            message = f"The parameters of this module are not read: {problem.message}."
+            message = f"The parameters of this module were not read: {problem.message}."
             self.findings.add(Finding("RW008", message, problem.place))
             return None
         try:
             return PYTHON.lower(made.text, file, made.lines)
         except FrontendError:
-            message = "The parameters of this module are not read: they are nested deeper than Python allows."
+            message = "The parameters of this module were not read: they are nested deeper than Python allows."
             self.findings.add(Finding("RW008", message, Place(file, 1)))
             return None
 

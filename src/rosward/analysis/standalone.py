@@ -66,7 +66,7 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
             nodes += made[0]
             findings.update(made[1])
     modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
-    missing = "code that never runs is not told"
+    missing = "unreachable code is not reported"
     told = guarded(lambda: list(unreached(everything, modules, read.library.facts)), Place("", 0), missing, net=net)
     findings.update((told,) if isinstance(told, Finding) else told)
     asked = Variables()

@@ -61,7 +61,7 @@ class System(NamedTuple):
         """In plain words."""
         behind = {id(p.started): p for p in (*self.programs, *self.elsewhere)}
         entries: list[LaunchEntry | None] = [
-            steps(partial(entry, s, behind.get(id(s))), None, "the launch tree does not show this", s.place)
+            steps(partial(entry, s, behind.get(id(s))), None, "the launch tree omits this", s.place)
             for s in self.started
         ]
         return LaunchSystem(self.name, self.file, tuple(e for e in entries if e is not None))
@@ -123,7 +123,7 @@ def systems_of(request: Request, outset: Outset) -> SystemsRead:
         started = [_with_files(s, extra) for s in ran.started]
         made.append(_programs(outset))
         make = partial(_system, str(launch), file, started, made[-1])
-        system = guarded(make, Place(file), "the programs that it starts are not known", net=net)
+        system = guarded(make, Place(file), "the programs that it starts are unknown", net=net)
         if isinstance(system, Finding):
             findings.add(system)
             system = System(str(launch), file, tuple(started), ())
@@ -192,9 +192,7 @@ def _find_in_package(package: str, name: str, files: Iterable[SourceFile], outse
     if not named:
         known = any(each.name == package for each in outset.workspace.packages)
         if not known and outset.files.find(path_of(Location(package, "package.xml"))) is None:
-            raise UnknownRequestError(
-                f"there is no package {package} among the sources and underlays; {_there_is(outset)}"
-            )
+            raise UnknownRequestError(f"no package {package} in the sources or underlays; {_there_is(outset)}")
         raise UnknownRequestError(f"the package {package} has no launch file {name}; {_there_is(outset)}")
     return _only(named, f"{name} in the package {package}")
 
@@ -203,14 +201,14 @@ def _there_is(outset: Outset) -> str:
     """The launch files that could be meant, so that a refusal shows what to write instead."""
     known = sorted(each.relative for each in outset.workspace.launch_files)
     if not known:
-        return "the sources have no launch file"
+        return "the sources contain no launch file"
     more = f" and {len(known) - _SHOWN} more (`rosward launch-tree` lists them)" if len(known) > _SHOWN else ""
-    return f"the sources have {', '.join(known[:_SHOWN])}{more}"
+    return f"the sources contain {', '.join(known[:_SHOWN])}{more}"
 
 
 def _only(named: Sequence[str], what: str) -> str:
     if len(named) > 1:
-        raise UnknownRequestError(f"several launch files are called {what}: {', '.join(named)}")
+        raise UnknownRequestError(f"several launch files are named {what}: {', '.join(named)}")
     return named[0]
 
 

@@ -43,17 +43,17 @@ def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFact
             for name, op, key in _creations(code, facts.creating, names):
                 base = bases.get((code.file, code.qualname.rpartition(".")[0]))
                 if dead and base is not None:
-                    what = f"nothing here calls {code.qualname}, but {base}, a base of its class, may: its {name} is left out"
+                    what = f"nothing here calls {code.qualname}, but its base class {base} may: its {name} is not in the result"
                     found.add(Finding("RW204", what, Place(code.file, op.line, op.column)))
                     continue
                 if dead and unseen.may_call(code):
-                    what = f"nothing that is known calls {code.qualname}, but something unknown may: its {name} is left out"
+                    what = f"no known code calls {code.qualname}, but unknown code may: its {name} is not in the result"
                     found.add(Finding("RW212", what, Place(code.file, op.line, op.column)))
                     continue
                 if dead:
-                    what = f"{code.qualname or 'this file'} is called by nothing: its {name} is left out"
+                    what = f"{code.qualname or 'this file'} is never called: its {name} is not in the result"
                 elif name in facts.creating and key not in reached:
-                    what = f"no execution comes to this {name}, as far as the values are known: it is left out"
+                    what = f"no execution reaches this {name}, as far as the values are known: it is not in the result"
                 else:
                     continue
                 found.add(Finding("RW205", what, Place(code.file, op.line, op.column)))

@@ -67,7 +67,7 @@ class Absence:
             self.unseen[Unseen(node.name, what, place)] = None
             return
         typed = f"{what} ({entity.type})" if entity.type else what
-        message = f"{typed} of {node.name} is expected, and not there{_depends(entity.depends_on)}"
+        message = f"{typed} of {node.name} is expected but was not found{_depends(entity.depends_on)}"
         if node.seen < self._graph.looks:
             message += f"; the node was seen in {node.seen} of {self._graph.looks} looks"
         self._tell(node.name, what, message, place)
@@ -85,14 +85,14 @@ class Absence:
         for name, nodes in names.items():
             sure = [n for n in nodes if not n.conditional]
             if 0 < counts.get(name, 0) < len(sure):
-                message = f"{len(sure)} nodes of the name {name} are expected, and {counts[name]} run"
+                message = f"{len(sure)} nodes named {name} are expected, but {counts[name]} run"
                 self._tell(name, "", message, _origin(sure[-1]))
 
     def _node_missing(self, node: Node) -> None:
         if node.conditional or node.resolution is Resolution.UNKNOWN:
             self.unseen[Unseen(node.fqn, "", _origin(node))] = None
         else:
-            self._tell(node.fqn, "", f"node {node.fqn} is expected, and does not run", _origin(node))
+            self._tell(node.fqn, "", f"node {node.fqn} is expected but does not run", _origin(node))
 
     def _tell(self, node: str, entity: str, message: str, place: Place) -> None:
         self.differences.append(Difference(node, entity, Finding("RW503", message, place)))

@@ -34,7 +34,7 @@ class Accepted:
             words = line.split()
             if len(words) not in (1, 2) or not all(w.startswith(("/", "*")) and len(w) <= LONGEST_NAME for w in words):
                 raise UnreadableError(
-                    f"{line[:80]!r} is neither the full name of a node nor one of a node and one of its own"
+                    f"{line[:80]!r} is neither the full name of a node nor a node followed by the name of one of its entities"
                 )
             self._rows.append((Pattern(words[0]), Pattern(words[1]) if len(words) == 2 else None))
             if len(self._rows) > _MOST:

@@ -91,13 +91,13 @@ class _Comparison:
                 self._explained(node, candidates)
             else:
                 has = f"; it has {_listed(node.entities)}" if node.entities else ""
-                message = f"node {node.name} runs, and the source does not explain it{has}"
+                message = f"node {node.name} runs but is not explained by the source{has}"
                 self._tell(node.name, "", "RW501", message, Place(self._graph.source), node.seen)
         for entity in self._graph.loose:
             if self._accepts.entity(_NO_NODE, entity.name):
                 self._accepted += 1
             else:
-                message = f"{_typed(entity)} belongs to no node of ROS, so the source does not explain it"
+                message = f"{_typed(entity)} belongs to no ROS node, so the source does not explain it"
                 self._tell(_NO_NODE, str(entity), "RW502", message, Place(self._graph.source), entity.seen)
 
         self._absence.of_nodes(self._met)
@@ -108,10 +108,10 @@ class _Comparison:
         first = candidates.nodes[0].node
         number = len(candidates.nodes)
         if candidates.how is How.UNKNOWN:
-            message = f"node {node.name} is explained only by a node whose name is not known{_why(first.reasons)}"
+            message = f"node {node.name} is explained only by a node with an unknown name{_why(first.reasons)}"
             self._tell(node.name, "", "RW506", message, first.defined_at, node.seen)
         elif candidates.how is How.NAME and node.count > number and not self._accepts.node(node.name):
-            message = f"{node.count} nodes of the name {node.name} run, and the source explains {number}"
+            message = f"{node.count} nodes named {node.name} run, but the source explains only {number}"
             self._tell(node.name, "", "RW501", message, first.defined_at, node.seen)
         unjudged: list[str] = []
         for entity in node.entities:
@@ -142,14 +142,12 @@ class _Comparison:
             self._accepted += 1
         elif named:
             types = " or ".join(sorted({str(e.type) for e in named}))
-            message = f"{live} of {node.name} has the type {live.type}, and {types} by the source"
+            message = f"{live} of {node.name} has type {live.type}, but the source says {types}"
             self._tell(node.name, str(live), "RW504", message, place_of(named[0], candidates.nodes[0].node), live.seen)
         elif candidates.open:
             return False
         elif unknown := expected.through(live, How.UNKNOWN):
-            message = (
-                f"{_typed(live)} of {node.name} is explained only by a name that is not known{_why(unknown[0].reasons)}"
-            )
+            message = f"{_typed(live)} of {node.name} is explained only by an unknown name{_why(unknown[0].reasons)}"
             self._tell(
                 node.name, str(live), "RW506", message, place_of(unknown[0], candidates.nodes[0].node), live.seen
             )
@@ -163,7 +161,7 @@ class _Comparison:
         for profile in live.qos:
             differing = [_differs(profile, entity.qos) for entity in entities]
             if differing and all(differing):
-                message = f"{live} of {node.name} has {differing[0]} by the source"
+                message = f"{live} of {node.name} has {differing[0]}"
                 self._tell(node.name, str(live), "RW504", message, place_of(entities[0], None), live.seen)
                 return
 
@@ -180,7 +178,7 @@ def _differs(live: Qos, expected: Qos | None) -> str:
     for policy in _POLICIES:
         runs, said = getattr(live, policy), getattr(expected, policy, None)
         if runs not in _LEFT_OPEN and said not in _LEFT_OPEN and runs != said:
-            return f"{policy} {runs}, and {said}"
+            return f"{policy} {runs}, but the source says {said}"
     return ""
 
 

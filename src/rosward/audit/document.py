@@ -35,7 +35,7 @@ def snapshot_of(document: object, source: str = "") -> LiveGraph:
     try:
         return _graph(Fields(document, "the document"), source)
     except UnreadableError as error:
-        raise UnreadableError(f"{source or 'the snapshot'}: no snapshot of rosward: {error}") from error
+        raise UnreadableError(f"{source or 'the snapshot'}: not a rosward snapshot: {error}") from error
 
 
 def _graph(top: Fields, source: str) -> LiveGraph:
@@ -48,7 +48,7 @@ def _graph(top: Fields, source: str) -> LiveGraph:
         if left < 0:
             raise UnreadableError(f"there are more than {_MOST_ENTITIES:,} entities")
         if node.name in nodes:
-            raise UnreadableError(f"{fields.where}: {node.name} is there twice")
+            raise UnreadableError(f"{fields.where}: {node.name} is listed twice")
         nodes[node.name] = node
     return LiveGraph(
         nodes=tuple(nodes[name] for name in sorted(nodes)),
@@ -62,10 +62,10 @@ def _graph(top: Fields, source: str) -> LiveGraph:
 
 def _problems(top: Fields, nodes: dict[str, LiveNode]) -> list[str]:
     if not nodes:
-        return ["No node was seen: is it the right domain, and may the snapshot join the graph?"]
-    told = [f"The middleware did not tell what {node.name} has." for node in nodes.values() if not node.known]
+        return ["No node was seen. Check the domain, and whether the snapshot may join the graph."]
+    told = [f"The middleware did not list the entities of {node.name}." for node in nodes.values() if not node.known]
     problems = top.texts("problems", _MOST_PROBLEMS)
-    return [*told, *(f"The snapshot could not ask for {problem}." for problem in problems)][:_MOST_PROBLEMS]
+    return [*told, *(f"The snapshot could not query {problem}." for problem in problems)][:_MOST_PROBLEMS]
 
 
 def _node(fields: Fields) -> LiveNode:

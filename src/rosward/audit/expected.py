@@ -42,7 +42,7 @@ class Work:
         """Count steps of the comparison."""
         self._left -= steps
         if self._left < 0:
-            raise UnreadableError("there are too many names and patterns to compare")
+            raise UnreadableError("too many names and patterns to compare")
 
     def matches(self, pattern: Pattern, name: str) -> bool:
         """Whether a name is one that the pattern stands for."""
@@ -51,7 +51,7 @@ class Work:
 
 
 class ExpectedNode(NamedTuple):
-    """A node of the source, and which one it is; `open`: its interface is not wholly known (RW314)."""
+    """A node of the source, and which one it is; `open`: its interface is not completely known (RW314)."""
 
     number: int
     node: Node

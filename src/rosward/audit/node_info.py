@@ -53,7 +53,7 @@ def read_node_info(texts: Mapping[str, str]) -> LiveGraph:
             raise UnreadableError(f"{file}: more than {limits.NODE_INFO_TEXT:,} characters")
         reading.read(file, text)
     if not reading.known:
-        raise UnreadableError(f"{', '.join(texts)}: no text of ros2 node info: no line is the full name of a node")
+        raise UnreadableError(f"{', '.join(texts)}: not output of ros2 node info: no line is the full name of a node")
     entities = {name: tuple(found) for name, found in reading.entities.items()}
     hidden = any(is_hidden(e.name) for found in entities.values() for e in found)
     nodes = tuple(
@@ -108,10 +108,10 @@ class _Reading:
 
     def _tell(self, line: str, place: Place) -> None:
         if len(self.findings) == _MOST_TOLD:
-            self.findings[-1] = Finding("RW505", "Further lines are not understood.", self.findings[-1].place)
+            self.findings[-1] = Finding("RW505", "Further lines could not be parsed.", self.findings[-1].place)
         elif len(self.findings) < _MOST_TOLD:
             absent = _ABSENT.fullmatch(line)
-            said = f"There was no node {absent[1]}." if absent else f"The line is not understood: {line[:100]}"
+            said = f"There was no node {absent[1]}." if absent else f"The line could not be parsed: {line[:100]}"
             self.findings.append(Finding("RW505", said, place))
 
 

@@ -309,11 +309,13 @@ def write(document: dict[str, object], path: str) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Take a snapshot and write it; 0 done, 2 not possible."""
-    parser = argparse.ArgumentParser(description="Writes what is in the graph of the running ROS 2 system.")
-    parser.add_argument("-o", "--output", metavar="FILE", required=True, help="where to write; - for standard output")
-    parser.add_argument("--seconds", type=float, default=5.0, help="how long to look (default: %(default)s)")
-    parser.add_argument("--domain-id", type=int, metavar="N", help="instead of ROS_DOMAIN_ID")
-    parser.add_argument("--enclave", metavar="PATH", help="the enclave to look from, where the graph is secured")
+    parser = argparse.ArgumentParser(description="Record the graph of the running ROS 2 system.")
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", required=True, help="output file; - writes to standard output"
+    )
+    parser.add_argument("--seconds", type=float, default=5.0, help="how long to observe (default: %(default)s)")
+    parser.add_argument("--domain-id", type=int, metavar="N", help="DDS domain (default: ROS_DOMAIN_ID)")
+    parser.add_argument("--enclave", metavar="PATH", help="enclave to join with, if the graph is secured")
     options = parser.parse_args(arguments)
     return run(options.output, options.seconds, options.domain_id, options.enclave)
 

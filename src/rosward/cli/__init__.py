@@ -38,7 +38,7 @@ __all__ = ["command_line", "main"]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 wrong use or nothing to read, 3 a fault of rosward."""
+    """Run the command; returns the exit status: 0 complete, 1 incomplete, 2 usage error or nothing to read, 3 a fault of rosward."""
     parser = command_line()
     if "_ARGCOMPLETE" in os.environ:
         from rosward.cli.completion import complete
@@ -73,7 +73,7 @@ def command_line() -> argparse.ArgumentParser:
     """The parser of all commands."""
     parser = CommandParser(
         prog="rosward",
-        description="Reads the source of a ROS 2 system, running nothing of it, and writes its computation graph and SROS2 policies.",
+        description="Analyse the source of a ROS 2 system without running it, and write its computation graph and SROS2 policies.",
     )
     parser.add_argument("--version", action="version", version=f"rosward {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)

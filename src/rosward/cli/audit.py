@@ -39,21 +39,22 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "audit",
-        help="compare the running robot with the sources",
-        description="Says which running nodes and entities the sources do not explain, and which of theirs do not run. "
-        "What runs is said by a snapshot, by texts of `ros2 node info`, or else by the graph itself, where rclpy is there.",
-        epilog="Exit status: 0 all that runs is explained, and all that is expected runs; 1 there are differences; 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        help="compare a running robot with its sources",
+        description="Report which running nodes and entities the sources do not explain, and which expected ones are not running. "
+        "The running system is described by a snapshot or by output of `ros2 node info`. "
+        "Without either, rosward inspects the live graph, which needs rclpy.",
+        epilog="Exit status: 0 everything that runs is explained, and everything expected runs; 1 differences found; "
+        "2 usage error or nothing to read; 3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
-    running = parser.add_argument_group("what runs (default: the graph is looked at)")
+    running = parser.add_argument_group("running system (default: the live graph)")
     which = running.add_mutually_exclusive_group()
-    which.add_argument("--snapshot", metavar="FILE", help="what `rosward snapshot` wrote")
+    which.add_argument("--snapshot", metavar="FILE", help="file written by `rosward snapshot`")
     which.add_argument(
         "--node-info",
         action="append",
         metavar="FILE",
-        help="what `ros2 node info` printed, of one or several nodes; - for the standard input; may be repeated",
+        help="output of `ros2 node info` for one or more nodes; - reads standard input; may be repeated",
     )
     add_looks(running)
     running.add_argument(
@@ -61,12 +62,14 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="this node is known, or 'NODE NAME' for one name of a node; * is any text; may be repeated",
+        help="accept this node, or 'NODE NAME' for one name of a node; * matches any text; may be repeated",
     )
-    running.add_argument("--accept", metavar="FILE", help="a file with one such line for each")
+    running.add_argument("--accept", metavar="FILE", help="file with one such name per line")
     add_sources(parser)
     parser.set_defaults(distro=None)
-    parser.add_argument("--network", metavar="FILE", help="a network.json of an earlier `extract`, instead of sources")
+    parser.add_argument(
+        "--network", metavar="FILE", help="network.json of an earlier `extract`, used instead of sources"
+    )
     add_deployment(parser)
     add_format(parser, "text", "json", *OF_FINDINGS)
     add_output_file(parser)
@@ -117,7 +120,9 @@ def _graph(options: argparse.Namespace) -> LiveGraph:
     try:
         return snapshot_of(take(options.seconds, options.domain_id, options.enclave))
     except RuntimeError as error:
-        raise WrongUseError(f"the graph cannot be looked at: {error}; or name a --snapshot or --node-info") from error
+        raise WrongUseError(
+            f"the live graph cannot be inspected: {error}; use --snapshot or --node-info instead"
+        ) from error
 
 
 def _text(file: str) -> str:
@@ -139,7 +144,9 @@ def _earlier(options: argparse.Namespace) -> _Said:
 
     request = request_of(options)
     if options.paths or request.deploys or request.params:
-        raise WrongUseError("--network takes the place of sources: name no PATH, and nothing that is started")
+        raise WrongUseError(
+            "--network replaces the sources: it cannot be combined with PATH or with options that start something"
+        )
     read = read_network(options.network)
     return _Said(read.nodes, read.findings, SourceTexts(Path.cwd(), ()))
 

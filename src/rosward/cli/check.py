@@ -34,12 +34,12 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "check",
-        help="compare an existing policy with what the sources need",
+        help="check an existing policy against the sources",
         usage="%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]",
-        description="Says what the code needs and the policy lacks, and what the policy allows and no code uses. "
-        "The files that end in .xml are the policies, SROS2's or permissions of DDS; the other paths are the sources.",
-        epilog="Exit status: 0 the policy is exactly right; 1 there are findings that are not in the baseline; 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        description="Report which permissions the policy is missing and which ones the code never uses. "
+        "Arguments that end in .xml are policies (SROS2 policies or DDS permissions); the other paths are the sources.",
+        epilog="Exit status: 0 the policy matches the code exactly; 1 findings that are not in the baseline; 2 usage error or nothing to read; "
+        "3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
@@ -55,7 +55,7 @@ def _run(options: argparse.Namespace) -> int:
 
     files = [p for p in options.paths if p.lower().endswith(".xml") and not os.path.isdir(p)]  # noqa: PTH112
     if not files:
-        raise WrongUseError("name the policy to check: a file that ends in .xml")
+        raise WrongUseError("no policy given: pass a file that ends in .xml")
     request = request_of(options)
     policy = read_policy(files)
     result = extracted(options, [p for p in options.paths if p not in files], request)

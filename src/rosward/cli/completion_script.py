@@ -20,15 +20,15 @@ where to put it:
   fish  rosward completion fish > ~/.config/fish/completions/rosward.fish
 
 Or, for this shell alone: eval "$(rosward completion bash)", rosward completion fish | source.
-It needs a further package, also when Tab is pressed: pip install 'rosward[completion]'."""
+Completion needs an additional package: pip install 'rosward[completion]'."""
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "completion",
-        help="print what makes a shell complete commands, options, launch files and names",
-        description="Prints the script by which a shell completes what is typed behind rosward.",
+        help="print a shell completion script",
+        description="Print a script that makes a shell complete commands, options, launch files and names.",
         epilog=_WHERE,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -40,6 +40,6 @@ def _run(options: argparse.Namespace) -> int:
     try:
         from argcomplete.shell_integration import shellcode
     except ImportError as error:
-        raise WrongUseError("completion needs a further package: pip install 'rosward[completion]'") from error
+        raise WrongUseError("completion needs an additional package: pip install 'rosward[completion]'") from error
     sys.stdout.write(shellcode(["rosward"], shell=options.shell).rstrip() + "\n")
     return COMPLETE

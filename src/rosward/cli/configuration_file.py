@@ -60,7 +60,7 @@ def _table(path: Path) -> dict[str, object] | None:
     try:
         document = read_toml(data.decode("utf-8"))
     except ValueError as error:
-        raise WrongUseError(f"{path}: this is no TOML: {error} (--no-config leaves it unread)") from error
+        raise WrongUseError(f"{path}: not valid TOML: {error} (--no-config ignores the file)") from error
     if whole:
         return dict(document)
     tool = document.get("tool")
@@ -99,4 +99,4 @@ def _values(table: Mapping[str, object], path: Path) -> dict[str, Value]:
 def _meant(word: str, known: Collection[str]) -> str:
     """What was probably meant, else all that there is."""
     close = difflib.get_close_matches(word.replace("_", "-"), known, n=1, cutoff=0.5)
-    return f"; did you mean {close[0]!r}?" if close else f"; choose out of {', '.join(known)}"
+    return f"; did you mean {close[0]!r}?" if close else f"; choose from {', '.join(known)}"

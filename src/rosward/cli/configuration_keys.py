@@ -109,7 +109,7 @@ def _below(value: object, folder: Path) -> str:
     except (OSError, RuntimeError, ValueError):
         inside = False
     if not inside:
-        raise WrongValueError("below the folder of the file (use -o for any other place)")
+        raise WrongValueError("below the folder of the file (use -o for any other folder)")
     return str(path)
 
 
@@ -117,7 +117,7 @@ def _codes(value: object, folder: Path) -> list[str]:
     codes = _texts(value, folder)
     wrong = [code for code in codes if code not in RULES]
     if wrong:
-        raise WrongValueError(f"a list of codes, and there is no {', '.join(wrong)}")
+        raise WrongValueError(f"a list of codes, and these are unknown: {', '.join(wrong)}")
     return codes
 
 
@@ -151,7 +151,7 @@ def _pattern(text: str) -> str:
     try:
         return pattern_of(text)
     except PatternError as error:
-        raise WrongValueError(f"made of patterns: {error}") from error
+        raise WrongValueError(f"made of valid patterns: {error}") from error
 
 
 KEYS: Final[Mapping[str, Key]] = {
@@ -195,14 +195,14 @@ KEYS: Final[Mapping[str, Key]] = {
 
 NEVER: Final[Mapping[str, str]] = {
     "help": "it is none",
-    "no-config": "it is about the file",
-    "write-baseline": "it would be written by every run",
-    "write": "it would be written by every run",
+    "no-config": "it refers to the file itself",
+    "write-baseline": "every run would write it",
+    "write": "every run would write it",
     "json": "it is `format`",
-    "follow-links": "the file belongs to the sources, and where their links may lead is up to who runs rosward",
-    "env-from-shell": "the file belongs to the sources, and what they learn of the shell is up to who runs rosward",
+    "follow-links": "the file is part of the sources, and only the person running rosward decides where links may lead",
+    "env-from-shell": "the file is part of the sources, and only the person running rosward decides what they learn about the shell",
     **dict.fromkeys(
-        ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it is about what runs at the moment"
+        ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it refers to what runs at the moment"
     ),
 }
 """The long options that are no keys, and why."""

@@ -28,10 +28,10 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "declare",
-        help="begin the declaration of a node that is not analysed (RW314)",
-        description="Writes DIR/nodes/PKG.yaml, or adds to it: what PKG/EXE creates, from a running robot, from a text that looks like its source, "
-        "or as a skeleton to fill in. Look through it, delete the line `open`, and name the folder: --models DIR. Nothing is executed.",
-        epilog="Exit status: 0 written; 2 wrong use, or it is declared there already.",
+        help="create a declaration of a node that is not analysed (RW314)",
+        description="Write DIR/nodes/PKG.yaml, or add to it, with what PKG/EXE creates: from a running robot, from a search of its source, "
+        "or as a skeleton to fill in. Review the file, delete the line `open`, and pass the folder with --models DIR. Nothing is executed.",
+        epilog="Exit status: 0 written; 2 usage error, or already declared.",
     )
     parser.set_defaults(run=told(_run))
     parser.add_argument("program", metavar="PKG/EXE", help="the executable, or PKG/namespace::Class for a component")
@@ -41,15 +41,15 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         action="append",
         default=[],
         metavar="FILE",
-        help="what `rosward snapshot` wrote, what `ros2 node info` printed, or source in C++ or Python (also a folder of it); may be repeated",
+        help="output file of `rosward snapshot`, output of `ros2 node info`, or C++ or Python source (file or folder); may be repeated",
     )
-    parser.add_argument("--node", metavar="NAME", help="which node of the running robot it is, by its full name")
+    parser.add_argument("--node", metavar="NAME", help="full name of this node on the running robot")
     parser.add_argument(
         "-o",
         "--output",
         metavar="DIR",
         default="models",
-        help="the folder of declarations (default: models); - prints it",
+        help="folder of declarations (default: models); - prints the declaration",
     )
 
 
@@ -85,7 +85,7 @@ def _next_steps(program: str, sketch: Sketch, file: Path, folder: str) -> Iterab
     yield from (f"  {text}" for text in sketch.told[:12])
     if len(sketch.told) > 12:
         yield f"  … and {len(sketch.told) - 12} more remarks in the file"
-    yield "Look through it, delete the line `open` when nothing lacks, and analyse again with"
+    yield "Review the file, delete the line `open` when it is complete, and analyse again with"
     yield f"  --models {folder}"
 
 
@@ -100,7 +100,7 @@ def _before(file: Path, package: str, program: str) -> str | None:
     if found is None:
         raise WrongUseError("; ".join(f"{f.place}: {f.message}" for f in findings))
     if program in found.executables or program in found.components:
-        raise WrongUseError(f"{file} declares {package}/{program} already; -o - prints what would be written")
+        raise WrongUseError(f"{file} declares {package}/{program} already; use -o - to print what would be written")
     return text
 
 
@@ -110,8 +110,8 @@ def _check(text: str, package: str, program: str, file: Path) -> None:
 
     found, findings = read_package(text, str(file), package)
     if found is None or program not in {**found.executables, **found.components}:
-        why = "; ".join(f.message for f in findings) or "its programs stand in a form that cannot be added to"
-        raise WrongUseError(f"{file}: {why} (-o - prints what is to be added)")
+        why = "; ".join(f.message for f in findings) or "its list of programs has a form that cannot be extended"
+        raise WrongUseError(f"{file}: {why} (use -o - to print what to add)")
 
 
 def _sketch(origin: Path, program: str, node: str | None) -> Sketch:
@@ -140,9 +140,9 @@ def _source(origin: Path) -> dict[str, str]:
         inner[:] = sorted(each for each in inner if not each.startswith(".") and each not in ("test", "tests", "build"))
         files += (os.path.join(above, name) for name in sorted(names) if name.endswith(_ENDINGS))  # noqa: PTH118
     if not files:
-        raise WrongUseError(f"--from {origin}: no source in C++ or Python is in it")
+        raise WrongUseError(f"--from {origin}: it contains no C++ or Python source")
     if len(files) > _MOST_FILES:
-        raise WrongUseError(f"--from {origin}: more than {_MOST_FILES} files are in it; name those of the program")
+        raise WrongUseError(f"--from {origin}: more than {_MOST_FILES} files; pass only those of the program")
     return {Path(file).relative_to(origin).as_posix(): _text(Path(file)) for file in files}
 
 

@@ -30,23 +30,23 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "diff",
         help="compare two commits, folders, networks or policies",
         usage="%(prog)s [options] OLD NEW\n       %(prog)s [options] --git REV..REV [PATH…]",
-        description="Says which nodes, entities and rights came and went between two network.json files, two policies, two folders, "
-        "or two commits. Of folders and commits, both are analysed with the same options. Nothing is executed, and the work tree is only read.",
-        epilog="Exit status: 0 compared; 1 there are new rights and --fail-on new-rights is given; 2 wrong use or not readable; "
-        "3 a fault of rosward.",
+        description="Report which nodes, entities and permissions were gained and lost between two network.json files, two policies, two folders, "
+        "or two commits. Folders and commits are analysed with the same options. Nothing is executed, and the work tree is only read.",
+        epilog="Exit status: 0 compared; 1 new permissions and --fail-on new-rights; 2 usage error or unreadable input; "
+        "3 internal error.",
     )
     parser.set_defaults(run=told(_run))
     parser.add_argument(
         "--git",
         metavar="REV..REV",
-        help="compare two commits; REV alone is compared with the work tree; REV...REV begins at their common ancestor",
+        help="compare two commits; REV alone compares it with the work tree; REV...REV starts at their common ancestor",
     )
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
-    add_format(parser, "text", "markdown", "json", what="markdown is for a comment on a pull request (default: text)")
+    add_format(parser, "text", "markdown", "json", what="markdown is meant for a pull request comment (default: text)")
     add_output_file(parser)
-    parser.add_argument("--fail-on", choices=("new-rights",), help="exit with 1 if there are new rights")
+    parser.add_argument("--fail-on", choices=("new-rights",), help="exit with 1 if there are new permissions")
 
 
 def _run(options: argparse.Namespace) -> int:

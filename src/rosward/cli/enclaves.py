@@ -30,19 +30,19 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "enclaves",
-        help="suggest which processes share an enclave, with the price in rights that nobody needs",
-        description="Questions about the enclaves of a system.",
+        help="suggest which processes can share an enclave, and at which price",
+        description="Commands for the enclaves of a system.",
     )
     questions = parser.add_subparsers(dest="question", metavar="QUESTION", required=True)
     suggest = questions.add_parser(
         "suggest",
         help="group processes into fewer enclaves",
-        description="Groups processes into enclaves by the rights that they share. Prints every step from one enclave for each process "
-        "to one for all, with its price: the rights that processes would hold and do not need; then the enclaves of the chosen step, "
-        "which is the last that costs nothing unless another one is asked for.",
-        epilog="Exit status: 0 complete; 1 complete but for what the analysis does not know, or no step fulfils the wish; "
-        "2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        description="Group processes into enclaves by the permissions that they share. Prints every step from one enclave per process "
+        "to a single enclave, with its price: the permissions that processes would hold but do not need. "
+        "Then prints the enclaves of the chosen step, by default the last step that costs nothing.",
+        epilog="Exit status: 0 complete; 1 the analysis is incomplete, or no step meets the request; "
+        "2 usage error or nothing to read; "
+        "3 internal error.",
     )
     suggest.set_defaults(run=refusing(_run))
     add_sources(suggest)
@@ -54,26 +54,28 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "--price",
         type=_natural,
         metavar="PRICE",
-        help="as few enclaves as this price allows",
+        help="as few enclaves as possible within this price",
     )
     suggest.add_argument(
-        "--ignore-given", action="store_true", help="regroup also processes whose enclave the launch files name"
+        "--ignore-given", action="store_true", help="also regroup processes whose enclave is set by a launch file"
     )
-    suggest.add_argument("--write", metavar="FILE.toml", help="write the suggestion there, for `--enclaves FILE.toml`")
-    suggest.add_argument("-v", "--verbose", action="store_true", help="print every right that is not needed")
+    suggest.add_argument(
+        "--write", metavar="FILE.toml", help="write the suggestion to this file, for `--enclaves FILE.toml`"
+    )
+    suggest.add_argument("-v", "--verbose", action="store_true", help="list every permission that is not needed")
     add_format(suggest, "text", "json")
 
 
 def _natural(text: str) -> int:
     if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"{text!r} is no number")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number")
     return int(text)
 
 
 def _positive(text: str) -> int:
     number = _natural(text)
     if number == 0:
-        raise argparse.ArgumentTypeError("there is at least one enclave")
+        raise argparse.ArgumentTypeError("at least one enclave is needed")
     return number
 
 

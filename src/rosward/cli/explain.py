@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`rosward explain NAME`: why something is in the result: who has it, which line creates it, what its name was made of, which rule it causes."""
+"""`rosward explain NAME`: why something is in the result: who has it, which line creates it, the parts of its name, which rule it causes."""
 
 from __future__ import annotations
 
@@ -28,10 +28,9 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "explain",
-        help="say why a name is in the result",
-        description="Says of a topic, service, action, node, enclave, finding or line where it comes from and which rule it causes.",
-        epilog="Exit status: 0 it is told; 1 nothing is called so; 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        help="explain why a name is in the result",
+        description="Explain where a topic, service, action, node, enclave, finding or line comes from, and which policy rule it causes.",
+        epilog="Exit status: 0 found; 1 no such name; 2 usage error or nothing to read; 3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument(
@@ -43,7 +42,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     add_deployment(parser)
     add_enclaves(parser)
     add_unknown(parser)
-    add_format(parser, "text", "json", what="JSON leaves nothing out (default: text)")
+    add_format(parser, "text", "json", what="json is complete, text may be shortened (default: text)")
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -41,17 +41,17 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "extract",
-        help="write the graph, the policies and a report of the sources",
-        description="Reads files, packages or workspaces and writes the computation graph, the SROS2 policies and a report.",
-        epilog="Exit status: 0 complete; 1 extracted, but incomplete (an unknown name, an unreadable file, a limit), or as --fail-on says; "
-        "2 wrong use or nothing to read; 3 written, but rosward itself failed on a part of it (RW299).",
+        help="write the graph, the policies and a report",
+        description="Analyse files, packages or workspaces and write the computation graph, the SROS2 policies and a report.",
+        epilog="Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
+        "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299).",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
     parser.add_argument(
-        "-o", "--output", metavar="DIR", default="rosward-out", help="where to write (default: rosward-out)"
+        "-o", "--output", metavar="DIR", default="rosward-out", help="output folder (default: rosward-out)"
     )
     parser.add_argument(
         "--format",
@@ -67,18 +67,18 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--loose-ends",
         action="store_true",
-        help="note topics without a publisher or subscription, and services and actions without a server (the report has them anyway)",
+        help="report topics without a publisher or subscription, and services and actions without a server (report.html always has them)",
     )
     add_review(parser)
     parser.add_argument(
         "--fail-on",
         choices=("error", "warning", "note"),
         default="error",
-        help="exit with 1 where there are new findings of this weight, or a heavier one (default: error)",
+        help="exit with 1 if there are new findings of this severity or higher (default: error)",
     )
     volume = parser.add_mutually_exclusive_group()
-    volume.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
-    volume.add_argument("-v", "--verbose", action="store_true", help="print every doubt")
+    volume.add_argument("-q", "--quiet", action="store_true", help="print only errors")
+    volume.add_argument("-v", "--verbose", action="store_true", help="print every finding")
 
 
 def add_compact(parser: argparse.ArgumentParser) -> None:
@@ -86,7 +86,7 @@ def add_compact(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--compact",
         action="store_true",
-        help="where the permissions of an enclave are too large for DDS, let patterns stand for several names, and say what they allow besides",
+        help="if the permissions of an enclave are too large for DDS, replace names by patterns and report what else they allow",
     )
 
 
@@ -95,7 +95,7 @@ def _formats(text: str) -> tuple[str, ...]:
     wrong = [w for w in wanted if w not in FORMAT_NAMES]
     if wrong or not wanted:
         raise argparse.ArgumentTypeError(
-            f"choose out of {', '.join(FORMAT_NAMES)}: {', '.join(wrong) or 'nothing given'}"
+            f"choose from {', '.join(FORMAT_NAMES)}: {', '.join(wrong) or 'nothing given'}"
         )
     return wanted
 
@@ -114,7 +114,7 @@ def _run(options: argparse.Namespace) -> int:
     written, found = _write(result, found, loose, options, widened)
     steps = Steps()
     if not options.quiet:
-        steps(lambda: summarise(result, found, written, options), None, "the summary ends here")
+        steps(lambda: summarise(result, found, written, options), None, "the rest of the summary is missing")
     for name in options.format:
         if name in OF_FINDINGS and not BY_NAME[name].files:
             printed = partial(findings_text, name, found.shown, options)
@@ -131,7 +131,7 @@ def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Wide
 
     network = result.network
     steps = Steps()
-    compaction = steps(lambda: compact(network.nodes, options.unknown), None, "the permissions are not made smaller")
+    compaction = steps(lambda: compact(network.nodes, options.unknown), None, "the permissions were not compacted")
     if compaction is None:
         note_failures(options, steps.findings)
         return replace(result, network=with_findings(network, steps.findings)), {}

@@ -47,8 +47,8 @@ _LIMIT: Final = 100_000_000
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.epilog = "Exit status: 0 complete; 1 written, but incomplete, or no nodes; 2 wrong use or nothing to read; 3 a fault of rosward."
-    parser.add_argument("POLICY_FILE_PATH", help="path of the policy xml file, which is written anew")
+    parser.epilog = "Exit status: 0 complete; 1 written but incomplete, or no nodes; 2 usage error or nothing to read; 3 internal error."
+    parser.add_argument("POLICY_FILE_PATH", help="path of the policy file to write")
     add_sources(parser)
     _as_sourced(parser)
     add_deployment(parser)
@@ -56,10 +56,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_unknown(parser)
     add_compact(parser)
     add_review(parser)
-    parser.add_argument("--replace", action="store_true", help="also write over a file that rosward did not write")
+    parser.add_argument("--replace", action="store_true", help="overwrite the file even if rosward did not write it")
     volume = parser.add_mutually_exclusive_group()
-    volume.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors")
-    volume.add_argument("-v", "--verbose", action="store_true", help="print every doubt")
+    volume.add_argument("-q", "--quiet", action="store_true", help="print only errors")
+    volume.add_argument("-v", "--verbose", action="store_true", help="print every finding")
     leave_open(parser)
     if "_ARGCOMPLETE" in os.environ:
         from rosward.cli.completion import offer
@@ -73,12 +73,12 @@ def _as_sourced(parser: argparse.ArgumentParser) -> None:
         "--no-ament-prefix-path",
         dest="ament_prefix_path",
         action="store_false",
-        help="the folders of AMENT_PREFIX_PATH are no underlays",
+        help="do not use the folders of AMENT_PREFIX_PATH as underlays",
     )
     parser.set_defaults(ament_prefix_path=True, distro=os.environ.get("ROS_DISTRO") or DEFAULT_DISTRO)
     texts = {
-        "--distro": f"what the client library adds by itself (default: that of ROS_DISTRO, else {DEFAULT_DISTRO})",
-        "--ament-prefix-path": "the folders of the environment variable AMENT_PREFIX_PATH are underlays, too (default)",
+        "--distro": f"ROS 2 distro, which determines what the client library adds (default: ROS_DISTRO, else {DEFAULT_DISTRO})",
+        "--ament-prefix-path": "also use the folders of AMENT_PREFIX_PATH as underlays (default)",
     }
     for action in parser._actions:
         action.help = next((texts[o] for o in action.option_strings if o in texts), action.help)
@@ -98,10 +98,10 @@ def _run(options: argparse.Namespace) -> int:
     apply(options)
     check_paths(options)
     if options.distro not in DISTROS:
-        raise WrongUseError(f"ROS_DISTRO is {options.distro}, which is not known: choose --distro {'|'.join(DISTROS)}")
+        raise WrongUseError(f"ROS_DISTRO is {options.distro}, which is unknown: choose --distro {'|'.join(DISTROS)}")
     file = Path(options.POLICY_FILE_PATH)
     if not options.replace and not _replaceable(file):
-        raise WrongUseError(f"{file} was not written by rosward: compare it by `rosward check`, or give --replace")
+        raise WrongUseError(f"{file} was not written by rosward: compare it with `rosward check`, or use --replace")
     request = request_of(options)
     result = extracted(options, options.paths, request, shown=not options.quiet)
     widened: Widenings = {}
@@ -109,7 +109,7 @@ def _run(options: argparse.Namespace) -> int:
         result, widened = compacted(result, options)
     found, _ = reviewed_result(result, SourceTexts(result.root, result.files), options, unused=not request.deploys)
     if not result.network.nodes:
-        print("rosward: no nodes found, so no policy was written", file=sys.stderr)  # noqa: T201
+        print("rosward: no nodes found, no policy written", file=sys.stderr)  # noqa: T201
         return INCOMPLETE
     policy = policy_xml(result.network, unknown=options.unknown, widened=widened)
     written = [write_file(policy, str(file))]

@@ -30,9 +30,9 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "launch-tree",
         help="print what launch files start",
-        description="Prints what launch files start, as a tree, with the source of each value. Nothing is executed.",
-        epilog="Exit status: 0 all of it is known; 1 something is not; 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        description="Print what launch files start as a tree, with the source of each value. Nothing is executed.",
+        epilog="Exit status: 0 everything is known; 1 something is unknown; 2 usage error or nothing to read; "
+        "3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)

@@ -30,16 +30,16 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "list",
         help="print nodes, topics, services, actions, packages or parameters as a table",
-        description="Prints what there is of one kind, one line each; - stands for what there is not.",
-        epilog="Exit status: 0 the list is complete; 1 something may be missing (extract says what); 2 wrong use or nothing to read; "
-        "3 a fault of rosward.",
+        description="Print all entries of one kind, one per line; - marks an empty field.",
+        epilog="Exit status: 0 complete; 1 something may be missing (run extract for details); 2 usage error or nothing to read; "
+        "3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument("kind", choices=_KINDS, metavar="KIND", help=", ".join(_KINDS))
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
-    parser.add_argument("--system", action="store_true", help="also what the client library creates by itself")
+    parser.add_argument("--system", action="store_true", help="include what the client library creates by itself")
     add_format(parser, "text", "json")
 
 
@@ -53,6 +53,6 @@ def _run(options: argparse.Namespace) -> int:
     if result.complete:
         return COMPLETE
     errors = sum(f.rule.severity.value == "error" for f in result.findings)
-    told = f"rosward: something may be missing: {errors} findings are errors (rosward extract says which)"
+    told = f"rosward: something may be missing: {errors} findings are errors (run rosward extract for details)"
     print(told, file=sys.stderr)  # noqa: T201
     return INCOMPLETE

@@ -17,15 +17,17 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "nodl",
-        help="write the interface of an executable as a NoDL document",
-        description="Writes the interface of an executable of the workspace as a NoDL 2 document, one for each of its nodes.",
-        epilog="Exit status: 0 complete; 1 something of the interface is not known; 2 wrong use or no such executable; "
-        "3 a fault of rosward.",
+        help="write the interface of an executable as NoDL",
+        description="Write the interface of an executable of the workspace as NoDL 2 documents, one per node.",
+        epilog="Exit status: 0 complete; 1 the interface is partially unknown; 2 usage error or no such executable; "
+        "3 internal error.",
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument("executable", metavar="PKG/EXE", help="the executable")
     add_sources(parser)
-    parser.add_argument("-o", "--output", metavar="DIR", help="write NODE.nodl.yaml there instead of printing")
+    parser.add_argument(
+        "-o", "--output", metavar="DIR", help="write NODE.nodl.yaml files to this folder instead of printing"
+    )
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -39,7 +41,7 @@ def _run(options: argparse.Namespace) -> int:
         raise WrongUseError(str(error)) from error
     result = extracted(options, options.paths, Request(nodes=(wanted,)), shown=False)
     if not result.network.nodes:
-        raise WrongUseError(f"{options.executable} makes no node")
+        raise WrongUseError(f"{options.executable} creates no node")
     for node in result.network.nodes:
         document = nodl_document(node)
         if options.output is None:

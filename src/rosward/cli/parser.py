@@ -35,7 +35,7 @@ class CommandParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and where the options are told; status 2."""
-        self.exit(2, f"{self.prog}: error: {printable(message)}\n`{self.prog} --help` tells how it is used.\n")
+        self.exit(2, f"{self.prog}: error: {printable(message)}\nSee `{self.prog} --help` for usage.\n")
 
     def _takes_paths(self) -> bool:
         return any(action.dest == "paths" and action.nargs == "*" for action in self._actions)

@@ -40,15 +40,13 @@ __all__ = [
 
 def add_review(parser: argparse.ArgumentParser) -> None:
     """Which findings are known."""
-    parser.add_argument(
-        "--baseline", metavar="FILE", help="findings in it are not new: they do not count for the exit status"
-    )
-    parser.add_argument("--write-baseline", metavar="FILE", help="write the findings of this run there")
+    parser.add_argument("--baseline", metavar="FILE", help="known findings, which do not count for the exit status")
+    parser.add_argument("--write-baseline", metavar="FILE", help="write the findings of this run to this file")
 
 
 def add_output_file(parser: argparse.ArgumentParser) -> None:
     """Where a command that prints one document writes it instead."""
-    parser.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to this file instead of printing")
 
 
 def reviewed(
@@ -77,7 +75,7 @@ def reviewed_result(
 
     steps = Steps()
     nothing: list[Finding] = []
-    ends = steps(lambda: loose_ends(result.network), nothing, "loose ends are not told")
+    ends = steps(lambda: loose_ends(result.network), nothing, "loose ends were not checked")
     note_failures(options, steps.findings)
     found = reviewed((*result.findings, *steps.findings, *ends), sources, options, unused=unused)
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)

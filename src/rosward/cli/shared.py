@@ -57,60 +57,58 @@ class WrongUseError(Exception):
 def add_sources(parser: argparse.ArgumentParser) -> None:
     """What to read."""
     parser.add_argument(
-        "paths", nargs="*", default=[], metavar="PATH", help="file, package or workspace (default: the current folder)"
+        "paths", nargs="*", default=[], metavar="PATH", help="file, package or workspace (default: current folder)"
     )
     parser.add_argument(
         "--distro",
         choices=DISTROS,
         default=DEFAULT_DISTRO,
-        help=f"what the client library adds by itself (default: {DEFAULT_DISTRO})",
+        help=f"ROS 2 distro, which determines what the client library adds (default: {DEFAULT_DISTRO})",
     )
     parser.add_argument(
         "--models",
         action="append",
         default=[],
         metavar="DIR",
-        help="stub files that describe further libraries, and declared interfaces of nodes (DIR/nodes/PKG.yaml)",
+        help="folder with stub files for additional libraries and declared interfaces of nodes (DIR/nodes/PKG.yaml)",
     )
     parser.add_argument(
         "--underlay",
         action="append",
         default=[],
         metavar="DIR",
-        help="another workspace, or install folder, in which launch and parameter files are looked for",
+        help="another workspace or install folder to search for launch and parameter files",
     )
     parser.add_argument(
         "--ament-prefix-path",
         action="store_true",
-        help="the folders of the environment variable AMENT_PREFIX_PATH are underlays, too",
+        help="also use the folders of AMENT_PREFIX_PATH as underlays",
     )
     add_environment(parser)
-    parser.add_argument("--tests", action="store_true", help="read test files too")
+    parser.add_argument("--tests", action="store_true", help="also read test files")
     parser.add_argument(
         "--exclude",
         action="append",
         type=_pattern,
         default=[],
         metavar="PATTERN",
-        help="do not read files and folders that this means, as in .gitignore; may be repeated",
+        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
     )
-    parser.add_argument(
-        "--follow-links", action="store_true", help="enter symbolic links that lead out of the PATHs, too"
-    )
+    parser.add_argument("--follow-links", action="store_true", help="follow symbolic links that lead out of the PATHs")
     parser.add_argument(
         "--no-assumed",
         action="store_true",
-        help="leave out the nodes of classes that nothing in the sources makes an object of",
+        help="omit nodes of classes that the sources never instantiate",
     )
     parser.add_argument(
         "--budget",
         type=_factor,
         default=1.0,
         metavar="N",
-        help="N times the steps for each program before the analysis stops and says so (RW201) (default: 1)",
+        help="multiply the number of analysis steps per program by N; at the limit, the analysis stops with RW201 (default: 1)",
     )
     parser.add_argument(
-        "--no-config", action="store_true", help="do not read rosward.toml or pyproject.toml of what is analysed"
+        "--no-config", action="store_true", help="ignore rosward.toml and pyproject.toml of the sources"
     )
 
 
@@ -122,7 +120,7 @@ def add_environment(parser: argparse.ArgumentParser) -> None:
         type=_variable,
         default=[],
         metavar="NAME=VALUE",
-        help="an environment variable of the shell that starts everything; may be repeated",
+        help="environment variable of the shell that starts the system; may be repeated",
     )
     parser.add_argument(
         "--env-from-shell",
@@ -131,7 +129,7 @@ def add_environment(parser: argparse.ArgumentParser) -> None:
         type=_of_shell,
         default=[],
         metavar="NAME[,NAME…]",
-        help="environment variables with the values that they have here and now; may be repeated",
+        help="environment variables to take from the current shell; may be repeated",
     )
 
 
@@ -156,7 +154,7 @@ def _factor(text: str) -> float:
     except ValueError:
         factor = 0.0
     if not 0 < factor <= MOST_BUDGET:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number above 0, up to {MOST_BUDGET}")
+        raise argparse.ArgumentTypeError(f"{text!r} must be a number above 0 and at most {MOST_BUDGET}")
     return factor
 
 
@@ -171,24 +169,26 @@ def add_format(parser: argparse.ArgumentParser, *formats: str, what: str = "") -
     """In which form the answer is printed; the first is the default. `--json` is short for `--format json`."""
     default = formats[0]
     parser.add_argument("--format", choices=formats, default=default, help=what or f"(default: {default})")
-    parser.add_argument("--json", dest="format", action="store_const", const="json", help="the same as --format json")
+    parser.add_argument("--json", dest="format", action="store_const", const="json", help="same as --format json")
 
 
-def add_deployment(parser: argparse.ArgumentParser, default: str = "every executable, as `ros2 run` starts it") -> None:
+def add_deployment(parser: argparse.ArgumentParser, default: str = "every executable, as with `ros2 run`") -> None:
     """What to start; `default` says what is where nothing is asked for."""
-    group = parser.add_argument_group(f"what is started (default: {default})")
+    group = parser.add_argument_group(f"what to start (default: {default})")
     group.add_argument(
         "--launch",
         action="append",
         default=[],
         metavar="FILE|PKG:FILE[,arg:=value…]",
-        help="what this launch file starts; may be repeated",
+        help="analyse what this launch file starts; may be repeated",
     )
-    group.add_argument("--all-launch", action="store_true", help="each launch file, as a system of its own")
+    group.add_argument("--all-launch", action="store_true", help="every launch file, each as a separate system")
     group.add_argument(
-        "--arg", action="append", default=[], metavar="NAME:=VALUE", help="launch argument; * leaves it open"
+        "--arg", action="append", default=[], metavar="NAME:=VALUE", help="launch argument; * leaves its value open"
     )
-    group.add_argument("--node", action="append", default=[], metavar="PKG/EXE[:NAME]", help="this executable, too")
+    group.add_argument(
+        "--node", action="append", default=[], metavar="PKG/EXE[:NAME]", help="also start this executable"
+    )
     group.add_argument(
         "--params", action="append", default=[], metavar="FILE.yaml", help="parameter file for every process"
     )
@@ -201,8 +201,8 @@ def add_enclaves(parser: argparse.ArgumentParser) -> None:
         type=_enclaves,
         metavar="{node,process,launch,FILE.toml}",
         default=None,
-        help="one enclave for each node, or for each process, or as the launch files say, or as FILE.toml assigns them "
-        "(default: process with launch files, else node)",
+        help="one enclave per node, per process, as set by the launch files, or as assigned by FILE.toml "
+        "(default: process with launch files, otherwise node)",
     )
 
 
@@ -218,7 +218,7 @@ def add_unknown(parser: argparse.ArgumentParser) -> None:
         "--unknown",
         choices=("deny", "wildcard"),
         default="deny",
-        help="in the policy, leave out a name that is not known, or write * for it (default: deny)",
+        help="unknown names in the policy: omit them, or write * for them (default: deny)",
     )
 
 
@@ -335,7 +335,7 @@ def told(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespa
             print(f"rosward: {printable(str(error))}", file=sys.stderr)  # noqa: T201
             return WRONG_USE
         if failures and status != INTERNAL:
-            told = f"rosward: internal error (RW299), so something is missing; please report it: {failures[0]}"
+            told = f"rosward: internal error (RW299), so the result is incomplete; please report it: {failures[0]}"
             print(printable(told), file=sys.stderr)  # noqa: T201
             return INTERNAL
         return status
@@ -347,7 +347,7 @@ def check_paths(options: argparse.Namespace) -> None:
     """Raise WrongUseError where a path of the options is not there."""
     missing = [p for p in options.paths if not os.path.lexists(p)]
     if missing:
-        hint = next((f"; a launch argument is given as --arg {p}" for p in missing if ":=" in p), "")
+        hint = next((f"; use --arg {p} to set a launch argument" for p in missing if ":=" in p), "")
         raise WrongUseError(f"no such file or folder: {', '.join(missing)}{hint}")
     for option in ("models", "underlay"):
         absent = [m for m in getattr(options, option) if not os.path.isdir(m)]  # noqa: PTH112

@@ -54,7 +54,7 @@ def differences(options: argparse.Namespace) -> Differences:
         if options.git is not None:
             return _of_git(options)
         if len(options.paths) != 2:
-            raise WrongUseError("name two files or folders, OLD and NEW, or commits: --git OLD..NEW")
+            raise WrongUseError("pass two files or folders, OLD and NEW, or commits with --git OLD..NEW")
         if all(map(os.path.isdir, options.paths)):
             old, new = (os.path.abspath(p) for p in options.paths)  # noqa: PTH100
             sides = [_Side(p, p, (old, new), p) for p in (old, new)]
@@ -64,7 +64,7 @@ def differences(options: argparse.Namespace) -> Differences:
         raise WrongUseError(str(error)) from error
     if first.kind != second.kind:
         raise WrongUseError(
-            f"{options.paths[0]} is a {first.kind}, {options.paths[1]} a {second.kind}: compare two of one kind"
+            f"{options.paths[0]} is a {first.kind}, {options.paths[1]} a {second.kind}: both must be of the same kind"
         )
     return compare(first, second)
 
@@ -73,7 +73,7 @@ def _of_file(path: str) -> ComparedState:
     from rosward.diff.compare import read_snapshot
 
     if os.path.isdir(path):  # noqa: PTH112
-        raise WrongUseError(f"{path} is a folder: compare two folders, or two files")
+        raise WrongUseError(f"{path} is a folder: compare two folders or two files")
     return read_snapshot(path)
 
 
@@ -125,14 +125,16 @@ def _of_sources(options: argparse.Namespace, sides: Sequence[_Side], paths: Sequ
         there = [path for path in wanted if os.path.lexists(path)]
         try:
             if not there:
-                raise WrongUseError("nothing of what is compared is there")
+                raise WrongUseError("none of the compared paths exists there")
             snapshots.append(_snapshot(options, side, there, steps))
         except WrongUseError as error:
             told.append((side, error))
             snapshots.append(_nothing())
     if len(told) > 1:
         raise told[0][1]
-    notes = tuple(f"{side.name}: {_relative(str(error), side)}; so nothing is started there" for side, error in told)
+    notes = tuple(
+        f"{side.name}: {_relative(str(error), side)}; nothing is started on that side" for side, error in told
+    )
     for note in notes:
         print(f"rosward: {printable(note)}", file=sys.stderr)  # noqa: T201
     old, new = snapshots
@@ -145,7 +147,7 @@ def _check(options: argparse.Namespace, sides: Sequence[_Side]) -> None:
     for key in ("models", "underlay", "params"):
         for path in getattr(options, key):
             if not any(os.path.exists(side.place(path)) for side in sides):  # noqa: PTH110
-                raise WrongUseError(f"--{key}: {path} is on neither side")
+                raise WrongUseError(f"--{key}: {path} exists on neither side")
 
 
 def _relative(message: str, side: _Side) -> str:
@@ -164,7 +166,7 @@ def _snapshot(options: argparse.Namespace, side: _Side, paths: list[str], steps:
 
     own = _moved(options, side)
     result = extracted(own, paths, request_of(own))
-    missing = "nothing is compared"
+    missing = "nothing was compared"
     return steps(lambda: snapshot_of(result.network.nodes, side.name), None, missing)
 
 

@@ -18,25 +18,25 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "snapshot",
-        help="write what is in the graph of the running robot",
-        description="Looks at the graph of the running ROS 2 system for some seconds and writes a document for `rosward audit`. Needs rclpy.",
-        epilog="Exit status: 0 written; 2 wrong use, or rclpy is not there.",
+        help="record the graph of a running robot",
+        description="Observe the graph of the running ROS 2 system for a few seconds and write a snapshot for `rosward audit`. Needs rclpy.",
+        epilog="Exit status: 0 written; 2 usage error, or rclpy is not available.",
     )
     parser.set_defaults(run=told(_run))
-    parser.add_argument("-o", "--output", metavar="FILE", help="where to write; - for the standard output")
+    parser.add_argument("-o", "--output", metavar="FILE", help="output file; - writes to standard output")
     add_looks(parser)
     parser.add_argument(
         "--print-script",
         action="store_true",
-        help="print this command as one Python file, for a robot without rosward: python3 FILE -o robot.json",
+        help="print this command as a single Python file, for a robot without rosward: python3 FILE -o robot.json",
     )
 
 
 def add_looks(parser: argparse._ActionsContainer) -> None:
     """How the graph is looked at."""
-    parser.add_argument("--seconds", type=float, default=5.0, metavar="N", help="how long to look (default: 5)")
-    parser.add_argument("--domain-id", type=int, metavar="N", help="instead of ROS_DOMAIN_ID")
-    parser.add_argument("--enclave", metavar="PATH", help="the enclave to look from, where the graph is secured")
+    parser.add_argument("--seconds", type=float, default=5.0, metavar="N", help="how long to observe (default: 5)")
+    parser.add_argument("--domain-id", type=int, metavar="N", help="DDS domain (default: ROS_DOMAIN_ID)")
+    parser.add_argument("--enclave", metavar="PATH", help="enclave to join with, if the graph is secured")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -44,7 +44,7 @@ def _run(options: argparse.Namespace) -> int:
         sys.stdout.write(files("rosward.audit").joinpath("snapshot.py").read_text(encoding="utf-8"))
         return COMPLETE
     if options.output is None:
-        raise WrongUseError("say where to write the snapshot: -o FILE")
+        raise WrongUseError("no output file given: use -o FILE")
     from rosward.audit.snapshot import run
 
     return run(options.output, options.seconds, options.domain_id, options.enclave)

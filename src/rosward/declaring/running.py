@@ -40,7 +40,7 @@ def node_of(graph: LiveGraph, executable: str, wanted: str | None) -> LiveNode:
     if len(nodes) == 1:
         return nodes[0]
     there = ", ".join(sorted(n.name for n in nodes or graph.nodes)[:12])
-    raise NotRunningError(f"which node is it? Name one by --node: {there or 'there is none'}")
+    raise NotRunningError(f"several nodes are possible: choose one with --node: {there or 'there is none'}")
 
 
 def sketch_of(node: LiveNode, source: str) -> Sketch:
@@ -51,12 +51,12 @@ def sketch_of(node: LiveNode, source: str) -> Sketch:
     seen = [SeenEndpoint(_LISTS[e.kind], _relative(e.name, node.name), e.type, _qos(e.qos), e.name) for e in own]
     usable = tuple(each for each in seen if is_usable(each))
     told = [
-        f"{each.kind}: {each.at} of type {each.type or 'unknown'} has no form here"
+        f"{each.kind}: {each.at} of type {each.type or 'unknown'} cannot be declared"
         for each in seen
         if each not in usable
     ]
     told += [
-        f"{e.kind.value} {e.name} has no rt before its name on DDS: no policy can grant it"
+        f"{e.kind.value} {e.name} has no rt prefix in its DDS name: no policy can grant it"
         for e in node.entities
         if not e.ros_prefix
     ]
@@ -66,9 +66,9 @@ def sketch_of(node: LiveNode, source: str) -> Sketch:
         entities=usable,
         told=(
             *told,
-            "names are as they ran: write scan in place of /scan for what moves with the namespace of the node",
+            "names are as observed: write scan instead of /scan for names relative to the namespace of the node",
         ),
-        open=f"as it ran ({source}), which another run may differ from",
+        open=f"as observed ({source}); other runs may differ",
     )
 
 

@@ -92,7 +92,7 @@ def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
         entities=tuple(entities[:_MOST]),
         parameters=tuple((name, type_) for name, type_ in list(parameters.items())[:_MOST]),
         told=tuple(told[:_MOST]),
-        open=f"found by a search of {_few(texts)}, and not verified",
+        open=f"found by a text search of {_few(texts)}, not verified",
     )
 
 
@@ -123,7 +123,7 @@ def _seen(call: _Call, types: Mapping[str, str], at: str) -> SeenEndpoint | str:
     type_ = "/".join(written[-3:]) if len(written) >= 3 and written[-2] == part else types.get(call.type, "")
     what = f"{at}: {call.kind} of {call.type}"
     if not type_:
-        return f"{what}: its package is not known"
+        return f"{what}: its package is unknown"
     first = call.rest.split(",")
     where = (
         first[1]
@@ -132,9 +132,13 @@ def _seen(call: _Call, types: Mapping[str, str], at: str) -> SeenEndpoint | str:
     )
     name = _LITERAL.fullmatch(where.strip().rstrip(")").strip())
     if name is None:
-        return f"{what}: its name is no literal ({where.strip()[:60]})"
+        return f"{what}: its name is not a literal ({where.strip()[:60]})"
     seen = SeenEndpoint(call.kind, name["text"], type_, _qos(call.rest) if part == "msg" else None, at)
-    return seen if is_usable(seen) else f"{what}: {name['text'][:60]!r} is no name, or {type_} no type of the kind"
+    return (
+        seen
+        if is_usable(seen)
+        else f"{what}: {name['text'][:60]!r} is not a valid name, or {type_} is not a type of this kind"
+    )
 
 
 def _cpp_types(text: str) -> dict[str, str]:

@@ -3,7 +3,7 @@
 
     executables:
       lidar_node:
-        open: as it ran (robot.json), which another run may differ from   # delete this line when nothing lacks
+        open: as it ran (robot.json), which another run may differ from   # delete this line when the declaration is complete
         node: lidar
         publishers:
           - {name: scan, type: sensor_msgs/msg/LaserScan, qos: 10}  # /scan
@@ -33,16 +33,16 @@ _EXAMPLES: Final = (
     "service_servers:",
     "  - {name: '~/reset', type: std_srvs/srv/Trigger}",
 )
-_DELETE: Final = "  # delete this line when nothing lacks"
+_DELETE: Final = "  # delete this line when the declaration is complete"
 
 
 def declaration(package: str, program: str, sketch: Sketch) -> str:
     """A new file with this one program."""
     head = [
-        "# Begun by `rosward declare`. The notation: docs/declared-nodes.md of rosward.",
+        "# Created by `rosward declare`. Format: docs/declared-nodes.md of rosward.",
         "nodl_version: 2",
         f"package: {_text(package)}",
-        "source: not said yet  # repository, version, commit",
+        "source: to do  # repository, version, commit",
         f"client_library: {sketch.client_library}",
     ]
     return "\n".join([*head, f"{_section(program)}:", *_block(program, sketch, "  ")]) + "\n"
@@ -70,8 +70,8 @@ def _block(program: str, sketch: Sketch, indent: str) -> list[str]:
 
 def _body(program: str, sketch: Sketch) -> Iterator[str]:
     yield from (f"# {_comment(text)}" for text in sketch.told)
-    yield f"open: {json.dumps(sketch.open or 'nobody has said yet what it has')}{_DELETE}"
-    guess = "" if sketch.node else "  # the name that its code gives it"
+    yield f"open: {json.dumps(sketch.open or 'not yet filled in')}{_DELETE}"
+    guess = "" if sketch.node else "  # the node name in its code"
     yield f"node: {_text(sketch.node or re.sub(r'[^A-Za-z0-9_]', '_', program.rpartition('::')[2]))}{guess}"
     if sketch.lifecycle:
         yield "lifecycle: true"
@@ -91,7 +91,7 @@ def _row(seen: SeenEndpoint) -> str:
     topic = seen.kind in ("publishers", "subscriptions")
     qos = f", qos: {_qos(seen.qos)}" if topic else ""
     at = f"  # {_comment(seen.at)}" if seen.at and seen.at != seen.name else ""
-    unknown = "  # its QoS was not seen" if topic and seen.qos is None and not at else ""
+    unknown = "  # QoS not observed" if topic and seen.qos is None and not at else ""
     return f"  - {{name: {_text(seen.name)}, type: {seen.type}{qos}}}{at}{unknown}"
 
 

@@ -58,7 +58,7 @@ def read_parameter_file(text: str, file: str) -> tuple[tuple[Given, ...], tuple[
         place = Place(file, line)
         anything = Unknown((Reason(Cause.LIMIT, file, place),))
         return (Given("/**", "*", anything, place),), (
-            Finding("RW201", f"This parameter file is not read: {limit}.", place),
+            Finding("RW201", f"This parameter file was not read: {limit}.", place),
         )
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -70,7 +70,7 @@ def read_parameter_file(text: str, file: str) -> tuple[tuple[Given, ...], tuple[
 
 
 def _finding(why: str, file: str, line: int) -> Finding:
-    return Finding("RW317", f"rcl refuses this parameter file: {why}.", Place(file, line))
+    return Finding("RW317", f"rcl rejects this parameter file: {why}.", Place(file, line))
 
 
 class _Refused(Exception):  # noqa: N818  it is what rcl does, caught and reported
@@ -143,7 +143,7 @@ class _KeyPath:
         self.text = f"{self.text if self.depth else ''}{glue}{name}"
         self.depth += 1
         if len(self.text) > limits.PARAMETER_NAME:
-            raise _TooMuch("its keys are longer than is read")
+            raise _TooMuch("its keys are too long")
 
     def pop(self) -> None:
         if self.depth > 1 and self.separator in self.text:
@@ -188,12 +188,12 @@ class _Reader:
                 self._is_key = self._array is None
             case yaml.SequenceStartEvent():
                 if self._is_key:
-                    raise _Refused("a list stands where a name is expected")
+                    raise _Refused("a list is in place of a name")
                 if self._level < 2:
-                    raise _Refused(f"a list stands before {_KEY}")
+                    raise _Refused(f"a list comes before {_KEY}")
                 self._lists += 1
                 if self._lists > limits.PARAMETER_NESTING:
-                    raise _TooMuch("its lists are nested deeper than is read")
+                    raise _TooMuch("its lists are nested too deeply")
                 self._array = []
             case yaml.SequenceEndEvent():
                 self._array, self._is_key = None, True
@@ -207,7 +207,7 @@ class _Reader:
             case yaml.AliasEvent():
                 raise _Refused("it has an alias")
             case yaml.DocumentStartEvent() if event.version not in _VERSIONS:
-                raise _Refused(f"rcl does not know YAML {'.'.join(map(str, event.version))}")
+                raise _Refused(f"rcl does not support YAML {'.'.join(map(str, event.version))}")
             case _:
                 pass
 
@@ -233,18 +233,18 @@ class _Reader:
             self._node = self._node_names.text
             why = _wrong_node_key(self._node)
             if why is not None:
-                raise _Refused(f"{self._node[:100]!r} is no name of a node: {why}")
+                raise _Refused(f"{self._node[:100]!r} is not a valid node name: {why}")
             self._nodes.setdefault(self._node, _ParametersOfNode())
             self._level = 2
 
     def _parameter(self, name: str) -> None:
         self._keys += 1
         if self._keys > limits.PARAMETER_KEYS:
-            raise _TooMuch("it has more parameters than are read")
+            raise _TooMuch("it has too many parameters")
         parameters = self._nodes[self._node]
         if self._is_new_mapping:
             if self._position >= len(parameters.entries):
-                raise _Refused("a mapping stands where there is no parameter yet")
+                raise _Refused("a mapping comes where there is no parameter yet")
             # what was taken for a parameter was the first part of the names in this mapping
             self._names.text, self._names.depth = parameters.entries[self._position].name, self._names.depth + 1
             self._is_new_mapping = False
@@ -254,18 +254,18 @@ class _Reader:
         self._position = parameters.find(self._names.text, self._place)
         nested = f"{self._names.text}.{name}"
         if len(nested) > limits.PARAMETER_NAME:
-            raise _TooMuch("its names are longer than is read")
+            raise _TooMuch("its names are too long")
         parameters.rename(self._position, nested, self._place)
 
     def _value(self, event: yaml.ScalarEvent) -> None:
         parameters = self._nodes.get(self._node)
         if self._level < 2 or parameters is None or not parameters.entries:
-            raise _Refused(f"a value stands before {_KEY}")
+            raise _Refused(f"a value comes before {_KEY}")
         quoted = event.style in ("'", '"')
         if not quoted and not event.value:
             raise _Refused("a parameter has no value")
         if self._position >= len(parameters.entries):
-            raise _Refused("a value stands where there is no parameter yet")
+            raise _Refused("a value comes where there is no parameter yet")
         value = scalar_value(event.value, quoted=quoted, tag=event.tag)
         kind = value.type or ""
         if self._array is not None:
@@ -290,4 +290,4 @@ def _wrong_node_key(key: str) -> str | None:
 
 
 def _with_star(part: str) -> str | None:
-    return "a wildcard stands for a whole name" if "*" in part else None
+    return "a wildcard must be a whole name" if "*" in part else None

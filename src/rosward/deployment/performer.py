@@ -20,7 +20,7 @@ class Performer(Protocol):
     """The launch context at the point of execution, as Python code of a launch file can ask it (LaunchContext)."""
 
     def text(self, template: Template) -> Value:
-        """The text of a template now; Unknown, a Text with holes or a Choice where it is not wholly known."""
+        """The text of a template now; Unknown, a Text with holes or a Choice where it is not completely known."""
 
     def configuration(self, name: str) -> Value | None:
         """The value of a launch configuration, None where it is surely not set."""

@@ -111,8 +111,8 @@ def launching(wanted: Wanted | Sequence[Wanted], arguments: Mapping[str, str]) -
     several = [wanted] if isinstance(wanted, (str, os.PathLike)) else wanted
     launches = tuple(parse_launch(w) if isinstance(w, str) else LaunchRequest(os.fspath(w)) for w in several)
     if arguments and not launches:
-        raise RequestError("launch arguments are for launch files, and none is named")
+        raise RequestError("launch arguments need a launch file, and none was given")
     for name, value in arguments.items():
         if not isinstance(value, str):
-            raise RequestError(f"the launch argument {name!r} is no text: {value!r}")
+            raise RequestError(f"the launch argument {name!r} must be a string, not {value!r}")
     return Request(launches, arguments=tuple(arguments.items()))

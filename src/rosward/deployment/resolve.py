@@ -165,7 +165,7 @@ class Programs:
         if (package, executable) in self._targets:
             return "it is written in C++, which is not analysed"
         if self._file_of.has_package(package):
-            return f"the package {package} has no executable of that name among the sources"
+            return f"the package {package} has no such executable among the sources"
         return f"the package {package} is neither among the sources nor declared"
 
     def _component(self, made: Launched) -> Launched:
@@ -175,7 +175,7 @@ class Programs:
         if program is not None:
             return made._replace(program=program)
         if made.package is None:
-            return made._replace(unknown=f"its package is not known{_because(made.started.package)}")
+            return made._replace(unknown=f"its package is unknown{_because(made.started.package)}")
         inside = self._file_of.has_package(made.package)
         why = (
             "it is written in C++, which is not analysed"
@@ -187,7 +187,7 @@ class Programs:
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable
         return made._replace(
-            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is not known{_because(value)}"
+            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is unknown{_because(value)}"
         )
 
     def _command(self, made: Launched) -> Launched | None:
@@ -202,15 +202,15 @@ class Programs:
         if made.started.kind is not StartKind.PROCESS:
             shown = _shown(made.started.executable)
             if made.started.package is not None:
-                return made._replace(process=shown, unknown=f"its package is not known{_because(made.started.package)}")
+                return made._replace(process=shown, unknown=f"its package is unknown{_because(made.started.package)}")
             return made._replace(
-                process=shown, unknown="no package is named for it, and no file of the sources is behind its path"
+                process=shown, unknown="it names no package, and its path leads to no file of the sources"
             )
         shown = " ".join(readable(w) for w in words)
         program = shown.split()[0].rpartition("/")[2] if shown.split() else ""
         if program not in _INERT:
             self.findings.add(
-                Finding("RW319", f"`{shown[:200]}` is started, whose interface is not known", made.started.place)
+                Finding("RW319", f"`{shown[:200]}` is started, and its interface is unknown", made.started.place)
             )
         return None
 

@@ -43,7 +43,7 @@ def undeclared(launched: Launched) -> EffectLog:
     log.nodes[effect] = None
     what = "component" if component else "node"
     remedy = _remedy(launched)
-    message = f"the interface of the {what} {label} is not known: {launched.unknown}{remedy}"
+    message = f"the interface of the {what} {label} is unknown: {launched.unknown}{remedy}"
     log.findings.add(Finding("RW314", message, place, (launched.cause,) if launched.cause else (), remedy=remedy))
     return log
 
@@ -52,4 +52,4 @@ def _remedy(launched: Launched) -> str:
     """What to type, where something can be declared at all."""
     if launched.package is None or launched.executable is None:
         return ""
-    return f"; `rosward declare {launched.package}/{launched.executable}` begins a declaration of it"
+    return f"; `rosward declare {launched.package}/{launched.executable}` creates a declaration for it"

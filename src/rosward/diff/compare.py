@@ -99,12 +99,12 @@ def compare(old: ComparedState, new: ComparedState, *, net: bool = True) -> Diff
     """The changes from one state to another of the same kind. What rosward fails on is not compared, and told; without `net` it is raised."""
     steps = Steps(net=net)
     found = Differences(
-        steps(lambda: _change(old.nodes, new.nodes), _NO_CHANGE, "the nodes are not compared"),
-        steps(lambda: _change(old.entities, new.entities), _NO_CHANGE, "the entities are not compared"),
+        steps(lambda: _change(old.nodes, new.nodes), _NO_CHANGE, "the nodes were not compared"),
+        steps(lambda: _change(old.entities, new.entities), _NO_CHANGE, "the entities were not compared"),
         steps(
             lambda: Change(_beyond(new.policy, old.policy), _beyond(old.policy, new.policy)),
             _NO_CHANGE,
-            "the rights are not compared",
+            "the permissions were not compared",
         ),
         tuple(asked_differently(old.asked, new.asked)),
     )

@@ -48,7 +48,9 @@ def snapshot_of(nodes: Iterable[Node], source: str) -> ComparedState:
 def _check(node: Node, entity: Entity, source: str) -> None:
     name = entity.name
     if not name.startswith("/") or "[" in name or "?" in name or len(name) > LONGEST_NAME:
-        raise UnreadableError(f"{source}: {entity.kind.value} of {node.fqn}: {name[:LONGEST_NAME]!r} is no full name")
+        raise UnreadableError(
+            f"{source}: {entity.kind.value} of {node.fqn}: {name[:LONGEST_NAME]!r} is not a full name"
+        )
 
 
 def _rule(entity: Entity, place: Place) -> PolicyRule:

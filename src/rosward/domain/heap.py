@@ -7,7 +7,7 @@ self.items.append(x)    heap[a] = heap[a].with_items(items + (x,))
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from typing import Final, NamedTuple, TypedDict, final
+from typing import Final, Literal, NamedTuple, TypedDict, final
 
 from rosward.domain.series import Series
 from rosward.domain.table import NO_MARKS, unmarked, written
@@ -34,7 +34,11 @@ class Elements(TypedDict):
     ends: Series | None
 
 
-def fields_of(series: Series, kind: str = "list", most: int | None = None) -> Elements:
+ObjKind = Literal["instance", "list", "set", "dict", "class", "module", "cell", "generator"]
+"""What an object of the heap is."""
+
+
+def fields_of(series: Series, kind: ObjKind = "list", most: int | None = None) -> Elements:
     """How a record holds a series: exactly, up to `most` elements."""
     if series.exact and (most is None or len(series.head) <= most):
         return {"items": series.head, "rest": None, "ends": None}
@@ -73,7 +77,7 @@ class Obj:
 
     def __init__(
         self,
-        kind: str,
+        kind: ObjKind,
         cls: Value,
         attrs: Mapping[str, Value] = NO_ATTRS,
         items: tuple[Value, ...] | None = (),

@@ -27,20 +27,20 @@ class Cause(enum.Enum):
     PREFIX = "install folder of the package"
     SOURCES = "folder of the sources"
     BESIDE = "folder of a module"
-    INPUT = "input when it runs"
+    INPUT = "run-time input"
     MESSAGE = "content of a message"
-    CALL = "call that is not modelled"
-    MODULE = "module that is not among the sources"
-    CALLER = "argument that no caller in the sources gives"
-    RANDOM = "time, random or host"
+    CALL = "unmodelled call"
+    MODULE = "module not among the sources"
+    CALLER = "argument that no caller in the sources passes"
+    RANDOM = "time, randomness or host"
     ANEW = MADE_ANEW
-    OPERATION = "operation on a value that is not known"
+    OPERATION = "operation on an unknown value"
     LOOP = "value that changes in a loop"
-    MANY = "more alternatives than are kept apart"
+    MANY = "too many alternatives"
     LIMIT = "limit of the analysis"
     LIVE = "state of the running system"
     OTHER = "value that is not the default"
-    ERROR = "expression that fails when it runs"
+    ERROR = "expression that fails at run time"
 
 
 FOLDERS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES, Cause.BESIDE))

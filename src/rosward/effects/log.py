@@ -77,7 +77,7 @@ class NodeEffect(NamedTuple):
 
 
 class EntityEffect(NamedTuple):
-    """An entity is created on the node at `address` (None: on a node that is not known)."""
+    """An entity is created on the node at `address` (None: on an unknown node)."""
 
     kind: str
     address: int | None
@@ -154,7 +154,7 @@ class EffectLog:
             for place, why in self.spun.items():
                 self.findings.add(
                     Finding(
-                        "RW208", f"the node that is spun here is not known, and this program makes none{why}", place
+                        "RW208", f"the node that is spun here is unknown, and this program creates none{why}", place
                     )
                 )
 
@@ -170,13 +170,13 @@ class EffectLog:
                 self.nodes.pop(node, None)
 
     def assumed_node(self, machine: Execution, ref: Ref, base: Value) -> None:
-        """An object whose class is not wholly known is used as a node."""
+        """An object whose class is not completely known is used as a node."""
         if self.is_node(ref.address):
             return
-        name = base.name if isinstance(base, External) else "a base class that is not known"
+        name = base.name if isinstance(base, External) else "an unknown base class"
         machine.report(
             "RW204",
-            f"{name} is taken to be a node, since entities are created on it; its own entities and its name are not known",
+            f"{name} is assumed to be a node because entities are created on it; its own entities and its name are unknown",
         )
         unknown = machine.unknown(Cause.MODULE, name, "str")
         cls = machine.obj(ref).cls

@@ -114,8 +114,8 @@ def _not_given(name: str, variables: Variables) -> Finding:
         f"{what} {listed(tuple(values))}"
         for what, values in (
             ("it is compared with", variables.values[name]),
-            ("there are files for", variables.files.get(name, ())),
-            ("it is a condition,", truths),
+            ("files exist for", variables.files.get(name, ())),
+            ("it is used as a condition,", truths),
         )
         if values
     ]
@@ -123,7 +123,7 @@ def _not_given(name: str, variables: Variables) -> Finding:
     why = f": {', '.join(told)}" if told else ""
     example = f"{name}={next(iter((*variables.candidates(name), *truths)), 'VALUE')}"
     return Finding(
-        "RW325", f"the environment variable {name} is not given{where}{why}: --env {shlex.quote(example)}", places[0]
+        "RW325", f"the environment variable {name} has no value{where}{why}: --env {shlex.quote(example)}", places[0]
     )
 
 

@@ -53,7 +53,7 @@ def compact(nodes: Sequence[Node], unknown: UnknownNames = "deny", largest: int 
             widened[path] = chosen
             findings += (_told(path, each, members) for each in chosen)
         else:
-            more = f"; patterns bring them to {-(-fitting.least // 1024)} KB at the least, so that none was written"
+            more = f"; patterns reduce them only to {-(-fitting.least // 1024)} KB, so none was written"
             findings.append(too_large(path, fitting.size(), members[0], more))
     return Compaction(widened, tuple(findings))
 
@@ -61,7 +61,7 @@ def compact(nodes: Sequence[Node], unknown: UnknownNames = "deny", largest: int 
 def _told(path: str, widened: Widened, nodes: Sequence[Node]) -> Finding:
     kind = widened.kind.value
     message = (
-        f"enclave {path}: {kind} {widened.name} stands for {len(widened.members)} names; it {widened.also(_MOST_SHOWN)}"
+        f"enclave {path}: {kind} {widened.name} replaces {len(widened.members)} names; it {widened.also(_MOST_SHOWN)}"
     )
     return Finding("RW340", message, _place(widened, nodes))
 

@@ -52,9 +52,7 @@ def signed_size(path: str, rights: Iterable[Right]) -> int:
 
 def too_large(path: str, size: int, place_of: Node, more: str = "") -> Finding:
     """RW304."""
-    message = (
-        f"the signed permissions of enclave {path} come to about {_kilobytes(size)} KB, {LARGEST // 1024} KB are safe"
-    )
+    message = f"the signed permissions of enclave {path} take about {_kilobytes(size)} KB, but at most {LARGEST // 1024} KB are safe"
     return Finding("RW304", message + more, place_of.defined_at)
 
 

@@ -28,7 +28,7 @@ _MOST_NAMED: Final = 2
 
 
 class Wish(enum.Enum):
-    """Where the ladder is cut: before the first step that costs something, at a number of enclaves, at a price."""
+    """Where the ladder is cut: the last step that costs nothing, at a number of enclaves, at a price."""
 
     FREE = "free"
     MOST = "max"

@@ -28,12 +28,14 @@ class Widened(NamedTuple):
         holes = len(self.more) - len(plain)
         parts = [_some(plain, most)] if plain else []
         if holes:
-            parts.append(f"{holes} {'name' if holes == 1 else 'names'} with holes, as far as they turn out so")
+            parts.append(
+                f"{holes} {'name' if holes == 1 else 'names'} with unknown parts, where they turn out to match"
+            )
         return f"also allows {', '.join([*parts, 'and any other name of this form' if parts else 'any other name of this form'])}"
 
 
 def _some(names: Sequence[str], most: int) -> str:
-    rest = f" and {len(names) - most} more that there are" if len(names) > most else ""
+    rest = f" and {len(names) - most} more existing ones" if len(names) > most else ""
     return ", ".join(names[:most]) + rest
 
 

@@ -186,7 +186,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
             if seen == summary.seen:
                 break
         else:
-            machine.report("RW201", f"the recursion of {function.code.name} did not come to rest")
+            machine.report("RW201", f"the recursion of {function.code.name} did not converge")
     finally:
         del machine.summaries.running[key]
         machine.catchers = outer

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from rosward.engine.stepped import Resumption, Stepped
     from rosward.ir.program import Code
     from rosward.models.file_paths import Files
-    from rosward.models.native import Items
+    from rosward.models.native import Items, ResumptionKind
     from rosward.source.definitions import Definition
 
 _LONGEST_PATH: Final = 12
@@ -67,7 +67,9 @@ class Answers:
         """`generator.close()`."""
         self.language.close_generator(self, ref)
 
-    def next_of(self: Engine, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+    def next_of(
+        self: Engine, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None
+    ) -> Value:
         """The next item of an iterator, or the default, else StopIteration."""
         return self.language.next_of(self, iterator, kind, value, default)
 

@@ -36,10 +36,10 @@ def make(machine: Engine, cls: Class) -> None:
     verb = "raises" if len(machine.ended_at) == 1 else "may raise"
     for place, raised in machine.ended_at.items():
         if place not in told:
-            message = f"{cls.name} cannot be made: its constructor {verb} {_named(raised)} here"
+            message = f"{cls.name} cannot be created: its constructor {verb} {_named(raised)} here"
             machine.log.findings.add(Finding("RW209", message, place if place.file else cls.place))
     if not machine.ended_at and not machine.log.nodes:
-        message = f"{cls.name} cannot be made: its constructor does not come to its end"
+        message = f"{cls.name} cannot be created: its constructor does not finish"
         machine.log.findings.add(Finding("RW209", message, cls.place))
 
 

@@ -229,7 +229,7 @@ def until_stable(
             break
         machine.check_time()
     else:
-        machine.report("RW201", "the loop did not come to rest; what later turns create may be missing")
+        machine.report("RW201", "the loop did not converge; what later iterations create may be missing")
     frame.uncertain -= 1
     machine.precision.fixpoints -= 1
     if machine.precision.coarse:

@@ -98,11 +98,9 @@ def _reach_object(machine: Engine, ref: Ref, library: str, depth: int, seen: set
         if not library:
             return  # it knows nothing of ROS
         if machine.log.is_node(ref.address):
-            machine.report("RW202", f"a node is handed to {library}, of which it is not known what it creates")
+            machine.report("RW202", f"a node is passed to {library}; what that creates is unknown")
         elif holds_node(machine, ref):
-            machine.report(
-                "RW202", f"an object that holds a node is handed to {library}, of which it is not known what it creates"
-            )
+            machine.report("RW202", f"an object that holds a node is passed to {library}; what that creates is unknown")
         held = obj.attrs.get(CONTENTS)
         if held is not None and depth < _DEPTH:
             _reach(machine, held, library, depth + 1, seen)

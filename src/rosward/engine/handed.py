@@ -49,7 +49,7 @@ def follow(machine: Engine) -> None:
         if len(machine.schedule_book.entries) + len(machine.schedule_book.named) == before:
             return
         machine.spin()
-    machine.report("RW201", "libraries are handed ever more objects; what they do with the last of them may be missing")
+    machine.report("RW201", "ever more objects are passed to libraries; what they do with the last ones may be missing")
 
 
 def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:

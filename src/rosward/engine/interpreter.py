@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.heap import Obj, fields_of
+from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
@@ -249,7 +249,7 @@ class Interpreter(Answers):
             known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
         return self._collection("set", Series(known, rest))
 
-    def _collection(self, kind: str, series: Series) -> Ref:
+    def _collection(self, kind: ObjKind, series: Series) -> Ref:
         return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind, self.budget.items)))
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:

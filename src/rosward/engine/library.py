@@ -259,14 +259,14 @@ class Library:
             loader.run_module(module, name)
         except LimitReachedError as limit:
             self._stubs.findings.add(
-                Finding("RW201", f"This stub is read to its limit only: {limit.what}.", limit.place)
+                Finding("RW201", f"This stub was read only up to a limit: {limit.what}.", limit.place)
             )
             loader.catchers, loader.precision.steps = catchers, 0
         except Exception as error:
             if not self._net:
                 raise
             place = Place(module.file)
-            self._stubs.findings.add(internal_error(error, place, "this stub was read to this point only"))
+            self._stubs.findings.add(internal_error(error, place, "this stub was read only up to this point"))
             loader.catchers = catchers
         self._running.discard(name)
         if above is not None and leaf not in loader.at(above.address).attrs:

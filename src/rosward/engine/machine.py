@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from rosward.engine.ways import Way
     from rosward.ir import ops
     from rosward.ir.program import Code
-    from rosward.models.native import Items
+    from rosward.models.native import Items, ResumptionKind
     from rosward.source.location import Place
 
 
@@ -206,7 +206,7 @@ class Language:
     iterate: Callable[[Engine, Value], Items]
     series: Callable[[Engine, Value], Series]
     is_stepped: Callable[[Engine, Value], bool]
-    next_of: Callable[[Engine, Value, str, Value, Value | None], Value]
+    next_of: Callable[[Engine, Value, ResumptionKind, Value, Value | None], Value]
     wait_for: Callable[[Engine, Value], Value]
     make_generator: Callable[[Engine, Function, list[Value]], Ref]
     advance: Callable[[Engine, Ref, Resumption], Stepped]

@@ -183,7 +183,7 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
         if start == (len(book.entries), machine.state.version):
             return
         machine.check_time()
-    machine.report("RW201", "the callbacks did not come to rest; what they create later may be missing")
+    machine.report("RW201", "the callbacks did not converge; what they create later may be missing")
 
 
 def _afford(machine: Engine, entry: Scheduled) -> bool:

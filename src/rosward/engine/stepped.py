@@ -7,12 +7,13 @@ from typing import Final, NamedTuple, final
 
 from rosward.domain.state import State
 from rosward.domain.values import NONE, UNBOUND, Value
+from rosward.models.native import ResumptionKind
 
 
 class Resumption(NamedTuple):
     """How a suspended generator is resumed: `next`, `send` a value, `throw` an exception, or `close`."""
 
-    kind: str
+    kind: ResumptionKind
     value: Value
 
 

@@ -46,9 +46,9 @@ _MOST: Final = 200
 
 
 _MEANINGS: Final = {
-    Severity.ERROR: "something is missing from the result, or may be: the status is 1",
-    Severity.WARNING: "the result holds all, but perhaps more than the system does, or the system will not do what it seems to",
-    Severity.NOTE: "good to know; extract -v shows it",
+    Severity.ERROR: "something is, or may be, missing from the result; the exit status is 1",
+    Severity.WARNING: "the result is complete, but it may include too much, or the system may not work as intended",
+    Severity.NOTE: "informational; shown by extract -v",
 }
 
 

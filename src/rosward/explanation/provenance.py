@@ -23,17 +23,20 @@ from rosward.source.location import Place
 __all__ = ["EntityRules", "NameSource", "PolicyLine", "Start", "Starts", "remap_rules", "remedies", "sources"]
 
 _REMEDIES: Final = (
-    ("parameter without a value", "give the parameter a default, or a value: --params FILE.yaml, or the launch file"),
-    ("command-line argument", "give the argument a default, or analyse the launch file that passes it: --launch FILE"),
+    (
+        "parameter without a value",
+        "give the parameter a default, or a value with --params FILE.yaml or in the launch file",
+    ),
+    ("command-line argument", "give the argument a default, or analyse the launch file that passes it (--launch FILE)"),
     ("launch argument without a value", "--arg NAME:=VALUE"),
     ("environment variable", "--env NAME=VALUE, or set it in the launch file"),
-    ("module that is not among the sources", "add its package to the PATHs, or describe it in a stub file: --models"),
-    ("call that is not modelled", "describe the call in a stub file: --models DIR"),
-    ("argument that no caller in the sources gives", "add the code that makes the call to the PATHs"),
+    ("module not among the sources", "add its package to the PATHs, or describe it in a stub file (--models)"),
+    ("unmodelled call", "describe the call in a stub file (--models DIR)"),
+    ("argument that no caller in the sources passes", "add the code that makes the call to the PATHs"),
 )
 """By the cause with which a reason begins."""
 
-_OTHERWISE: Final = "make it a constant, or a parameter with a default; or accept the wildcard in the policy"
+_OTHERWISE: Final = "use a constant or a parameter with a default, or accept the wildcard in the policy"
 
 
 class NameSource(NamedTuple):
@@ -151,7 +154,7 @@ def _parameter(parameter: Parameter, entries: Sequence[LaunchEntry], *, given: b
         )
         shown = value if value is not None else own[-1].value.text
         same = any(str(shown).lower() == p.value.text.lower() for p in own)  # True is `true` in a launch file
-        origin = "set in the launch file" if same else "set from outside, over the launch file or beside it"
+        origin = "set in the launch file" if same else "set from outside, overriding or in addition to the launch file"
         return NameSource(parameter.name, "parameter", shown, origin, at)
     # what the launch passes need not be what decides: a file of --params, too, may set it
     files = list(dict.fromkeys(p.value.text for e in entries for p in e.parameters if p.kind == "file"))

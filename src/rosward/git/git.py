@@ -88,7 +88,7 @@ class Git:
     def commit(self, revision: str) -> str:
         """The name of a commit. Raises GitError."""
         if not revision or revision.startswith("-"):
-            raise GitError(f"{revision!r} is no revision")
+            raise GitError(f"{revision!r} is not a revision")
         try:
             return self._line("rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
         except GitError as error:
@@ -101,7 +101,7 @@ class Git:
         try:
             return self._line("merge-base", one, other)
         except GitError as error:
-            raise GitError(f"{one[:12]} and {other[:12]} have no common ancestor that is here") from error
+            raise GitError(f"{one[:12]} and {other[:12]} have no common ancestor in this clone") from error
 
     def entries(self, commit: str) -> list[TreeEntry]:
         """All files of a commit. Raises GitError."""
@@ -115,7 +115,7 @@ class Git:
         """The files of the work tree that are not ignored, as paths below `top`. Raises GitError."""
         own = ("rev-parse", "--absolute-git-dir")
         if self._line(*own) != self._line("-C", self.top, *own):
-            raise GitError(f"{self.top}, which the repository names as its work tree, is that of another repository")
+            raise GitError(f"{self.top}, the configured work tree of the repository, belongs to another repository")
         text = self._read("-C", self.top, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--full-name")
         paths = sorted({os.fsdecode(line) for line in text.split(b"\0") if line})
         if len(paths) > _MOST_ENTRIES:
@@ -184,7 +184,7 @@ def _entry(line: bytes) -> TreeEntry:
     head, _, path = line.partition(b"\t")
     words = head.decode("ascii", "replace").split()
     if len(words) != 4 or not path:
-        raise GitError("git lists files in a form that is not known")
+        raise GitError("git lists files in an unknown form")
     mode, kind, name, size = words
     return TreeEntry(mode, kind, name, int(size) if size.isdecimal() else None, os.fsdecode(path))
 
@@ -194,7 +194,7 @@ def _content(name: str, requests: IO[bytes], answers: IO[bytes]) -> bytes:
     requests.flush()
     head = answers.readline(1_000).split()
     if len(head) != 3 or not head[2].isdigit():
-        raise GitError(f"object {name[:12]} is not there (in a partial clone, fetch it first)")
+        raise GitError(f"object {name[:12]} is missing (in a partial clone, fetch it first)")
     size = int(head[2])
     data = answers.read(size + 1)
     if len(data) != size + 1:
@@ -206,5 +206,5 @@ def _first_line(said: str) -> str:
     """What git complains of, and nothing of its advice but the one that decides."""
     first = said.partition("\n")[0].removeprefix("fatal: ")
     if "dubious ownership" in said:
-        return f"{first}; if you trust it, tell git so: git config --global --add safe.directory FOLDER"
+        return f"{first}; if you trust it, run:  git config --global --add safe.directory FOLDER"
     return first

@@ -115,7 +115,7 @@ def _place(folder: str, path: str) -> str:
     """Where a path of the repository is; its name alone must not lead elsewhere."""
     parts = path.split("/")
     if any(part in ("", ".", "..") or part.lower() == ".git" or "\0" in part for part in parts):
-        raise GitError(f"{path!r} is no name for a file")
+        raise GitError(f"{path!r} is not a valid file name")
     return os.path.join(folder, *parts)  # noqa: PTH118
 
 

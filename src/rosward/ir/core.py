@@ -19,7 +19,7 @@ in the table of the language.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, final
+from typing import TYPE_CHECKING, Final, Literal, final
 
 from rosward.ir.op import Op
 
@@ -185,13 +185,16 @@ class Compare(Op):
         self.right = right
 
 
+ArgumentKind = Literal["positional", "star", "keyword", "doublestar"]
+
+
 @final
 class Argument:
     """One argument as written: kind is 'positional', 'star', 'keyword' (with its name) or 'doublestar'."""
 
     __slots__ = ("kind", "name", "register")
 
-    def __init__(self, kind: str, register: int, name: str = "") -> None:
+    def __init__(self, kind: ArgumentKind, register: int, name: str = "") -> None:
         self.kind = kind
         self.register = register
         self.name = name

@@ -7,7 +7,7 @@ class body `LoadName`).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, final
+from typing import TYPE_CHECKING, Literal, final
 
 from rosward.ir.core import NO_REGISTER, Argument
 from rosward.ir.op import Block, Op
@@ -77,6 +77,10 @@ class NewCell(Op):
         self.cell = cell
 
 
+DeleteKind = Literal["local", "cell", "global", "name", "attr", "item"]
+BuildKind = Literal["list", "tuple", "set", "dict"]
+
+
 @final
 class Delete(Op):
     """`del`: kind is 'local' (register obj), 'cell' (cell obj), 'global' / 'name' (name), 'attr' (obj.name) or 'item' (obj[index])."""
@@ -84,7 +88,7 @@ class Delete(Op):
     __slots__ = ("index", "kind", "name", "obj")
 
     def __init__(
-        self, line: int, column: int, kind: str, obj: int = NO_REGISTER, name: str = "", index: int = NO_REGISTER
+        self, line: int, column: int, kind: DeleteKind, obj: int = NO_REGISTER, name: str = "", index: int = NO_REGISTER
     ) -> None:
         super().__init__(line, column)
         self.kind = kind
@@ -103,7 +107,7 @@ class Build(Op):
 
     __slots__ = ("dst", "items", "kind")
 
-    def __init__(self, line: int, column: int, dst: int, kind: str, items: tuple[tuple[bool, int], ...]) -> None:
+    def __init__(self, line: int, column: int, dst: int, kind: BuildKind, items: tuple[tuple[bool, int], ...]) -> None:
         super().__init__(line, column)
         self.dst = dst
         self.kind = kind

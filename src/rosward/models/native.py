@@ -11,7 +11,7 @@ A native is a function of a `NativeCall` that returns an abstract value. It is f
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
-from typing import TYPE_CHECKING, NamedTuple, Protocol, SupportsIndex, final, overload
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol, SupportsIndex, final, overload
 
 from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause
@@ -52,6 +52,10 @@ class Callbacks(Protocol):
     @property
     def threads_raised(self) -> Value:
         """Those that threads do not catch."""
+
+
+ResumptionKind = Literal["next", "send", "throw", "close"]
+"""How a suspended generator goes on."""
 
 
 class Machine(Execution, Protocol):
@@ -133,7 +137,7 @@ class Machine(Execution, Protocol):
     def is_stepped(self, value: Value) -> bool:
         """Whether `for x in value` follows it step by step: a generator, or an object with `__next__`."""
 
-    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
+    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
         """Advance an iterator (`kind`: next, send or throw, with `value`): its next item; at its end the default, else StopIteration."""
 
     def close_generator(self, ref: Ref) -> None:

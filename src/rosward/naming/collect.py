@@ -78,12 +78,12 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
 
 
 def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Node:
-    """The node with what is known of all that it has: in part, where the program or a name of its own says that there may be more."""
+    """The node with how completely its interface is known: in part, where the program or a name of its own says that there may be more."""
     interface, given = process.interface, process.lacks
     if interface is Interface.UNKNOWN:
         return replace(node, interface=interface, lacks=given)
     nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
-    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is not known" for kind in nameless))
+    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is unknown" for kind in nameless))
     return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
 
 

@@ -23,7 +23,7 @@ from rosward.ros import arguments, names
 from rosward.ros.parameter_values import ParameterValue, effective_value
 from rosward.source.location import Place
 
-UNKNOWN_ARGUMENTS: Final = "ROS arguments that are not known may rename what the process creates"
+UNKNOWN_ARGUMENTS: Final = "unknown ROS arguments may rename what the process creates"
 
 ANY_NAME = "*"
 """In `Given.name`: a parameter of a name that is not known."""
@@ -120,7 +120,7 @@ def renames_anything(rule: names.RemapRule) -> bool:
 
 
 class _Between(NamedTuple):
-    """What words of unknown number may mean: rules and parameters that may be given, and why there may be others."""
+    """What words of unknown number may mean: rules and parameters that may be set, and why there may be others."""
 
     remaps: tuple[ValueRule, ...] = ()
     missing: tuple[Reason, ...] = ()
@@ -151,7 +151,7 @@ def _between(middle: Value | None) -> _Between:
             reasons += reasons_of(word)
         else:
             rules.append(ValueRule(rule, behind(word, ":=")))
-    missing = (Reason(Cause.OPERATION, "ROS arguments that may be given", Place("")),) if parameters else ()
+    missing = (Reason(Cause.OPERATION, "ROS arguments that may be passed", Place("")),) if parameters else ()
     return _Between(tuple(rules), (*missing, *reasons), tuple(dict.fromkeys(reasons)))
 
 

@@ -18,9 +18,9 @@ from rosward.source.location import Place
 _REMEDY: Final = {
     Cause.PARAMETER: "give the parameter a default",
     Cause.ARGUMENT: "give the argument a default",
-    Cause.LAUNCH_ARGUMENT: "give it one (--arg NAME:=VALUE)",
+    Cause.LAUNCH_ARGUMENT: "give it a value (--arg NAME:=VALUE)",
     Cause.ENVIRONMENT: "give it a value (--env {}=VALUE)",
-    Cause.MODULE: "add the package that holds it to the analysis",
+    Cause.MODULE: "add its package to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",
     Cause.CALLER: "add the code that makes the call to the analysis",
 }
@@ -35,21 +35,21 @@ def _doubt(code: str, what: str, reasons: tuple[Reason, ...], place: Place) -> F
 
 
 def unknown_name(kind: str, entity: Entity, option: NameOption, place: Place) -> Finding:
-    """An entity whose name is not wholly known."""
+    """An entity whose name is not completely known."""
     if entity.resolution is Resolution.UNKNOWN:
-        return _doubt("RW101", f"the name of this {kind} is not known", option.reasons, place)
+        return _doubt("RW101", f"the name of this {kind} is unknown", option.reasons, place)
     if _made_anew(option):
         return _name_made_anew(f"this {kind}", entity.name, place)
-    return _doubt("RW102", f"the name of this {kind} is only known as {entity.name}", option.reasons, place)
+    return _doubt("RW102", f"the name of this {kind} is known only as {entity.name}", option.reasons, place)
 
 
 def unknown_node(option: NameOption, place: Place, part: str = "name") -> Finding:
-    """A node whose name or namespace is not wholly known."""
+    """A node whose name or namespace is not completely known."""
     if option.resolution is Resolution.UNKNOWN:
-        return _doubt("RW105", f"the {part} of this node is not known", option.reasons, place)
+        return _doubt("RW105", f"the {part} of this node is unknown", option.reasons, place)
     if _made_anew(option):
         return _name_made_anew("this node", shown(option.text), place)
-    return _doubt("RW102", f"the {part} of this node is only known as {shown(option.text)}", option.reasons, place)
+    return _doubt("RW102", f"the {part} of this node is known only as {shown(option.text)}", option.reasons, place)
 
 
 def _made_anew(option: NameOption) -> bool:
@@ -59,14 +59,14 @@ def _made_anew(option: NameOption) -> bool:
 def _name_made_anew(what: str, text: str, place: Place) -> Finding:
     """A name of which nobody can know more, in the analysis or before the start; one cause for all that are called so."""
     return Finding(
-        "RW107", f"{what} is called {text}: what * stands for is made when it starts", place, (f"{MADE_ANEW}: {text}",)
+        "RW107", f"{what} is named {text}, where * is generated at each start", place, (f"{MADE_ANEW}: {text}",)
     )
 
 
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
     """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
     default = f" (the default of {', '.join(depends_on)})" if depends_on else ""
-    return Finding("RW103", f"{shown(text)!r} is no valid name for a {kind}: {why}{default}", place)
+    return Finding("RW103", f"{shown(text)!r} is not a valid name for a {kind}: {why}{default}", place)
 
 
 def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
@@ -76,4 +76,4 @@ def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:
 
 def unknown_type(kind: str, name: str, value: Value, place: Place) -> Finding:
     """An entity whose interface type is not known."""
-    return _doubt("RW104", f"the type of the {kind} {name} is not known", reasons_of(value), place)
+    return _doubt("RW104", f"the type of the {kind} {name} is unknown", reasons_of(value), place)

@@ -47,12 +47,12 @@ def asked_differently(old: Asked, new: Asked) -> Iterator[str]:
     if NOT_TOLD in (old, new):
         return
     for name, before, after in _changed(_flat(old), _flat(new)):
-        yield f"asked differently: {name} was {before}, is {after}"
+        yield f"different options: {name} was {before}, is now {after}"
 
 
 def _changed(old: dict[str, str], new: dict[str, str]) -> Iterator[tuple[str, str, str]]:
     for name in sorted({*old, *new}):
-        before, after = old.get(name, "not given"), new.get(name, "not given")
+        before, after = old.get(name, "not set"), new.get(name, "not set")
         if before != after:
             yield name, before, after
 
@@ -76,7 +76,7 @@ def _flat(asked: Asked) -> dict[str, str]:
 def _option(value: OptionValue) -> str:
     if isinstance(value, bool):
         return "on" if value else "off"
-    return _list(value) if isinstance(value, tuple) else "not given" if value is None else str(value)
+    return _list(value) if isinstance(value, tuple) else "not set" if value is None else str(value)
 
 
 def _list(names: Iterable[str]) -> str:

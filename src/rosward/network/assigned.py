@@ -58,8 +58,11 @@ class Assignment:
         names = {n.fqn for members in processes.values() for n in members}
         place = Place(self.file, 0)
         return [
-            *(Finding("RW341", f"no node is called {name}", place) for name in sorted({*self.nodes} - names)),
-            *(Finding("RW341", f"no process is {name}", place) for name in sorted({*self.processes} - {*processes})),
+            *(Finding("RW341", f"there is no node {name}", place) for name in sorted({*self.nodes} - names)),
+            *(
+                Finding("RW341", f"there is no process {name}", place)
+                for name in sorted({*self.processes} - {*processes})
+            ),
         ]
 
 
@@ -74,10 +77,10 @@ def read_assignment(path: Path) -> Assignment:
     try:
         document = read_toml(data.decode("utf-8"))
     except ValueError as error:
-        raise AssignmentError(f"this is no TOML: {error}") from error
+        raise AssignmentError(f"not valid TOML: {error}") from error
     tables = document.pop("enclave", [])
     if document or not isinstance(tables, list):
-        raise AssignmentError(f"it holds tables [[enclave]], and nothing else: {', '.join(document) or 'enclave'}")
+        raise AssignmentError(f"only [[enclave]] tables are allowed, not: {', '.join(document) or 'enclave'}")
     nodes: dict[str, str] = {}
     processes: dict[str, str] = {}
     for table in tables:
@@ -92,10 +95,12 @@ def _path(table: object) -> str:
         raise AssignmentError('each [[enclave]] needs a path = "/…"')
     foreign = sorted({*table} - _KEYS)
     if foreign:
-        raise AssignmentError(f"enclave {table['path']!r} has no {foreign[0]!r}; there are {', '.join(sorted(_KEYS))}")
-    wrong = "a * has no place in it" if "*" in table["path"] else validate_enclave(table["path"])
+        raise AssignmentError(
+            f"enclave {table['path']!r} has an unknown key {foreign[0]!r}; expected one of: {', '.join(sorted(_KEYS))}"
+        )
+    wrong = "* is not allowed in it" if "*" in table["path"] else validate_enclave(table["path"])
     if wrong is not None:
-        raise AssignmentError(f"enclave {table['path']!r} is refused by rcl: {wrong}")
+        raise AssignmentError(f"enclave {table['path']!r} is rejected by rcl:  {wrong}")
     return str(table["path"])
 
 

@@ -48,7 +48,7 @@ def check(network: Network, unknown: UnknownNames = "deny", *, net: bool = True)
     )
     steps = Steps(net=net)
     nothing: list[Finding] = []
-    found = [steps(_all_of(rule), nothing, "one of the checks of the whole system was not made") for rule in rules]
+    found = [steps(_all_of(rule), nothing, "one of the checks of the whole system was not performed") for rule in rules]
     return [*chain.from_iterable(found), *steps.findings]
 
 
@@ -69,7 +69,7 @@ def _several_nodes_in_one_process(nodes: Iterable[Node]) -> Iterator[Finding]:
             yield Finding(
                 "RW301",
                 f"process {process} holds {len(members)} nodes ({names}), but a process has one enclave: "
-                "as it is, no single policy file below lets it start",
+                "no single policy file of the result lets it start",
                 members[1].defined_at,
             )
 
@@ -82,7 +82,7 @@ def _wildcards(nodes: Iterable[Node], unknown: UnknownNames) -> Iterator[Finding
         granted = granted and not _made_anew(node)
         if granted and "*" in node.fqn and any(e.system and "*" in e.name for e in node.entities):
             message = (
-                f"the system services and topics of node {node.fqn} are granted for every node that its name matches"
+                f"the system services and topics of node {node.fqn} are granted for every node that matches its name"
             )
             yield Finding("RW302", message, node.defined_at, node.causes)
         own = [
@@ -108,7 +108,7 @@ def _long_enclaves(nodes: Iterable[Node]) -> Iterator[Finding]:
     paths = enclave_paths(nodes)
     for enclave, members in _grouped((node.enclave, node) for node in nodes):
         if len(paths[enclave]) > LONGEST_ENCLAVE:
-            message = f"enclave {paths[enclave]} has {len(paths[enclave])} characters, {LONGEST_ENCLAVE} are possible"
+            message = f"enclave {paths[enclave]} has {len(paths[enclave])} characters, but at most {LONGEST_ENCLAVE} are possible"
             yield Finding("RW303", message, members[0].defined_at)
 
 
@@ -117,7 +117,7 @@ def _outside_ros_names(nodes: Iterable[Node]) -> Iterator[Finding]:
     for node in nodes:
         for entity in node.entities:
             if not entity.ros_prefix:
-                message = f"node {node.fqn}: {entity.kind.value} {entity.name} has no rt before its name on DDS"
+                message = f"node {node.fqn}: {entity.kind.value} {entity.name} has no rt prefix in its DDS name"
                 yield Finding("RW305", message, place_of(node, entity))
 
 
@@ -160,7 +160,7 @@ def _names_used_twice(nodes: Iterable[Node]) -> Iterator[Finding]:
     for name, members in _grouped((node.fqn, node) for node in nodes):
         if len(members) > 1 and "*" not in name:
             processes = ", ".join(sorted({node.process for node in members}))
-            yield Finding("RW307", f"{len(members)} nodes are called {name} (in {processes})", members[1].defined_at)
+            yield Finding("RW307", f"{len(members)} nodes are named {name} (in {processes})", members[1].defined_at)
 
 
 def _grouped(pairs: Iterable[tuple[_K, _V]]) -> list[tuple[_K, list[_V]]]:

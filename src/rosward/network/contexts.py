@@ -123,7 +123,9 @@ def _differ(members: list[Node], given: list[str], chosen: tuple[str, ...]) -> I
     if len(chosen) > 1:
         yield Finding("RW308", f"process {process} is assigned to several enclaves: {', '.join(chosen)}", place)
     if given and given[-1] != chosen[0]:
-        message = f"process {process} is assigned to {chosen[0]}, but its start names {given[-1]}: change that"
+        message = (
+            f"process {process} is assigned to {chosen[0]}, but it is started with {given[-1]}: change one of them"
+        )
         yield Finding("RW308", message, place)
 
 
@@ -131,17 +133,15 @@ def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list
     place = members[0].launched_by or members[0].defined_at
     process = members[0].process
     found = [
-        Finding("RW308", f"process {process}: enclave {shown(enclave)!r} is refused by rcl: {reason}", place)
+        Finding("RW308", f"process {process}: enclave {shown(enclave)!r} is rejected by rcl:  {reason}", place)
         for enclave in given
         if (reason := validate_enclave(Holed(enclave))) is not None
     ]
     if len(given) > 1:
-        found.append(Finding("RW308", f"process {process} is given several enclaves: {', '.join(given)}", place))
+        found.append(Finding("RW308", f"process {process} is started with several enclaves: {', '.join(given)}", place))
     if given and mode is EnclaveMode.NODE and len({n.shown for n in members}) > 1:
         found.append(
-            Finding(
-                "RW308", f"process {process} runs in {given[-1]}, which its {len(members)} nodes have to share", place
-            )
+            Finding("RW308", f"process {process} runs in {given[-1]}, which its {len(members)} nodes must share", place)
         )
     return found
 

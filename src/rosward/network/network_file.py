@@ -54,7 +54,7 @@ def read_network(path: str) -> NetworkRead:
             asked=_asked(top.inner("asked")) if version > 1 else NOT_TOLD,
         )
     except UnreadableError as error:
-        raise UnreadableError(f"{path}: no network.json of rosward: {error}") from error
+        raise UnreadableError(f"{path}: not a rosward network.json: {error}") from error
 
 
 def _asked(fields: Fields) -> Asked:

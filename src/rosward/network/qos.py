@@ -39,7 +39,7 @@ def _clash(topic: Meeting, policy: str, offered: str, requested: str) -> Iterato
     if offering:
         message = (
             f"topic {topic.name}: subscription in {told(end.node.fqn for end in requesting)} requests {requested}, "
-            f"publisher in {told(end.node.fqn for end in offering)} offers {offered}: no message passes between them"
+            f"publisher in {told(end.node.fqn for end in offering)} offers {offered}: they exchange no messages"
         )
         yield Finding("RW309", message, requesting[0].place)
 

@@ -69,7 +69,7 @@ def compare(network: Network, policy: Policy) -> tuple[Discrepancy, ...]:
         if enclave.path in needed:
             found += _superfluous(enclave, needed[enclave.path], runs[enclave.path])
         else:
-            message = f"no process of the sources runs in enclave {enclave.path}"
+            message = f"no process in the sources runs in enclave {enclave.path}"
             found.append(Discrepancy(enclave.path, "", Finding("RW404", message, enclave.place), in_policy=True))
     return tuple(sorted(dict.fromkeys(found), key=_order))
 
@@ -89,7 +89,9 @@ def _candidates(wanted: EnclaveNeeds, by_path: dict[str, EnclavePolicy]) -> list
 def _without_enclave(wanted: EnclaveNeeds) -> Discrepancy:
     node = wanted.nodes[0]
     processes = ", ".join(sorted({n.process for n in wanted.nodes}))
-    message = f"the policy has no enclave {wanted.path}, in which {processes} runs ({_several(n.shown for n in wanted.nodes)})"
+    message = (
+        f"the policy has no enclave {wanted.path}, where {processes} runs ({_several(n.shown for n in wanted.nodes)})"
+    )
     return Discrepancy(wanted.path, "", Finding("RW405", message, node.launched_by or node.defined_at))
 
 
@@ -104,12 +106,14 @@ def _lacking(enclave: EnclavePolicy, wanted: EnclaveNeeds) -> Iterator[Discrepan
             message = _told(need, short)
             related = [Related(f"enclave {enclave.path} of the policy", enclave.place, in_policy=True)]
             related += (Related(f"denied by {r}", r.place, in_policy=True) for r in _denials(short))
-            related += (Related(f"{need}, too", place, in_policy=False) for place in need.places[1:_MOST_PLACES])
+            related += (
+                Related(f"{need}, also created here", place, in_policy=False) for place in need.places[1:_MOST_PLACES]
+            )
             finding = Finding("RW401", message, need.places[0])
             yield Discrepancy(enclave.path, str(need), finding, related=tuple(related))
     for right in DISCOVERY:
         if judge(right).verdict is not Verdict.ALLOWED:
-            message = f"{right} is not allowed, which every process needs that runs on DDS"
+            message = f"{right} is not allowed, but every process that runs on DDS needs it"
             finding = Finding("RW401", message, enclave.place)
             yield Discrepancy(enclave.path, str(right), finding, in_policy=True, related=tuple(_nodes(wanted)))
 
@@ -122,13 +126,13 @@ def _has_a_rule(need: Need) -> bool:
 def _told(need: Need, short: list[tuple[Right, Judgement]]) -> str:
     refused = any(said.verdict is Verdict.REFUSED for _, said in short)
     open_ = "*" in need.name
-    verb = "is not allowed" if refused else "may be lacking: no rule allows all that the name may be"
+    verb = "is not allowed" if refused else "may be missing: no rule allows everything that the name may stand for"
     parts = [f"{need} {verb}"]
     parts += [f"denied by {rule} ({rule.place})" for rule in _denials(short)]
     if len(short) < len(need.rights):
-        parts.append(f"of its rights on DDS lacks {', '.join(str(right) for right, _ in short)}")
+        parts.append(f"missing on DDS: {', '.join(str(right) for right, _ in short)}")
     if need.conditional and not open_:
-        parts.append("it is created in some executions only")
+        parts.append("it is created only in some executions")
     return f"{'; '.join(parts)} (node {_several(need.nodes)}{_more_places(need.places)})"
 
 
@@ -155,10 +159,10 @@ def _superfluous(enclave: EnclavePolicy, needs: list[Need], nodes: list[Related]
         if not rule.allow or not any(_effective(judge, right) for right in rule.rights):
             continue
         of = f" in profile {rule.profile}" if rule.profile else ""
-        white = " (the white space belongs to the name)" if rule.name != rule.name.strip() or " " in rule.name else ""
+        white = " (the white space is part of the name)" if rule.name != rule.name.strip() or " " in rule.name else ""
         related = nodes
         if not any(used.may_use(right) for right in rule.rights):
-            message = f"{rule}{of} is allowed, and never used{white}"
+            message = f"{rule}{of} is allowed but never used{white}"
         elif not all(used.covers(right) for right in rule.rights):
             through = used.through(rule)
             message = f"{rule}{of} allows more than is used: {_several(through)}"

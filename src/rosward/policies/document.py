@@ -69,7 +69,7 @@ class _Reading:
         problem = builder.read(data)
         self._elements += builder.count
         if problem is not None or builder.root is None:
-            message, line = problem or ("There is no element in it.", 1)
+            message, line = problem or ("It has no elements.", 1)
             self._tell(message, Place(file, line))
             return None
         self._expand(builder.root, os.path.dirname(path), depth)  # noqa: PTH120
@@ -91,14 +91,20 @@ class _Reading:
         pointer = _POINTER.fullmatch(element.attributes.get("xpointer", "/*"))
         self._includes += 1
         if self._includes > limits.POLICY_INCLUDES:
-            message = f"There are more than {limits.POLICY_INCLUDES} inclusions; this one is not read, nor are those after it."
+            message = (
+                f"There are more than {limits.POLICY_INCLUDES} inclusions; this one and those after it were not read."
+            )
             return self._tell(message, element.place) if self._includes == limits.POLICY_INCLUDES + 1 else []
         if depth >= limits.POLICY_INCLUDE_DEPTH:
-            return self._tell("Inclusions are nested too deeply; this one is not read.", element.place)
+            return self._tell("Inclusions are nested too deeply; this one was not read.", element.place)
         if not href or "://" in href or "\0" in href or not self._within(path):
-            return self._tell(f"{href!r} is no file in the folder of the policy or below it: not read.", element.place)
+            return self._tell(
+                f"{href!r} is not a file in or below the folder of the policy. It was not read.", element.place
+            )
         if pointer is None or element.attributes.get("parse", "xml") != "xml":
-            return self._tell("Of XInclude, only elements by paths such as /profile/* are read.", element.place)
+            return self._tell(
+                "XInclude is supported only for elements selected by paths such as /profile/*.", element.place
+            )
         root = self.document(path, depth + 1)
         return [] if root is None else _pointed(root, pointer[1].split("/")[1:])
 

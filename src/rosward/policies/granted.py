@@ -16,7 +16,7 @@ from rosward.ros.entities import Entity, Resolution
 
 __all__ = ["OUTSIDE", "name_to_grant", "why_not"]
 
-OUTSIDE: Final = "outside the ROS name space, which policy.xml cannot express"
+OUTSIDE: Final = "outside the ROS namespace, which policy.xml cannot express"
 """The one reason that holds for a policy only: DDS permissions have a name for it."""
 
 _NAME: Final = re.compile(r"(/[A-Za-z_*][A-Za-z0-9_*]*)+")
@@ -25,7 +25,7 @@ _NAME: Final = re.compile(r"(/[A-Za-z_*][A-Za-z0-9_*]*)+")
 def why_not(entity: Entity, unknown: UnknownNames) -> str | None:
     """Why a policy has no rule for an entity; None where it has one."""
     if entity.resolution is Resolution.UNKNOWN and unknown == "deny":
-        return "name not known"
+        return "unknown name"
     if not _NAME.fullmatch(entity.name):
         return "not a valid name in ROS"
     return None if entity.ros_prefix else OUTSIDE

@@ -35,14 +35,16 @@ def read_permissions(root: Element) -> tuple[list[EnclavePolicy], list[Finding],
         name = "".join(s.text for s in elements(grant, "subject_name"))
         subject = _SUBJECT.search(name)
         if subject is None:
-            findings.append(Finding("RW403", f"The subject {name.strip()!r} names no enclave (CN=/…).", grant.place))
+            findings.append(
+                Finding("RW403", f"The subject {name.strip()!r} does not name an enclave (CN=/…).", grant.place)
+            )
         elif (path := subject[1].strip()) in enclaves:
-            message = f"There is a grant for {path} before this one; DDS takes the first, and this one is lost."
+            message = f"There is an earlier grant for {path}; DDS uses the first one and ignores this one."
             findings.append(Finding("RW403", message, grant.place))
         else:
             enclaves[path] = _enclave(path, grant, notes)
     if not enclaves and not findings:
-        findings.append(Finding("RW403", "There is no grant in it.", root.place))
+        findings.append(Finding("RW403", "It has no grant.", root.place))
     return list(enclaves.values()), findings, list(notes)
 
 
@@ -62,13 +64,13 @@ def _rules(element: Element, notes: dict[str, None]) -> list[PolicyRule]:
         if part.tag == "domains":
             ids = " ".join(word for e in _below(part) for word in e.text.split())
             if ids != "0":
-                notes[f"{part.place}: domains are not compared: {ids}"] = None
+                notes[f"{part.place}: domains were not compared: {ids}"] = None
         if part.tag not in ("publish", "subscribe"):
             continue
         direction = Direction(part.tag)
         for inner in _below(part):
             if inner.tag in _NOT_COMPARED:
-                notes[f"{inner.place}: {_NOT_COMPARED[inner.tag]} are not compared"] = None
+                notes[f"{inner.place}: {_NOT_COMPARED[inner.tag]} were not compared"] = None
             if inner.tag == "topic":
                 right = Right(direction, inner.text.strip())
                 rules.append(PolicyRule(allow, direction.value, right.name, (right,), inner.place))

@@ -68,9 +68,9 @@ class _Reading:
             if len(rule.name) > LONGEST_NAME:
                 self._tell(f"A name of more than {LONGEST_NAME} characters matches nothing on DDS.", rule)
             elif "[[:" in rule.name or "[[." in rule.name or "[[=" in rule.name:
-                self._tell(f"The character class in {rule.name} is not understood.", rule)
+                self._tell(f"The character class in {rule.name} could not be parsed.", rule)
             elif self.patterns > _MOST_PATTERNS and is_pattern(rule.name):
-                self._tell("There are too many patterns before this one: it is not compared.", rule)
+                self._tell("There are too many patterns before this one. It was not compared.", rule)
             else:
                 yield rule
 

@@ -33,18 +33,20 @@ def read_sros2(root: Element) -> tuple[list[EnclavePolicy], list[Finding]]:
     reader = _Reader()
     version = root.attributes.get("version")
     if version != _VERSION:
-        reader.tell(f"This policy is of version {version}, sros2 takes {_VERSION}.", root)
+        reader.tell(f"This policy has version {version}, but sros2 requires {_VERSION}.", root)
     enclaves: dict[str, EnclavePolicy] = {}
     for element in (e for all_ in reader.children(root, "enclaves") for e in reader.children(all_, "enclave")):
         path = element.attributes.get("path", "")
         if not path:
             reader.tell("An enclave needs a path.", element)
         elif path in enclaves:
-            reader.tell(f"Enclave {path} stands before; sros2 takes the first, and the rules here are lost.", element)
+            reader.tell(
+                f"Enclave {path} is already defined; sros2 uses the first one and ignores the rules here.", element
+            )
         else:
             enclaves[path] = reader.enclave(path, element)
     if not enclaves and not reader.findings:
-        reader.tell("There is no enclave in it.", root)
+        reader.tell("It has no enclave.", root)
     return list(enclaves.values()), reader.findings
 
 
@@ -63,14 +65,16 @@ class _Reader:
             if child.tag in tags:
                 yield child
             elif child.tag != "metadata" or parent.tag != "enclave":
-                self.tell(f"<{child.tag}> has no place in <{parent.tag}>: sros2 refuses the policy.", child)
+                self.tell(f"<{child.tag}> is not allowed in <{parent.tag}>: sros2 rejects the policy.", child)
 
     def enclave(self, path: str, element: Element) -> EnclavePolicy:
         rules: list[PolicyRule] = []
         names: list[str] = []
         for number, profiles in enumerate(self.children(element, "profiles")):
             if number:
-                self.tell(f"Enclave {path} has <profiles> before; DDS takes the first, these are lost.", profiles)
+                self.tell(
+                    f"Enclave {path} already has <profiles>; DDS uses the first ones and ignores these.", profiles
+                )
                 continue
             for profile in self.children(profiles, "profile"):
                 namespace, node = profile.attributes.get("ns"), profile.attributes.get("node")

@@ -119,7 +119,7 @@ class Entity:
     """One endpoint of a node.
 
     `name` is fully qualified, after expansion and remapping, `*` for each unknown part. `reasons` says, for a name or type that is
-    not wholly known, why, in words for a person ("parameter 'ns' has no default (talker.py:12)"), `causes` by what findings of it are put
+    not completely known, why, in words for a person ("parameter 'ns' has no default (talker.py:12)"), `causes` by what findings of it are put
     together; `via` names the library function
     that created the entity on behalf of the user's code (`tf2_ros.TransformListener`), None where the user's code did so itself.
     `ros_prefix` is False for a topic with `avoid_ros_namespace_conventions`. `path` is one chain of calls in the user's code that ends

@@ -230,7 +230,7 @@ def resolve(
         else:
             reason = reason or invalid
     if not found:
-        raise InvalidName(reason or "no valid name")
+        raise InvalidName(reason or "not a valid name")
     return tuple(found)
 
 

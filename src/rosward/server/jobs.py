@@ -39,7 +39,7 @@ class Jobs:
     def submit(self, source: AnalysedSource, settings: Settings, *, automatic: bool = False) -> StoredResult:
         """Analyse something soon. Raises RefusedError where too much waits already."""
         if len(self._tasks) >= self._limits.workers + self._limits.waiting:
-            raise UploadRefusedError("too many analyses are waiting: try again when some of them are done")
+            raise UploadRefusedError("too many analyses are waiting: try again later")
         earlier = self._earlier(source)
         result = self._results.add(source, settings, automatic=automatic)
         task = asyncio.create_task(self._work(result, earlier))
@@ -54,7 +54,7 @@ class Jobs:
             task.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await task
-            self._results.end(identifier, "cancelled", "It was cancelled.")  # a task that never ran could not say so
+            self._results.end(identifier, "cancelled", "Cancelled.")  # a task that never ran could not say so
 
     async def close(self) -> None:
         """End all."""

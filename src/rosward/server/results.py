@@ -201,11 +201,11 @@ class Results:
         source = AnalysedSource(**_fields(document["source"], kind=str, key=str, title=str, zipped=bool))
         whole = _fields(document, created=float, state=str, message=str, automatic=bool)
         if source.kind not in _KINDS or whole["state"] not in _STATES or not math.isfinite(whole["created"]):
-            raise UploadRefusedError("another form")
+            raise UploadRefusedError("unexpected form")
         if source.kind != "workspace" and not _ID.fullmatch(source.key):
-            raise UploadRefusedError("another form")
+            raise UploadRefusedError("unexpected form")
         if whole["state"] not in ENDED:
-            whole |= {"state": "failed", "message": "The server ended before it did."}
+            whole |= {"state": "failed", "message": "The server stopped before the analysis finished."}
         summary = _read_json(folder / "out" / "summary.json") if whole["state"] == "done" else {}
         return StoredResult(identifier, source, read_settings(document["settings"]), **whole, summary=summary)
 
@@ -213,18 +213,18 @@ class Results:
 def _fields(document: object, **kinds: type) -> dict[str, Any]:
     """The fields of a JSON object, each of its kind. Raises RefusedError."""
     if not isinstance(document, dict) or any(not isinstance(document.get(name), kind) for name, kind in kinds.items()):
-        raise UploadRefusedError("another form")
+        raise UploadRefusedError("unexpected form")
     return {name: document[name] for name in kinds}
 
 
 def _read_json(file: Path) -> dict[str, object]:
     data = read_bytes(file, file.name, limits.RESULT_FILE)
     if isinstance(data, Finding) or file.is_symlink():
-        raise UploadRefusedError("no file of ours")
+        raise UploadRefusedError("not a result file")
     try:
         document = json.loads(data)
     except (ValueError, RecursionError) as error:
         raise UploadRefusedError(str(error)) from error
     if not isinstance(document, dict):
-        raise UploadRefusedError("another form")
+        raise UploadRefusedError("unexpected form")
     return document

@@ -86,7 +86,7 @@ def _refusing(answer: Answer) -> Answer:
             return JSONResponse({"error": printable(str(error))}, 400)
         except OSError as error:  # no room on the disk, no file descriptor, a folder that somebody removed
             reason = printable(error.strerror or str(error))
-            return JSONResponse({"error": f"this machine cannot keep it: {reason}"}, 507)
+            return JSONResponse({"error": f"it cannot be stored on this machine: {reason}"}, 507)
         except ClientDisconnect:
             return Response(status_code=400)  # nobody reads it
 
@@ -160,7 +160,7 @@ class _Asked(NamedTuple):
     async def upload(self, request: Request) -> Response:
         server = self.server
         if server.uploading.locked():
-            return JSONResponse({"error": "too many uploads at a time: try again when one of them is done"}, 503)
+            return JSONResponse({"error": "too many uploads at once: try again later"}, 503)
         async with server.uploading:
             key, folder = server.results.new_upload()
             try:
@@ -178,10 +178,10 @@ class _Asked(NamedTuple):
         path = body.get("path")
         if not self.server.names_paths:
             raise UploadRefusedError(
-                "this server can be reached from other machines: it opens no folders that a page names"
+                "this server can be reached from other machines, so it does not open folders named on a page"
             )
         if not isinstance(path, str):
-            raise UploadRefusedError("name a folder or a file")
+            raise UploadRefusedError("enter a folder or a file")
         settings = read_settings(body.get("settings", {}))
         return _started(self.server.open_workspace(path, settings, watch=body.get("watch") is True))
 
@@ -204,7 +204,7 @@ class _Asked(NamedTuple):
     async def watch(self, request: Request) -> Response:
         body, result = await self._body(request), self._wanted(request)
         if result.source.kind != "workspace":
-            raise UploadRefusedError("only a folder of this machine can be watched")
+            raise UploadRefusedError("only folders on this machine can be watched")
         if body.get("on") is True:
             self.server.watches.start(result.source)
         else:
@@ -222,7 +222,7 @@ class _Asked(NamedTuple):
         try:
             return await asyncio.wait_for(_read_json(request), silence)
         except asyncio.TimeoutError as error:
-            raise UploadRefusedError(f"the request was not whole after {silence:g} seconds") from error
+            raise UploadRefusedError(f"the request was incomplete after {silence:g} seconds") from error
 
     def _of(self, request: Request) -> StoredResult | None:
         return self.server.results.get(request.path_params["id"])
@@ -230,7 +230,7 @@ class _Asked(NamedTuple):
     def _wanted(self, request: Request) -> StoredResult:
         result = self._of(request)
         if result is None:
-            raise UploadRefusedError("this result is not there any more")
+            raise UploadRefusedError("this result no longer exists")
         return result
 
 
@@ -275,11 +275,11 @@ async def _read_json(request: Request) -> dict[str, object]:
     async for part in request.stream():
         data += part
         if len(data) > _LONGEST_BODY:
-            raise UploadRefusedError("too much was sent")
+            raise UploadRefusedError("the request is too large")
     try:
         document = json.loads(data or b"{}")
     except (ValueError, RecursionError) as error:
-        raise UploadRefusedError("this is no JSON") from error
+        raise UploadRefusedError("not valid JSON") from error
     if not isinstance(document, dict):
-        raise UploadRefusedError("this is no JSON object")
+        raise UploadRefusedError("not a JSON object")
     return document

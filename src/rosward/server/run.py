@@ -81,7 +81,7 @@ def serve(serving: Serving, tell: Callable[[str], None]) -> None:
         def begin() -> None:
             page = _first_page(server, serving)
             address = f"http://{_shown(serving.host)}:{port}{page}"
-            tell(f"rosward serves at\n\n    {address}?token={access.token}\n")
+            tell(f"rosward is running at\n\n    {address}?token={access.token}\n")
             tell(_who_can_reach(serving.host, local=local))
             if serving.open:
                 threading.Thread(
@@ -138,7 +138,7 @@ def _listen(serving: Serving) -> Iterator[socket.socket]:
         with listening:
             yield listening
         return
-    reason = last.strerror if last is not None else "no port"
+    reason = last.strerror if last is not None else "invalid port"
     raise CannotServeError(f"cannot listen on {serving.host}, port {serving.port or _PORT}: {reason}")
 
 
@@ -205,8 +205,8 @@ def _shown(host: str) -> str:
 
 def _who_can_reach(host: str, *, local: bool) -> str:
     if local:
-        return "Only this machine reaches it, and only with this address. Ctrl-C ends it."
+        return "It can be reached only from this machine and only with this address. Press Ctrl-C to stop."
     return (
-        f"WARNING: it listens on {host}, so other machines reach it, without encryption: whoever learns this address can use it.\n"
-        "Folders of this machine cannot be named on the page. Ctrl-C ends it."
+        f"WARNING: listening on {host} without encryption. Other machines can reach it, and anyone who learns this address can use it.\n"
+        "Folders of this machine cannot be opened from the page. Press Ctrl-C to stop."
     )

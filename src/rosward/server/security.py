@@ -131,13 +131,13 @@ class Guard:
         """Why not; None where nothing speaks against it."""
         hosts = headers.getlist("host")
         if len(hosts) != 1 or not self._hosts.has(hosts[0]):
-            return _says(421, "This server is not called so.")
+            return _says(421, "Unknown host name for this server.")
         if not _from_own_page(method, headers, hosts[0]):
             return _says(403, "This request comes from another page.")
         admitted = self._access.admits(given) if given is not None else self._access.remembers(headers)
         if not admitted:
             return _says(
-                403, "Open the address that <code>rosward serve</code> has printed: it holds the token of this page."
+                403, "Open the address printed by <code>rosward serve</code>: it contains the token for this page."
             )
         return None
 

@@ -106,7 +106,7 @@ class Server:
 def workspace_at(path: str) -> AnalysedSource:
     """A workspace by a path that the user wrote. Raises RefusedError."""
     if not path.strip() or "\0" in path or len(path) > 4_000:
-        raise UploadRefusedError("name a folder or a file")
+        raise UploadRefusedError("enter a folder or a file")
     absolute = Path(os.path.abspath(os.path.expanduser(path.strip())))  # noqa: PTH100, PTH111
     try:
         there = absolute.is_dir() or absolute.is_file()

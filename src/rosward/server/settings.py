@@ -54,7 +54,7 @@ class Settings(NamedTuple):
         parts += [f"{name}:={value}" for name, value in self.arguments]
         parts += [f"{name}={value}" for name, value in self.env]
         parts += ["wildcards for unknown names"] if self.unknown == "wildcard" else []
-        parts += [f"an enclave for each {self.enclaves}"] if self.enclaves in {"node", "process"} else []
+        parts += [f"one enclave per {self.enclaves}"] if self.enclaves in {"node", "process"} else []
         parts += ["enclaves of the launch files"] if self.enclaves == "launch" else []
         parts += ["with tests"] if self.tests else []
         return ", ".join(parts)
@@ -63,21 +63,21 @@ class Settings(NamedTuple):
 def read_settings(document: object) -> Settings:
     """The settings that a decoded JSON document holds. Raises RefusedError."""
     if not isinstance(document, dict) or set(document) - set(Settings._fields):
-        raise UploadRefusedError("settings of another form")
+        raise UploadRefusedError("invalid settings")
     distro, unknown, enclaves = (
         document.get("distro", DEFAULT_DISTRO),
         document.get("unknown", "deny"),
         document.get("enclaves"),
     )
     if distro not in DISTROS:
-        raise UploadRefusedError(f"the distro is one of {', '.join(DISTROS)}")
+        raise UploadRefusedError(f"the distro must be one of {', '.join(DISTROS)}")
     if unknown not in ("deny", "wildcard"):
-        raise UploadRefusedError("unknown names are denied (deny) or get a wildcard (wildcard)")
+        raise UploadRefusedError("unknown must be deny or wildcard")
     if enclaves is not None and enclaves not in ENCLAVES:
-        raise UploadRefusedError(f"enclaves are one of {', '.join(ENCLAVES)}")
+        raise UploadRefusedError(f"enclaves must be one of {', '.join(ENCLAVES)}")
     tests, all_launch = document.get("tests", False), document.get("all_launch", False)
     if not isinstance(tests, bool) or not isinstance(all_launch, bool):
-        raise UploadRefusedError("tests and all_launch are true or false")
+        raise UploadRefusedError("tests and all_launch must be true or false")
     launch, arguments = _launch(document.get("launch", [])), _pairs(document.get("arguments", {}), "arguments")
     if arguments and not (launch or all_launch):
         raise UploadRefusedError("launch arguments need a launch file")
@@ -95,9 +95,9 @@ def read_settings(document: object) -> Settings:
 
 def _launch(value: object) -> tuple[str, ...]:
     if not isinstance(value, list) or len(value) > _MOST_LAUNCHES or not all(isinstance(v, str) for v in value):
-        raise UploadRefusedError("launch is a list of launch files of the sources")
+        raise UploadRefusedError("launch must be a list of launch files of the sources")
     if any(not v or len(v) > _LONGEST or not v.isprintable() or _OUTSIDE.search(v) for v in value):
-        raise UploadRefusedError("a launch file is named by its path below the folder of the sources")
+        raise UploadRefusedError("a launch file must be given by its path relative to the sources")
     return tuple(dict.fromkeys(value))
 
 
@@ -112,8 +112,8 @@ def _environment(value: object, distro: str) -> tuple[tuple[str, str], ...]:
 
 def _pairs(value: object, what: str) -> tuple[tuple[str, str], ...]:
     if not isinstance(value, dict) or len(value) > _MOST_ARGUMENTS:
-        raise UploadRefusedError(f"{what} are names and values")
+        raise UploadRefusedError(f"{what} must be names and values")
     pairs = [(name, text) for name, text in value.items() if isinstance(name, str) and isinstance(text, str)]
     if len(pairs) < len(value) or any(not n or max(len(n), len(t)) > _LONGEST for n, t in pairs):
-        raise UploadRefusedError(f"{what} are names and values")
+        raise UploadRefusedError(f"{what} must be names and values")
     return tuple(pairs)

@@ -45,7 +45,7 @@ def unpack(archive: Path, folder: Path, limits: Limits, progress: Callable[[int,
         with zipfile.ZipFile(archive) as opened:
             return _unpack(opened, archive.stat().st_size, folder, limits, progress)
     except _BROKEN as error:
-        raise UploadRefusedError(f"this is no zip that can be read: {printable(str(error))[:200]}") from error
+        raise UploadRefusedError(f"not a readable zip file: {printable(str(error))[:200]}") from error
 
 
 def _check_directory(archive: Path, limits: Limits) -> None:
@@ -56,9 +56,9 @@ def _check_directory(archive: Path, limits: Limits) -> None:
         tail = file.read()
     end = tail.rfind(_END)
     if end < 0 or len(tail) - end < _END_SIZE:
-        raise UploadRefusedError("this is no zip that can be read: its end is missing")
+        raise UploadRefusedError("not a readable zip file: its end is missing")
     if tail[max(0, end - _LOCATOR_SIZE) : end].startswith(_LOCATOR_64):
-        raise UploadRefusedError("a zip in the form for very large archives (zip64)")
+        raise UploadRefusedError("zip64 archives are not supported")
     entries, length = struct.unpack_from("<HL", tail, end + 10)
     if entries > 2 * limits.files or length > 2 * limits.files * (_ENTRY_SIZE + limits.name):
         raise UploadRefusedError(f"more than {limits.files:,} files")
@@ -108,7 +108,7 @@ def _why_left_out(entry: zipfile.ZipInfo, path: str, limits: Limits) -> str:
     if entry.flag_bits & 0x1:
         raise UploadRefusedError(f"{path}: encrypted")
     if entry.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
-        raise UploadRefusedError(f"{path}: packed by a method that is not read")
+        raise UploadRefusedError(f"{path}: unsupported compression method")
     if entry.file_size > limits.file:
         return f"larger than {limits.file:,} bytes"
     if entry.file_size > _SMALL and entry.file_size > limits.ratio * max(1, entry.compress_size):
@@ -125,6 +125,6 @@ def _write(opened: zipfile.ZipFile, entry: zipfile.ZipInfo, path: Path, limits: 
         while block := source.read(_BLOCK):
             count += len(block)
             if count > min(left, limits.file):
-                raise UploadRefusedError(f"{path.name}: larger than the archive says")
+                raise UploadRefusedError(f"{path.name}: larger than the archive states")
             target.write(block)
     return count

@@ -82,7 +82,7 @@ async def _keep(form: FormData, folder: Path, limits: Limits) -> Uploaded:
         await _write(files[0][1], folder / "upload.zip", limits.upload)
         return Uploaded(name, zipped=True, settings=settings)
     if any(name.lower().endswith(".zip") for name, _ in files):
-        raise UploadRefusedError("a zip is taken alone: without other files, and one at a time")
+        raise UploadRefusedError("upload a zip on its own, one at a time")
     left_out = _not_sent(form.get("left_out"))
     places = Places(limits)
     for path, part in [(places.add(name), part) for name, part in files]:
@@ -130,10 +130,10 @@ def _json(field: object, otherwise: object) -> object:
     try:
         return json.loads(field)
     except (ValueError, RecursionError) as error:
-        raise UploadRefusedError("a field that is no JSON") from error
+        raise UploadRefusedError("a field is not valid JSON") from error
 
 
 def _too_large(limits: Limits) -> UploadRefusedError:
     return UploadRefusedError(
-        f"more than {limits.upload // 2**20} MB: leave out data and pictures, or name the folder on this machine"
+        f"more than {limits.upload // 2**20} MB: leave out data and images, or open the folder on this machine instead"
     )

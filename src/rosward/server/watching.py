@@ -51,7 +51,7 @@ class Watches:
         if source.kind != "workspace" or source.key in self._tasks:
             return
         if len(self._tasks) >= self._limits.watched:
-            raise UploadRefusedError(f"{self._limits.watched} workspaces are watched already")
+            raise UploadRefusedError(f"{self._limits.watched} workspaces are already being watched")
         self._tasks[source.key] = asyncio.create_task(self._watch(source))
 
     async def stop(self, source: AnalysedSource) -> None:

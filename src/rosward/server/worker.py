@@ -118,14 +118,14 @@ def _end_of(job: Job, teller: Teller) -> JobEnd:
     except (UploadRefusedError, UnknownRequestError) as error:
         return JobEnd("failed", printable(str(error)))
     except NothingToReadError:
-        return JobEnd("failed", "There is no Python file and no launch file in it. C++ is not read.")
+        return JobEnd("failed", "It contains no Python or launch files. C++ is not analysed.")
     except MemoryError:
-        return JobEnd("failed", f"It needs more than {job.limits.memory // 2**20:,} MB of memory.")
+        return JobEnd("failed", f"The analysis needs more than {job.limits.memory // 2**20:,} MB of memory.")
     except OSError as error:
         return JobEnd("failed", f"The result cannot be written: {error.strerror or error}.")
     except Exception as error:
         print(printable(traceback.format_exc()).replace("\\x0a", "\n"), file=sys.stderr)  # noqa: T201
         return JobEnd(
-            "failed", f"The analysis failed ({type(error).__name__}). This is a fault of rosward: please report it."
+            "failed", f"The analysis failed ({type(error).__name__}). This is a bug in rosward. Please report it."
         )
     return JobEnd("done")

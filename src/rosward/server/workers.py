@@ -43,7 +43,7 @@ async def run_job(job: Job, tell: Callable[[JobStep], None]) -> JobEnd:
     try:
         return await asyncio.wait_for(_talk(process, job, tell), job.limits.seconds)
     except asyncio.TimeoutError:
-        return JobEnd("failed", f"It took more than {job.limits.seconds:g} seconds.")
+        return JobEnd("failed", f"The analysis took more than {job.limits.seconds:g} seconds.")
     finally:
         _kill(process)
         await process.wait()
@@ -80,11 +80,11 @@ async def _line(stream: asyncio.StreamReader) -> bytes:
 
 def _ended_early(status: int) -> JobEnd:
     if status == -getattr(signal, "SIGXCPU", 0):
-        return JobEnd("failed", "It took too much time.")
+        return JobEnd("failed", "The analysis took too long.")
     if status < 0:
         return JobEnd(
             "failed",
-            f"The analysis was killed ({signal.Signals(-status).name}): it may need more memory than there is.",
+            f"The analysis was killed ({signal.Signals(-status).name}): it may need more memory than is available.",
         )
     return JobEnd("failed", f"The analysis ended with status {status}.")
 

@@ -125,7 +125,7 @@ class _Reader:
         path = os.path.join(folder, name)  # noqa: PTH118  text throughout: many paths, few of them kept
         file = place_name(path, self._root)
         if self._boundary.leads_out(path):
-            self.findings.append(Finding("RW012", "The link leads out of the sources: it is not read.", Place(file)))
+            self.findings.append(Finding("RW012", "The link leads out of the sources. It was not read.", Place(file)))
             return
         data = read_bytes(path, file, limits.CMAKE_FILE)
         if isinstance(data, Finding):
@@ -133,7 +133,7 @@ class _Reader:
             return
         commands, problem = parse_cmake(data.decode("utf-8-sig", "replace"))
         if problem is not None:
-            message = f"{problem[0]} What follows in this file is not read."
+            message = f"{problem[0]} The rest of this file was not read."
             self.findings.append(Finding("RW008", message, Place(file, problem[1])))
         before = self._folder, self._file
         self._folder, self._file = folder, file
@@ -147,7 +147,7 @@ class _Reader:
             position += 1
             self._steps += 1
             if self._steps > _STEP_LIMIT or depth > limits.CMAKE_DEPTH or self._files.exhausted:
-                self._doubt("This project is too large to read its build description whole.", command)
+                self._doubt("The build description of this project is too large to be read completely.", command)
                 self._steps = _STEP_LIMIT + 1
                 return
             if command.name in {"foreach", "function", "macro"}:
@@ -356,7 +356,7 @@ class _Reader:
                 full = self._inside(path)
                 name = next(iter(options.get("RENAME", [])), "") or os.path.basename(path)  # noqa: PTH119
                 if full is None:  # outside, or made by the build
-                    self._doubt(f"The program {path!r} is not within the package.", command)
+                    self._doubt(f"The program {path!r} is outside the package.", command)
                 else:
                     self.scripts.append(InstalledScript(name, full, place))
 
@@ -419,7 +419,7 @@ class _Reader:
     def finish(self) -> None:
         """Say so if not all files were looked at."""
         if self._files.exhausted:
-            message = "The folders that the build description names hold too many files: not all were looked at."
+            message = "The folders named by the build description contain too many files. Not all were examined."
             self.findings.append(Finding("RW008", message, Place(place_name(self._top, self._root))))
 
     def _doubt(self, message: str, command: Command) -> None:

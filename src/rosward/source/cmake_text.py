@@ -101,7 +101,7 @@ def _tokens(text: str) -> Iterator[tuple[str, str, int]]:
             unclosed.add(closing)
         match = _TOKEN.match(text, position)
         if match is None:
-            what = "a text that does not end" if text[position] == '"' else f"the character {text[position]!r}"
+            what = "an unterminated string" if text[position] == '"' else f"the character {text[position]!r}"
             yield "wrong", f"CMake cannot read {what}.", line
             return
         kind = match.lastgroup or ""

@@ -123,7 +123,7 @@ def _twins(packages: Iterable[Package]) -> list[Finding]:
     return [
         Finding(
             "RW014",
-            f"{len(several)} packages are called {name}: {named_few([each.relative or '.' for each in several])}.",
+            f"{len(several)} packages are named {name}: {named_few([each.relative or '.' for each in several])}.",
             Place(_description(several[0])),
         )
         for name, several in sorted(by_name.items())
@@ -168,14 +168,16 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
             tree.python[os.path.realpath(path)] = path
         else:
             there = os.path.lexists(path)
-            what = "This is no regular file or folder, or cannot be reached." if there else "There is no such file."
+            what = (
+                "This is not a regular file or folder, or it cannot be accessed."
+                if there
+                else "The file does not exist."
+            )
             findings.append(Finding("RW002", what, Place(place_name(path, root))))
     for path in sorted(tree.linked):
         tree.python.setdefault(os.path.realpath(path), path)
     for path, what in tree.not_files:
-        findings.append(
-            Finding("RW002", f"This is not a file that can be read: {what}.", Place(place_name(path, root)))
-        )
+        findings.append(Finding("RW002", f"This file cannot be read: {what}.", Place(place_name(path, root))))
     return chosen
 
 

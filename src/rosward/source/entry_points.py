@@ -86,7 +86,7 @@ def entry_points(texts: Iterable[tuple[str, Place]]) -> tuple[tuple[EntryPoint, 
     for text, place in texts:
         parsed = parse_entry_point(text)
         if parsed is None:
-            message = f"This is no entry point of the form 'name = module:function': {text[:100]!r}."
+            message = f"This is not an entry point of the form 'name = module:function': {text[:100]!r}."
             bad.append(Finding("RW008", message, place))
         else:
             good.append(EntryPoint(*parsed, place))
@@ -109,7 +109,7 @@ def read_setup_cfg(path: str, file: str) -> PythonSide:
     except configparser.Error as error:
         line = getattr(error, "lineno", None) or next((number for number, _ in getattr(error, "errors", ())), 0)
         return PythonSide(
-            findings=(Finding("RW008", "The setup.cfg is not in the form of a configuration file.", Place(file, line)),)
+            findings=(Finding("RW008", "The setup.cfg is not a valid configuration file.", Place(file, line)),)
         )
     lines = _Lines(text, file)
 
@@ -140,7 +140,7 @@ def read_pyproject(path: str, file: str) -> PythonSide:
     except ValueError as error:
         line = re.search(r"at line (\d+)", str(error))
         place = Place(file, int(line[1]) if line else 0)
-        return PythonSide(findings=(Finding("RW008", "The pyproject.toml is not TOML.", place),))
+        return PythonSide(findings=(Finding("RW008", "The pyproject.toml is not valid TOML.", place),))
     lines = _Lines(text, file)
     project = _table(document, "project")
     poetry = _table(document, "tool", "poetry")

@@ -42,9 +42,9 @@ class Exclusion(NamedTuple):
 def pattern_of(text: str) -> str:
     """The text, if it is a pattern. Raises PatternError."""
     if text.startswith("!"):
-        raise PatternError(f"{text}: what is excluded cannot be taken back")
+        raise PatternError(f"{text}: an exclusion cannot be revoked")
     if "\0" in text or len(text) > _LONGEST or not [p for p in text.split("/") if p not in ("", ".", "**")]:
-        raise PatternError(f"{text[:60]!r} names nothing in particular")
+        raise PatternError(f"{text[:60]!r} does not name anything specific")
     if ".." in text.split("/"):
         raise PatternError(f"{text[:60]!r} leads out of its folder")
     return text

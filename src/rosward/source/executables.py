@@ -37,7 +37,7 @@ def executables(described: DescribedPackage, resolver: ImportResolver) -> tuple[
             message = f"The executable {name!r} starts the module {module!r}, which is not among the sources."
             findings.append(Finding("RW009" if own else "RW016", message, place))
         elif target is not None and target.guess:
-            message = f"The executable {name!r} starts the module {module!r}, taken to be {file.relative}."
+            message = f"The executable {name!r} starts the module {module!r}, assumed to be {file.relative}."
             findings.append(Finding("RW009", message, place))
         found.append(Executable(package, name, ExecutableKind.CONSOLE_SCRIPT, file, place, module, function))
     top = os.fspath(package.path)

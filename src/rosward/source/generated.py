@@ -63,9 +63,9 @@ def there(
         names = each.name, *(each.validation.split(".") if each.validation else ())
         readable = all(name.isidentifier() for name in names) and "\0" not in each.source
         if not readable or not os.path.isfile(each.source) or boundary.leads_out(each.source):  # noqa: PTH113
-            message = f"What the module {each.name!r} is generated of is not among the sources."
+            message = f"The file from which the module {each.name!r} is generated is not among the sources."
             findings.append(Finding("RW008", message, each.place))
         elif found.setdefault(each.source, each)[3:4] != each[3:4]:
-            message = f"The module {each.name!r} is generated of what another is made of, with other validators: it is not read."
+            message = f"The module {each.name!r} is generated from the same file as another one, with other validators. It was not read."
             findings.append(Finding("RW008", message, each.place))
     return tuple(g for g in generated if g.source in found and g.validation == found[g.source].validation), findings

@@ -2,7 +2,7 @@
 """How is a JSON document of another program, or of an earlier run, read strictly?
 
     Fields({"nodes": [{"name": 3}]}, "the document").objects("nodes", 10)[0].text("name")
-      ->  UnreadableError: nodes[0].name is no text of at most 1000 characters
+      ->  UnreadableError: nodes[0].name must be a string of at most 1000 characters
 
 What is not of the form that is asked for is refused with the place of it, and size is bounded.
 """
@@ -35,7 +35,7 @@ def json_document(path: str) -> object:
     try:
         return json.loads(data)
     except (ValueError, RecursionError) as error:
-        raise UnreadableError(f"{path}: no JSON: {error}") from error
+        raise UnreadableError(f"{path}: not valid JSON: {error}") from error
 
 
 class Fields:
@@ -43,7 +43,7 @@ class Fields:
 
     def __init__(self, value: object, where: str) -> None:
         if not isinstance(value, dict):
-            raise UnreadableError(f"{where} is no object")
+            raise UnreadableError(f"{where} must be an object")
         self._value = value
         self.where = where
 
@@ -54,21 +54,21 @@ class Fields:
         """A text."""
         found = self._value.get(key)
         if not isinstance(found, str) or len(found) > limits.JSON_NAME:
-            raise UnreadableError(f"{self.where}.{key} is no text of at most {limits.JSON_NAME} characters")
+            raise UnreadableError(f"{self.where}.{key} must be a string of at most {limits.JSON_NAME} characters")
         return found
 
     def long_text(self, key: str) -> str:
         """A text of any length."""
         found = self._value.get(key)
         if not isinstance(found, str):
-            raise UnreadableError(f"{self.where}.{key} is no text")
+            raise UnreadableError(f"{self.where}.{key} must be a string")
         return found
 
     def one_of(self, key: str, known: Mapping[str, T]) -> T:
         """What a text stands for that is one of those that are known."""
         text = self.text(key)
         if text not in known:
-            raise UnreadableError(f"{self.where}.{key} is none that there is")
+            raise UnreadableError(f"{self.where}.{key} has an unknown value")
         return known[text]
 
     def inner(self, key: str) -> Fields:
@@ -83,28 +83,28 @@ class Fields:
         """A natural number."""
         found = self._value.get(key)
         if not isinstance(found, int) or isinstance(found, bool) or not 0 <= found < 1 << 31:
-            raise UnreadableError(f"{self.where}.{key} is no number of things")
+            raise UnreadableError(f"{self.where}.{key} must be a non-negative integer")
         return found
 
     def flag(self, key: str, default: bool) -> bool:
         """True or false."""
         found = self._value.get(key, default)
         if not isinstance(found, bool):
-            raise UnreadableError(f"{self.where}.{key} is neither true nor false")
+            raise UnreadableError(f"{self.where}.{key} must be true or false")
         return found
 
     def integer_or_none(self, key: str) -> int | None:
         """A whole number, or nothing."""
         found = self._value.get(key)
         if found is not None and (not isinstance(found, int) or isinstance(found, bool)):
-            raise UnreadableError(f"{self.where}.{key} is no integer")
+            raise UnreadableError(f"{self.where}.{key} must be an integer")
         return found
 
     def version(self, *known: int) -> int:
         """The version of the document; one that is not known is refused. Without `known` that is the first."""
         found = self._value.get("schema_version")
         if isinstance(found, bool) or not isinstance(found, int) or found not in (known or (1,)):
-            raise UnreadableError(f"schema_version is not {' or '.join(map(str, known or (1,)))}")
+            raise UnreadableError(f"schema_version must be {' or '.join(map(str, known or (1,)))}")
         return found
 
     def texts_by_name(self, key: str, most: int) -> dict[str, str]:
@@ -134,13 +134,15 @@ class Fields:
         found = self._list(key, most)
         texts = [value for value in found if isinstance(value, str) and len(value) <= limits.JSON_NAME]
         if len(texts) < len(found):
-            raise UnreadableError(f"{self.where}.{key} is no list of texts of at most {limits.JSON_NAME} characters")
+            raise UnreadableError(
+                f"{self.where}.{key} must be a list of strings of at most {limits.JSON_NAME} characters"
+            )
         return texts
 
     def _list(self, key: str, most: int) -> list[object]:
         found = self._value.get(key)
         if not isinstance(found, list):
-            raise UnreadableError(f"{self.where}.{key} is no list")
+            raise UnreadableError(f"{self.where}.{key} must be a list")
         if len(found) > most:
             raise UnreadableError(f"{self.where}.{key} has more than {most:,} items")
         return found

@@ -45,7 +45,7 @@ def _excluded(tree: Tree, root: Path) -> list[Finding]:
     return [
         Finding(
             "RW011",
-            f"{pattern} excludes {named_few(sorted(paths))}: what is in it is not in the result.",
+            f"{pattern} excludes {named_few(sorted(paths))}, which is not in the result.",
             _NOWHERE,
         )
         for pattern, paths in sorted(by_pattern.items())
@@ -53,7 +53,7 @@ def _excluded(tree: Tree, root: Path) -> list[Finding]:
 
 
 def _links(tree: Tree, root: Path) -> list[Finding]:
-    message = "This link leads out of the sources: it is not read."
+    message = "This link leads out of the sources. It was not read."
     return [Finding("RW012", message, Place(name)) for name in sorted({place_name(p, root) for p in tree.outside})]
 
 
@@ -62,9 +62,7 @@ def _marked(tree: Tree, root: Path) -> list[Finding]:
     if not paths:
         return []
     what = "1 folder is" if len(paths) == 1 else f"{len(paths)} folders are"
-    return [
-        Finding("RW013", f"{what} marked to be ignored (COLCON_IGNORE and the like): {named_few(paths)}.", _NOWHERE)
-    ]
+    return [Finding("RW013", f"{what} marked as ignored (COLCON_IGNORE or similar): {named_few(paths)}.", _NOWHERE)]
 
 
 def _named_in_marked(root: Path, named: Collection[str]) -> list[Finding]:

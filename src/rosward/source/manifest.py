@@ -51,7 +51,7 @@ def read_manifest(
         return _through_catkin_pkg(data, environment), None
     except Exception as error:  # catkin_pkg raises AssertionError, ValueError, InvalidPackage and others
         reason = " ".join(str(error).replace(path, file).split())[:300] or type(error).__name__
-        message = f"The ROS tools reject this package.xml, and would not build the package: {reason}"
+        message = f"The ROS tools reject this package.xml and would not build the package: {reason}"
         return manifest, Finding("RW017", message, Place(file))
 
 

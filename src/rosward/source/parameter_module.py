@@ -120,7 +120,7 @@ def parameter_module(text: str, file: str, validation: str = "") -> ParameterMod
         out.add(0, f"import {validation} as custom_validators")
     own = next((p for p in library.parameters if any(check.own for check in p.checks)), None)
     if own is not None and not validation:
-        raise Malformed("a validation of its own needs a module that it is in", Place(file, own.line))
+        raise Malformed("a custom validation needs the module that contains it", Place(file, own.line))
     out.add(0, f"class {library.name}:")
     _params(library, out)
     out.add(1, _LISTENER.format(name=library.name))
@@ -197,7 +197,8 @@ def _mapped(parameter: DescribedParameter, fixed: list[DescribedParameter], file
     maps = [index for index, part in enumerate(parameter.parts) if MAP in part]
     if maps != list(range(maps[0], maps[-1] + 1)) or not all(parameter.parts[i].startswith(MAP) for i in maps):
         raise Malformed(
-            f"the groups around {parameter.name} are in an order that no module can be made of", _at(parameter, file)
+            f"the groups around {parameter.name} are in an order from which no module can be generated",
+            _at(parameter, file),
         )
     group = parameter.parts[: maps[0]]
     lists = {p.name for p in fixed if p.type == "string_array"}
@@ -207,7 +208,7 @@ def _mapped(parameter: DescribedParameter, fixed: list[DescribedParameter], file
         found = [".".join([*group[:depth], key]) for depth in range(len(group), -1, -1)]
         name = next((each for each in found if each in lists), None)
         if name is None:
-            raise Malformed(f"no list of texts {key} says which entries there are", _at(parameter, file))
+            raise Malformed(f"no list of texts {key} lists the entries", _at(parameter, file))
         keys.append(name)
     paths = tuple(".".join(parameter.parts[: index + 1]) for index in maps)
     return _Mapped(parameter, ".".join(group), paths, tuple(keys), ".".join(parameter.parts[maps[-1] + 1 :]))

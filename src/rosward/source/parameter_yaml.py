@@ -79,13 +79,13 @@ def read_parameters(text: str, file: str) -> ParameterLibrary:
     root = read_yaml(text, file)
     whole = root.mapping()
     if len(whole) != 1:
-        raise Malformed("one name stands at the top of such a file", root.place)
+        raise Malformed("such a file must have exactly one name at the top", root.place)
     ((name, inside),) = whole.items()
     _identifier(name, inside.named)
     groups: list[tuple[str, int]] = []
     found: list[DescribedParameter] = []
     if not _is_group(inside):
-        raise Malformed("a group of parameters is expected here", inside.place)
+        raise Malformed("expected a group of parameters here", inside.place)
     _read(inside, "", groups, found)
     return ParameterLibrary(name, tuple(groups), tuple(found), inside.named.line)
 
@@ -105,7 +105,7 @@ def _read(item: Item, above: str, groups: list[tuple[str, int]], found: list[Des
         _identifier(key, inner.named)
         name = f"{above}.{key}" if above else key
         if len(name) > _LONGEST or len(found) + len(groups) > _MOST:
-            raise Malformed("this is more than is read", inner.named)
+            raise Malformed("the file is too large", inner.named)
         if _is_group(inner):
             groups.append((name, inner.named.line))
             _read(inner, name, groups, found)
@@ -118,7 +118,7 @@ def _read(item: Item, above: str, groups: list[tuple[str, int]], found: list[Des
 def _identifier(name: str, place: Place) -> None:
     hidden = name.startswith("__") and not name.startswith(MAP) and not name.endswith("__")
     if not name.isidentifier() or keyword.iskeyword(name) or hidden:
-        raise Malformed(f"{name[:100]!r} is no name that the module can have", place)
+        raise Malformed(f"{name[:100]!r} is not a valid module name", place)
 
 
 def _parameter(name: str, item: Item) -> DescribedParameter | None:
@@ -134,7 +134,7 @@ def _parameter(name: str, item: Item) -> DescribedParameter | None:
     type_ = fixed[1] if fixed else declared
     base, array, rest = type_.partition("_array")
     if base not in _TYPES or rest:
-        raise Malformed(f"parameter {name} is of no type that is known: {declared[:100]}", inside["type"].place)
+        raise Malformed(f"parameter {name} has an unknown type: {declared[:100]}", inside["type"].place)
     default = inside.get("default_value")
     value = None if default is None or default.value is None else _default(default, base, array=bool(array))
     flag = inside.get("read_only")
@@ -149,7 +149,7 @@ def _default(item: Item, base: str, *, array: bool) -> Constant:
         return [_default(each, base, array=False) for each in item.items()]
     value = _scalar(item)
     if not isinstance(value, _TYPES[base]) or (base != "bool" and isinstance(value, bool)):
-        raise Malformed(f"a value of type {base} is expected here", item.place)
+        raise Malformed(f"expected a value of type {base} here", item.place)
     if base == "double":
         return float(value)
     return value
@@ -159,20 +159,20 @@ def _scalar(item: Item) -> Constant:
     """A scalar as the generated module has it."""
     value = item.scalar()
     if isinstance(value, int) and not -_LARGEST <= value < _LARGEST:
-        raise Malformed("no parameter holds a number as large as this", item.place)
+        raise Malformed("the number is too large for a parameter", item.place)
     return _as_generated(value, item.place) if isinstance(value, str) else value
 
 
 def _as_generated(text: str, place: Place) -> str:
     """A text as it comes back from the generated module, which has it between quotation marks as it is."""
     if '"' in text or "\n" in text or "\r" in text or "\0" in text:
-        raise Malformed("no Python can be generated of a text with line ends or quotation marks", place)
+        raise Malformed("no Python can be generated from a string with line breaks or quotation marks", place)
     if "\\" not in text:
         return text
     try:
         return str(ast.literal_eval(f'"{text}"'))
     except (SyntaxError, ValueError):
-        raise Malformed("no Python can be generated of this text", place) from None
+        raise Malformed("no Python can be generated from this string", place) from None
 
 
 def _checks(item: Item) -> list[Check]:

@@ -237,7 +237,7 @@ class _SetupScript:
                 yield item, Place(self._file, self._lines.get(item) or self._lines.get(_head(item), line))
 
     def _doubt(self, what: str, line: int) -> None:
-        message = f"The {what} in setup.py cannot be told without running it: write them as constants."
+        message = f"The {what} in setup.py cannot be determined without running it. Write them as constants."
         self._findings.append(Finding("RW008", message, Place(self._file, line)))
 
 

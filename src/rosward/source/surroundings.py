@@ -26,7 +26,7 @@ def surroundings(distro: str, given: Mapping[str, str] | None = None) -> Mapping
     found = {**ROS_2, "ROS_DISTRO": distro}
     for name, value in (given or {}).items():
         if found.setdefault(name, value) != value:
-            raise SurroundingsError(f"{name} is {found[name]!r} for the distro {distro}, it cannot be {value!r}")
+            raise SurroundingsError(f"{name} is {found[name]!r} for the distro {distro}, so it cannot be {value!r}")
     return found
 
 
@@ -41,9 +41,9 @@ def parse_variable(text: str) -> tuple[str, str]:
 def checked_variable(name: str, value: str) -> tuple[str, str]:
     """A variable that an environment can hold. Raises SurroundingsError."""
     if name.endswith(":"):
-        raise SurroundingsError(f"{name}={value} is of the form of a launch argument (--arg); a variable is NAME=VALUE")
+        raise SurroundingsError(f"{name}={value} has the form of a launch argument (--arg); a variable is NAME=VALUE")
     if not name or "=" in name or any(c.isspace() or c == "\0" for c in name):
-        raise SurroundingsError(f"{name!r} is no name of an environment variable")
+        raise SurroundingsError(f"{name!r} is not a valid name of an environment variable")
     if "\0" in value:
-        raise SurroundingsError(f"the value of {name} holds a zero byte")
+        raise SurroundingsError(f"the value of {name} contains a NUL byte")
     return name, value

@@ -80,13 +80,13 @@ def read_bytes(path: str | Path, file: str, limit: int) -> bytes | Finding:
     try:
         kind = _not_regular(os.stat(path))  # noqa: PTH116
         if kind:
-            return Finding("RW002", f"This is {kind}, not a file with text.", Place(file))
+            return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
         descriptor = os.open(path, _OPEN_FLAGS)
         with open(descriptor, "rb", closefd=True) as stream:  # noqa: PTH123
             status = os.fstat(descriptor)
             kind = _not_regular(status)
             if kind:
-                return Finding("RW002", f"This is {kind}, not a file with text.", Place(file))
+                return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
             data = stream.read(limit + 1) if status.st_size <= limit else None
     except (OSError, ValueError) as error:
         reason = (isinstance(error, OSError) and error.strerror) or str(error)
@@ -103,7 +103,9 @@ def decode(data: bytes, file: str) -> SourceText | Finding:
         line = data.count(b"\n", 0, nul) + 1
         column = nul - data.rfind(b"\n", 0, nul)
         hint = " It looks like UTF-16: save it as UTF-8." if data[:2] in {b"\xff\xfe", b"\xfe\xff"} else ""
-        return Finding("RW001", f"The source holds a NUL byte, which Python refuses.{hint}", Place(file, line, column))
+        return Finding(
+            "RW001", f"The source contains a NUL byte, which Python rejects.{hint}", Place(file, line, column)
+        )
     encoding, problem = _declared(data)
     if problem is None:
         try:
@@ -111,7 +113,7 @@ def decode(data: bytes, file: str) -> SourceText | Finding:
         except UnicodeDecodeError as error:
             problem = _decoding_problem(encoding, error, data)
         except (LookupError, ValueError):
-            problem = f"The declared encoding {encoding!r} is not one for source text.", 1
+            problem = f"The declared encoding {encoding!r} is not a text encoding for source files.", 1
     text, used = _fallback(data)
     return SourceText(
         file, _lines(text), used, Finding("RW004", f"{problem[0]} It was read as {used}.", Place(file, problem[1]))
@@ -123,10 +125,10 @@ def _declared(data: bytes) -> tuple[str, tuple[str, int] | None]:
     try:
         encoding, _ = tokenize.detect_encoding(io.BytesIO(data).readline)
     except (SyntaxError, LookupError, ValueError) as error:
-        reason = f"Python refuses this file: {error}."
+        reason = f"Python rejects this file: {error}."
         return "utf-8", (reason, 1 if "encoding problem" in reason or "unknown encoding" in reason else _bad_line(data))
     if encoding in _SLOW_CODECS or not _reads_ascii(encoding):
-        return encoding, (f"The declared encoding {encoding!r} is not one for source text.", 1)
+        return encoding, (f"The declared encoding {encoding!r} is not a text encoding for source files.", 1)
     return encoding, None
 
 
@@ -142,7 +144,7 @@ def _decoding_problem(encoding: str, error: UnicodeDecodeError, data: bytes) -> 
     if encoding == "utf-8":
         message = "The file is not UTF-8 and declares no other encoding."
     else:
-        message = f"The file does not hold the encoding {encoding!r} that it declares."
+        message = f"The file is not in the encoding {encoding!r} that it declares."
     return message, data.count(b"\n", 0, error.start) + 1
 
 

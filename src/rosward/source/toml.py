@@ -23,12 +23,12 @@ __all__ = ["read_toml"]
 def read_toml(text: str) -> dict[str, Any]:
     """The document. Raises ValueError."""
     if _cost(text) > limits.TOML_KEY_PARTS:
-        raise ValueError("too many dots: its keys are too long to be read")
+        raise ValueError("too many dots: its keys are too long")
     tomllib = importlib.import_module("tomllib" if sys.version_info >= (3, 11) else "tomli")
     try:
         document: dict[str, Any] = tomllib.loads(text)
     except RecursionError as error:
-        raise ValueError("too deep") from error
+        raise ValueError("nested too deeply") from error
     return document
 
 

@@ -105,7 +105,7 @@ def walk(start: str, tree: Tree, seen: set[str], *, include_tests: bool) -> None
             if folder.real in seen:
                 continue
             if len(seen) >= _FOLDER_LIMIT:
-                tree.not_files.append((folder.path, f"a folder too many, after {_FOLDER_LIMIT:,} others"))
+                tree.not_files.append((folder.path, f"a folder beyond the first {_FOLDER_LIMIT:,}"))
                 return
             seen.add(folder.real)
             inner, links = _enter(folder, tree, include_tests=include_tests)
@@ -189,7 +189,7 @@ def _python(entry: os.DirEntry[str], folder: _Folder, tree: Tree, *, is_link: bo
     except OSError:
         regular = False
     if not regular:
-        tree.not_files.append((entry.path, "a link that leads nowhere" if is_link else "not a regular file"))
+        tree.not_files.append((entry.path, "a broken link" if is_link else "not a regular file"))
     elif not include_tests and is_test_file(entry.path):
         tree.skipped.append((entry.path, SkipReason.TEST))
     elif is_link:

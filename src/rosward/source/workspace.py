@@ -154,10 +154,10 @@ class SkipReason(enum.Enum):
     BUILD_OUTPUT = "build output"
     ENVIRONMENT = "virtual environment or installed packages"
     HIDDEN = "hidden"
-    IGNORED = "marked to be ignored (COLCON_IGNORE and the like)"
+    IGNORED = "marked as ignored (COLCON_IGNORE or similar)"
     TEST = "tests"
     BUILD_SCRIPT = "build script"
-    EXCLUDED = "excluded by a pattern"
+    EXCLUDED = "excluded by pattern"
 
 
 @final

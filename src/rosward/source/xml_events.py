@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How is an XML file of somebody else read, without its entities?
 
-    <!DOCTYPE x [<!ENTITY a "aaaa">]>…    ->  ("The file has a document type declaration; entities are not read.", 1)
+    <!DOCTYPE x [<!ENTITY a "aaaa">]>…    ->  ("The file has a document type declaration; entities are not supported.", 1)
 
 The elements and the text go to the handlers that the caller has set; a handler may refuse the document.
 """
@@ -21,7 +21,7 @@ def parse(parser: XMLParserType, data: bytes, file: str, language: str = "") -> 
     """What is wrong with a document, and in which line. `file` is what messages call it, `language` what it should be."""
 
     def doctype(*_: object) -> None:
-        raise RefusedXmlError(f"{file} has a document type declaration; entities are not read.")
+        raise RefusedXmlError(f"{file} has a document type declaration; entities are not supported.")
 
     parser.StartDoctypeDeclHandler = doctype
     try:

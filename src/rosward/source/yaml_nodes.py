@@ -40,33 +40,33 @@ class Item(NamedTuple):
         """The str that this is."""
         if isinstance(self.value, str):
             return self.value
-        raise Malformed("a text is expected here", self.place)
+        raise Malformed("expected a string here", self.place)
 
     def flag(self) -> bool:
         """The bool that this is."""
         if isinstance(self.value, bool):
             return self.value
-        raise Malformed("true or false is expected here", self.place)
+        raise Malformed("expected true or false here", self.place)
 
     def scalar(self) -> Scalar:
         """A scalar that is not null."""
         if isinstance(self.value, (bool, int, float, str)):
             return self.value
-        raise Malformed("a number, a text, true or false is expected here", self.place)
+        raise Malformed("expected a number, a string, true or false here", self.place)
 
     def items(self) -> list[Item]:
         """The list that this is."""
         if isinstance(self.value, list):
             return self.value
-        raise Malformed("a list is expected here", self.place)
+        raise Malformed("expected a list here", self.place)
 
     def mapping(self, allowed: frozenset[str] | None = None) -> dict[str, Item]:
         """The mapping that this is; with `allowed`, no other keys may stand in it."""
         if not isinstance(self.value, dict):
-            raise Malformed("a mapping is expected here", self.place)
+            raise Malformed("expected a mapping here", self.place)
         for key, item in self.value.items():
             if allowed is not None and key not in allowed:
-                raise Malformed(f"unknown key '{key}'; known here: {', '.join(sorted(allowed))}", item.place)
+                raise Malformed(f"unknown key '{key}'; expected one of: {', '.join(sorted(allowed))}", item.place)
         return self.value
 
 
@@ -82,9 +82,9 @@ def read_yaml(text: str, file: str) -> Item:
         raise
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
-        raise Malformed(f"no YAML: {error.problem}", Place(file, mark.line + 1) if mark else whole) from None
+        raise Malformed(f"not valid YAML: {error.problem}", Place(file, mark.line + 1) if mark else whole) from None
     except (yaml.YAMLError, ValueError, RecursionError) as error:
-        raise Malformed(f"no YAML: {str(error).splitlines()[0]}", whole) from None
+        raise Malformed(f"not valid YAML: {str(error).splitlines()[0]}", whole) from None
     if node is None:
         raise Malformed("the file is empty", whole)
     return _item(node, file)
@@ -95,11 +95,11 @@ def _check_events(text: str, file: str) -> None:
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
         place = _place(event, file)
         if isinstance(event, yaml.AliasEvent):
-            raise Malformed("aliases are not read: write what the anchor stands for", place)
+            raise Malformed("aliases are not supported: write out the anchored value", place)
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > limits.YAML_DEPTH:
-                raise Malformed("nested too deep", place)
+                raise Malformed("nested too deeply", place)
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 
@@ -129,9 +129,9 @@ def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
     for key, value in node.value:
         place = _place(key, file)
         if not isinstance(key, yaml.ScalarNode):
-            raise Malformed("a key is a text", place)
+            raise Malformed("a key must be a string", place)
         name = str(key.value)
         if name in seen:
-            raise Malformed(f"'{name}' stands here twice", place)
+            raise Malformed(f"'{name}' occurs twice here", place)
         seen.add(name)
         yield name, _item(value, file)._replace(named=place)

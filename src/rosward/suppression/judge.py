@@ -18,7 +18,7 @@ from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
 from rosward.suppression.comments import IgnoreComment, ignore_comments
-from rosward.suppression.fingerprints import fingerprints
+from rosward.suppression.fingerprints import Told, fingerprints, fingerprints_without_line
 from rosward.suppression.ignore_in import IgnoredPaths, IgnoreIn
 
 __all__ = ["Judged", "RelatedPlace", "Reviewed", "SourceTexts", "Wishes", "judged", "of_no_file", "review"]
@@ -145,9 +145,13 @@ def review(findings: Sequence[Finding], sources: SourceTexts, wishes: Wishes, *,
 def judged(findings: Sequence[Finding], sources: SourceTexts, baseline: Collection[str] = ()) -> tuple[Judged, ...]:
     """The findings with their fingerprints."""
     marks = fingerprints(findings, sources.line_at, sources.prefix)
+    files = [sources.prefix + f.place.file if f.place.file else "" for f in findings]
+    without_line = fingerprints_without_line(
+        [Told(f.code, file, f.message) for f, file in zip(findings, files, strict=True)]
+    )
     return tuple(
-        Judged(f, mark, sources.prefix + f.place.file if f.place.file else "", mark in baseline)
-        for f, mark in zip(findings, marks, strict=True)
+        Judged(f, mark, file, mark in baseline or other in baseline)
+        for f, mark, other, file in zip(findings, marks, without_line, files, strict=True)
     )
 
 
@@ -190,7 +194,7 @@ def _unused(comment: IgnoreComment, met: set[str]) -> str:
     if comment.codes is None:
         return "" if met else "there is no finding on this line"
     if not comment.codes:
-        return "the brackets name no code, so nothing is ignored"
+        return "the brackets contain no code, so nothing is ignored"
     if "RW010" in comment.codes:
         return ""
     unknown = [code for code in comment.codes if code not in RULES]

@@ -150,7 +150,7 @@ def leaving(draft: Draft, scope: Scope, depth: int) -> str:
 
 
 def turns(draft: Draft, scope: Scope, depth: int) -> str:
-    """Exceptions in the turns of a loop."""
+    """Exceptions in the iterations of a loop."""
     name, cls = draft.fresh("turned"), kind(draft)
     leave = draft.chooser.pick(["continue", "break", "pass"])
     inside = scope.inner("x", *_DATA)

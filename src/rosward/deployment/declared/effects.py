@@ -179,7 +179,7 @@ class _DeclaredProcess:
         if not self._program.nodes and self._program.reader:
             self._read(scope, None, certain=False)
         if self._steps.left < 0:
-            self._limit(f"asks for more than {_MOST_STEPS} groups and items")
+            self._limit(f"requests more than {_MOST_STEPS} groups and items")
         self._log.ends.append(frozenset(self._done))
         return self._log
 
@@ -268,7 +268,7 @@ class _DeclaredProcess:
             found = self._declarations.interface(package or here, name)
             if found is None or len(way) > _DEEPEST_INCLUDE:
                 self._log.findings.add(
-                    Finding("RW324", f"The interface {include.name} that is included is not declared.", include.place)
+                    Finding("RW324", f"The included interface {include.name} is not declared.", include.place)
                 )
                 continue
             bound = scope
@@ -329,7 +329,7 @@ class _DeclaredProcess:
             return
         reader = READERS.get(self._program.reader)
         if reader is None:
-            message = f"No reader is called {self._program.reader}; known are {', '.join(READERS)}."
+            message = f"Unknown reader {self._program.reader}; available: {', '.join(READERS)}."
             self._log.findings.add(Finding("RW324", message, self._program.place))
             return
         for found in reader(scope, self._read_file):
@@ -356,7 +356,7 @@ class _DeclaredProcess:
 
     def _open(self, reason: str) -> None:
         what = f"interface of {self._program.package}/{self._program.name}"
-        self._log.findings.add(Finding("RW314", f"The {what} is not wholly known: {reason}.", self._place, (what,)))
+        self._log.findings.add(Finding("RW314", f"The {what} is not completely known: {reason}.", self._place, (what,)))
 
 
 def qualified(namespace: Value, name: Value) -> Value:

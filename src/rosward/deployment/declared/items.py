@@ -92,7 +92,7 @@ def _elements(value: Value, source: str) -> list[tuple[Value, bool]]:
 
 
 def _family(name: str, scope: TemplateScope) -> list[tuple[Value, bool]]:
-    """`odom0`, `odom1`, … as long as they are given; and any other where what is given is not wholly known."""
+    """`odom0`, `odom1`, … as long as they are given; and any other where what is given is not completely known."""
     before, _, behind = name.partition("{n}")
     found: list[tuple[Value, bool]] = []
     for number in range(_MOST_ITEMS):

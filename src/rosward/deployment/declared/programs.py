@@ -35,7 +35,7 @@ def gz_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | 
             found = _bridged(option)
             if not found:
                 why = "; ".join(str(r) for r in reasons_of(option))
-                yield Open(f"one of its arguments names no bridge{f' ({why})' if why else ''}")
+                yield Open(f"one of its arguments does not name a bridge{f' ({why})' if why else ''}")
             for each in found:
                 yield each._replace(certain=len(options(word)) == 1)
     path = scope.parameters.value("config_file")
@@ -43,12 +43,12 @@ def gz_bridge(scope: TemplateScope, read: ReadFile) -> Iterator[FoundEndpoint | 
         return
     text = file_text(path, read)
     if text is None:
-        yield Open("the file that its parameter config_file names is not among the sources")
+        yield Open("the file named by its parameter config_file is not among the sources")
         return
     try:
         yield from _configured(read_yaml(text, ""))
     except Malformed as error:
-        yield Open(f"the file that its parameter config_file names cannot be read: {error.message}")
+        yield Open(f"the file named by its parameter config_file cannot be read: {error.message}")
 
 
 def _bridged(word: Value) -> list[FoundEndpoint]:

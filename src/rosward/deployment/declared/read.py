@@ -2,7 +2,7 @@
 """Is the file of a declared interface well-formed, and what does it say?
 
     read_package(text, 'models/nodes/joy.yaml')  ->  Package('joy', executables={'joy_node': Program(…)}, …), ()
-    …  with 'publisher:' for 'publishers:'       ->  None, (Finding RW324 "unknown key 'publisher'; known here: …",)
+    …  with 'publisher:' for 'publishers:'       ->  None, (Finding RW324 "unknown key 'publisher'; expected one of: …",)
 
 The notation is described in docs/declared-nodes.md.
 """
@@ -99,7 +99,7 @@ def read_package(
 def _package(item: Item, wanted: str | None) -> PackageDeclaration:
     top = item.mapping(_FILE)
     if "nodl_version" not in top or top["nodl_version"].value != 2:
-        raise Malformed("nodl_version: 2 is expected", item.place)
+        raise Malformed("expected nodl_version: 2", item.place)
     for key in ("package", "source", "client_library"):
         if key not in top:
             raise Malformed(f"'{key}' is missing", item.place)
@@ -129,7 +129,7 @@ def _shared(top: Mapping[str, Item], kind: str, programs: Mapping[str, Mapping[s
         wanted = shape["same_as"].text()
         other = programs["executables"].get(wanted) or programs["components"].get(wanted)
         if other is None or (wanted == name and other is program) or set(shape) - {"same_as", "description"}:
-            raise Malformed(f"same_as names no other executable or component: {wanted}", shape["same_as"].place)
+            raise Malformed(f"same_as does not name another executable or component: {wanted}", shape["same_as"].place)
         found[name] = other._replace(name=name, kind=program.kind)
     return found
 
@@ -146,7 +146,7 @@ def _check_includes(interfaces: Mapping[str, EndpointGroup], package: str, place
             if "/" in short:
                 continue
             if short not in interfaces:
-                raise Malformed(f"no interface is called {short}", include.place)
+                raise Malformed(f"there is no interface {short}", include.place)
             if short in (*way, name):
                 raise Malformed(f"{short} includes itself", include.place)
             if short not in checked:
@@ -175,7 +175,7 @@ def _library(item: Item) -> ClientLibrary:
     try:
         return ClientLibrary(item.text())
     except ValueError:
-        raise Malformed("client_library is rclcpp or rclpy", item.place) from None
+        raise Malformed("client_library must be rclcpp or rclpy", item.place) from None
 
 
 def _program(item: Item, package: str, name: str, kind: str, source: str, library: ClientLibrary) -> Program:
@@ -184,23 +184,23 @@ def _program(item: Item, package: str, name: str, kind: str, source: str, librar
     if "node" in shape:
         nodes.append(_node(Item({k: v for k, v in shape.items() if k in _NODE}, item.place), library))
     elif set(shape) & (_NODE - {"open", "description", "since", "until"}):
-        raise Malformed("'node' is missing: the name that the node has by default", item.place)
+        raise Malformed("'node' is missing: the default name of the node", item.place)
     nodes += [_node(each, library) for each in _items(shape, "nodes")]
     open_ = None if "node" in shape else _text(shape, "open")
     reader = _text(shape, "reader")
     if not nodes and reader is None and open_ is None and "same_as" not in shape and "nodes" not in shape:
-        raise Malformed("it has no nodes: write 'nodes: []' if it makes none", item.place)
+        raise Malformed("'nodes' is missing: write 'nodes: []' if it creates no node", item.place)
     return Program(package, name, kind.removesuffix("s"), source, tuple(nodes), reader, open_, item.place)
 
 
 def _node(item: Item, library: ClientLibrary) -> NodeShape:
     shape = item.mapping(_NODE)
     if "node" not in shape:
-        raise Malformed("'node' is missing: the name that the node has by default", item.place)
+        raise Malformed("'node' is missing: the default name of the node", item.place)
     options = _mapping(shape, "options")
     for key, option in options.items():
         if key not in OPTIONS:
-            raise Malformed(f"unknown option '{key}'; known here: {', '.join(OPTIONS)}", option.place)
+            raise Malformed(f"unknown option '{key}'; expected one of: {', '.join(OPTIONS)}", option.place)
     return NodeShape(
         shape["node"].text(),
         _text(shape, "namespace"),
@@ -234,7 +234,7 @@ def _content(shape: Mapping[str, Item]) -> EndpointGroup:
     cases = tuple((name, _group(each)) for name, each in _mapping(shape, "cases").items())
     if ("switch" in shape) != ("cases" in shape) or ("otherwise" in shape and "switch" not in shape):
         place = next(v.place for k, v in shape.items() if k in ("switch", "cases", "otherwise"))
-        raise Malformed("'switch', 'cases' and 'otherwise' belong together", place)
+        raise Malformed("'switch', 'cases' and 'otherwise' must be used together", place)
     return EndpointGroup(
         parameters=tuple(_parameter(n, i) for n, i in _mapping(shape, "parameters").items()),
         endpoints=tuple(_endpoint(each, key) for key in KINDS for each in _items(shape, key)),
@@ -252,7 +252,7 @@ def _include(item: Item) -> IncludedDeclaration:
         return IncludedDeclaration(item.value, (), item.place)
     shape = item.mapping(frozenset(("interface", "with")))
     if "interface" not in shape:
-        raise Malformed("'interface' is missing: the name of what is included", item.place)
+        raise Malformed("'interface' is missing: the name of the included interface", item.place)
     variables = tuple((k, v.text()) for k, v in _mapping(shape, "with").items())
     return IncludedDeclaration(shape["interface"].text(), variables, item.place)
 
@@ -261,13 +261,13 @@ def _loop(item: Item) -> Loop:
     shape = item.mapping(_LOOPS | {"as"})
     sources = sorted(set(shape) & _LOOPS)
     if len(sources) != 1 or "as" not in shape or not _VARIABLE.fullmatch(shape["as"].text()):
-        raise Malformed("'as: VARIABLE' and one of family, words, list, below, values are expected", item.place)
+        raise Malformed("expected 'as: VARIABLE' and one of family, words, list, below, values", item.place)
     source = sources[0]
     if source == "values":
         return Loop(shape["as"].text(), source, "", tuple(i.text() for i in shape[source].items()))
     of = shape[source].text()
     if source == "family" and of.count("{n}") != 1:
-        raise Malformed("a family has {n} where its number stands", shape[source].place)
+        raise Malformed("a family must have {n} in place of its number", shape[source].place)
     return Loop(shape["as"].text(), source, of)
 
 
@@ -278,7 +278,7 @@ def _window(shape: Mapping[str, Item]) -> Window:
 def _distro(shape: Mapping[str, Item], key: str) -> Distro | None:
     known = {d.value: d for d in Distro}
     if key in shape and shape[key].text() not in known:
-        raise Malformed(f"'{key}' names a distribution: {', '.join(known)}", shape[key].place)
+        raise Malformed(f"'{key}' must name a distribution: {', '.join(known)}", shape[key].place)
     return known[shape[key].text()] if key in shape else None
 
 
@@ -293,7 +293,7 @@ def _condition(item: Item) -> DeclaredCondition:
     subjects = [k for k in ("param", "argument", "value") if k in shape]
     tests = [k for k in ("is", "not", "in", "set") if k in shape]
     if len(subjects) != 1 or len(tests) != 1:
-        raise Malformed("a condition has one of param, argument, value and one of is, not, in, set", item.place)
+        raise Malformed("a condition needs one of param, argument, value and one of is, not, in, set", item.place)
     subject, test = shape[subjects[0]].text(), tests[0]
     template = subject if subjects[0] == "value" else f"${{{subjects[0]}:{subject}}}"
     values: tuple[Scalar, ...]
@@ -301,7 +301,7 @@ def _condition(item: Item) -> DeclaredCondition:
         values = tuple(i.scalar() for i in shape["in"].items())
     elif test == "set":
         if subjects[0] == "value":
-            raise Malformed("'set' asks for a param or an argument", item.place)
+            raise Malformed("'set' requires a param or an argument", item.place)
         values = (shape["set"].flag(),)
     else:
         values = (shape[test].scalar(),)
@@ -325,9 +325,9 @@ def _endpoint(item: Item, key: str) -> EndpointTemplate:
     name, type_ = shape["name"].text(), shape["type"].text()
     part = "msg" if key in ("publishers", "subscriptions") else "srv" if key.startswith("service") else "action"
     if "${" not in type_ and not _is_type(type_, part):
-        raise Malformed(f"{type_} is no type of this kind: package/{part}/Name is expected", shape["type"].place)
+        raise Malformed(f"{type_} is not a type of this kind: expected package/{part}/Name", shape["type"].place)
     if not name or any(c.isspace() or c == "*" for c in name):
-        raise Malformed("a name has no spaces and no '*'", shape["name"].place)
+        raise Malformed("a name must not contain spaces or '*'", shape["name"].place)
     qos = _qos(shape["qos"]) if "qos" in shape else None
     if qos is None and part == "msg":
         raise Malformed("'qos' is missing", item.place)
@@ -348,16 +348,16 @@ def _qos(item: Item) -> Qos:
     if isinstance(value, str):
         if value in _PROFILES:
             return _PROFILES[value]
-        raise Malformed(f"unknown profile '{value}'; known here: {', '.join(_PROFILES)}", item.place)
+        raise Malformed(f"unknown profile '{value}'; expected one of: {', '.join(_PROFILES)}", item.place)
     shape = item.mapping(frozenset((*_POLICIES, "depth")) | _MORE_QOS)
     words: dict[str, str | None] = dict.fromkeys(_POLICIES)
     for policy, known in _POLICIES.items():
         if policy in shape:
             word = shape[policy].text().lower()
             if word not in known:
-                raise Malformed(f"{policy} is one of {', '.join(k.upper() for k in known)}", shape[policy].place)
+                raise Malformed(f"{policy} must be one of {', '.join(k.upper() for k in known)}", shape[policy].place)
             words[policy] = word
     depth = shape["depth"].value if "depth" in shape else None
     if depth is not None and (not isinstance(depth, int) or isinstance(depth, bool)):
-        raise Malformed("depth is a number", shape["depth"].place)
+        raise Malformed("depth must be a number", shape["depth"].place)
     return Qos(words["reliability"], words["durability"] or "volatile", words["history"] or "keep_last", depth)

@@ -82,7 +82,7 @@ def rviz(scope: TemplateScope, read: ReadFile) -> Found_:
     path = argument("--display-config", scope) if path == EMPTY else path
     if path == EMPTY:
         yield from (_endpoint("publisher", name, type_, _DEFAULT) for name, type_ in _TOOLS.values())
-        yield Open("without -d it shows what the user's own ~/.rviz2/default.rviz says")
+        yield Open("without -d it loads the user's own ~/.rviz2/default.rviz")
         return
     text = file_text(path, read)
     if text is None:
@@ -124,7 +124,7 @@ def _panels(panels: Item | None) -> Found_:
     for panel in _list(panels):
         name = _word(panel, "Class")
         if name and not name.startswith(("rviz_common/", "rviz/")):
-            yield Open(f"its panel {name} is not known")
+            yield Open(f"its panel {name} is unknown")
 
 
 def _tools(tools: Item | None) -> Found_:
@@ -132,7 +132,7 @@ def _tools(tools: Item | None) -> Found_:
         library, _, name = _word(tool, "Class").partition("/")
         if library not in ("rviz_default_plugins", "rviz") or (name not in _TOOLS and name not in _SILENT):
             if f"{library}/{name}" != "nav2_rviz_plugins/GoalTool":  # it hands the goal to a panel
-                yield Open(f"its tool {library}/{name} is not known")
+                yield Open(f"its tool {library}/{name} is unknown")
         elif name in _TOOLS:
             default, type_ = _TOOLS[name]
             yield _endpoint("publisher", _word(tool, "Topic") or default, type_, _profile(tool, "Topic"))
@@ -153,7 +153,7 @@ def _displays(displays: Item | None, depth: int, *, shown: bool) -> Found_:
             if topic:
                 yield _endpoint("subscription", topic, type_, _profile(display, "Topic"), certain=certain)
         else:
-            yield Open(f"its display {library}/{name} is not known")
+            yield Open(f"its display {library}/{name} is unknown")
 
 
 def _display(display: Item, name: str) -> Found_:
@@ -179,7 +179,7 @@ def _display(display: Item, name: str) -> Found_:
     elif name in _SUBSCRIBED:
         yield from _subscribed(display, name)
     elif name not in _SILENT:
-        yield Open(f"its display {name} is not known")
+        yield Open(f"its display {name} is unknown")
 
 
 def _subscribed(display: Item, name: str) -> Found_:

@@ -68,7 +68,7 @@ class ComponentParameters:
                     path = self._scene.generated.performed(self._scene, path, source.place)
                 self._file(path, source.place)
             else:
-                self._scene.fails("a component takes no Parameter description", source.place)
+                self._scene.fails("a component does not accept a Parameter description", source.place)
 
     def _set(self, name: Value, value: Value, place: Place) -> None:
         several = len(options(name)) > 1
@@ -84,7 +84,7 @@ class ComponentParameters:
         for option in options(path):
             content = self._scene.generated.content(option, place)
             if content.absent:
-                self._scene.fails(f"the parameter file {self._scene.files.show(option)} is not there", place)
+                self._scene.fails(f"the parameter file {self._scene.files.show(option)} does not exist", place)
             elif content.rows is None:
                 reason = content.reason or Reason(Cause.FILE, readable(option), place)
                 self._unknown_rest((*reasons_of(option), reason)[-1])

@@ -58,7 +58,7 @@ def decide(condition: Condition | None, scene: Scene) -> Truth:
         for name in verdict.variables:
             scene.variables.compared(name, (), condition.place)
     elif verdict.open:
-        message = f"The condition is not known: it depends on {verdict.why}. Both ways are taken."
+        message = f"The condition is unknown: it depends on {verdict.why}. Both branches are analysed."
         scene.findings.tell("RW316", message, condition.place, (verdict.why,) if verdict.why else ())
     return verdict
 
@@ -72,7 +72,7 @@ def _verdict(condition: Condition, scene: Scene) -> Truth:
         verdict = _comparison(condition, scene)
         return verdict.negated() if condition.kind == "not-equals" else verdict
     if condition.value is None:
-        return Truth(why="a condition that cannot be read")
+        return Truth(why="an unreadable condition")
     return _of_bool(scene.python.test(condition.value, scene))
 
 
@@ -84,7 +84,7 @@ def _of_text(text: Value, template: Template, condition: Condition, scene: Scene
         if plain in _TRUE or plain in _FALSE:
             verdicts.append(_settled(plain in _TRUE, origins_of(option)))
         elif plain is not None:
-            scene.fails(f"the condition is {plain!r}, neither true nor false", condition.place)
+            scene.fails(f"the condition is {plain!r}, which is neither true nor false", condition.place)
             verdicts.append(Truth(why=f"the text {plain!r}"))
         else:
             if isinstance(option, Unknown) and option.variable:
@@ -130,7 +130,7 @@ def _joined(verdicts: list[Truth], template: Template) -> Truth:
 
 
 def _reasons(value: Value) -> str:
-    return "; ".join(str(r) for r in reasons_of(value)[:3]) or "a value that is not known"
+    return "; ".join(str(r) for r in reasons_of(value)[:3]) or "an unknown value"
 
 
 def _names(template: Template) -> str:

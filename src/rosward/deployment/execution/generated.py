@@ -112,7 +112,7 @@ class GeneratedFiles:
             content = self.content(file, place)
             if content.absent:
                 shown = self._files.show(file)
-                self._findings.tell("RW320", f"The file {shown}, whose keys are asked for, is not there.", place)
+                self._findings.tell("RW320", f"The file {shown}, whose keys are requested, does not exist.", place)
             plain = plain_text(name)
             found = has_key(content, plain) if plain is not None else None
             if found is None:
@@ -133,7 +133,7 @@ class GeneratedFiles:
                 if source.absent:
                     shown = self._files.show(option)
                     scene.fails(
-                        f"the parameter file {shown}, whose substitutions are to be performed, is not there", place
+                        f"the parameter file {shown}, whose substitutions are to be performed, does not exist", place
                     )
                 if source.rows is None:
                     return self.write(source)
@@ -174,7 +174,7 @@ class GeneratedFiles:
             rows = with_new_values(rows, contents, numbers)
             ways = [below(rows, readable(r)) for r in options(root)[:MAX_WAYS]]
             if all(is_refused_below(rows, readable(r)) for r in options(root)):
-                message = "rcl refuses what is written here: a key that begins with a slash stands below root_key."
+                message = "rcl rejects this content: a key that begins with a slash is below root_key."
                 self._findings.tell("RW317", message, place)
             return self.write(Content(joined_rows(ways, place), None, before.file))
 
@@ -202,7 +202,7 @@ class GeneratedFiles:
     def _fails_without(self, content: Content, path: Value, place: Place) -> None:
         if content.absent:
             shown = self._files.show(path)
-            self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, is not there.", place)
+            self._findings.tell("RW320", f"The file {shown}, which is to be rewritten, does not exist.", place)
 
 
 def _performed(value: Value, scene: Performs) -> Value:

@@ -61,12 +61,12 @@ class Descriptions:
             absent = [p for p in packages if not self._files.has_package(p)]
             if absent:
                 why = f"the package '{absent[0]}' is not among the sources"
-                return f"The included launch file {shown} is not found: {why}.", (f"package {absent[0]}",)
+                return f"The included launch file {shown} was not found: {why}.", (f"package {absent[0]}",)
             if len(parts) == 2:
-                return f"The included launch file {shown} is not there.", (f"file {shown}",)
+                return f"The included launch file {shown} does not exist.", (f"file {shown}",)
         reasons = "; ".join(str(r) for r in reasons_of(path)[:3])
         why = f" ({reasons})." if reasons else "."
-        return f"The included launch file {shown} is not found{why}", ()
+        return f"The included launch file {shown} was not found{why}", ()
 
     def read(self, file: str, form: str, scene: Scene) -> Description | None:
         """What a launch file says; None where it cannot be read, which is told."""

@@ -40,18 +40,20 @@ def turns(action: ForEach, scene: Scene) -> list[Turn]:
             found.append(_unknown_turn(action, option, scene))
             continue
         several = len(values) > 1 or not all(o.settled for o in origins_of(option))
-        verdict = Truth(why="the turns of a loop") if several else YES
+        verdict = Truth(why="the iterations of a loop") if several else YES
         rows = _indices(plain, action, scene) if action.count else _rows(plain, origins_of(option), action, scene)
         found += [Turn(row, verdict) for row in rows]
     if len(found) > MAX_TURNS:
-        scene.findings.tell("RW201", f"A loop of more than {MAX_TURNS} turns is not followed to its end.", action.place)
+        scene.findings.tell(
+            "RW201", f"A loop of more than {MAX_TURNS} iterations is not analysed to its end.", action.place
+        )
     return found[:MAX_TURNS]
 
 
 def _unknown_turn(action: ForEach, value: Value, scene: Scene) -> Turn:
     reasons = reasons_of(value) or (Reason(Cause.LOOP, "", action.place),)
     why = "; ".join(str(r) for r in reasons[:3])
-    scene.findings.tell("RW313", f"The turns of the loop are not known: {why}.", action.place)
+    scene.findings.tell("RW313", f"The iterations of the loop are unknown: {why}.", action.place)
     hint = "int" if action.count else ""
     names = [action.index_name or "i"] if action.count else []
     return Turn({name: Unknown(reasons, hint) for name in names}, Truth(why=why))
@@ -61,7 +63,7 @@ def _indices(text: str, action: ForEach, scene: Scene) -> list[dict[str, Value]]
     try:
         count = int(text)
     except ValueError:
-        scene.fails(f"{text[:40]!r} is no number of turns", action.place)
+        scene.fails(f"{text[:40]!r} is not a number of iterations", action.place)
         return []
     return [{action.index_name or "i": Const(i)} for i in range(min(count, MAX_TURNS + 1))]
 
@@ -74,7 +76,7 @@ def _rows(text: str, origins: Origins, action: ForEach, scene: Scene) -> list[di
         if not row.error and row.value is None:
             continue
         if not isinstance(row.value, dict) or not all(isinstance(name, str) for name in row.value):
-            scene.fails(f"{part.strip()[:40]!r} gives no names and values to a loop", action.place)
+            scene.fails(f"{part.strip()[:40]!r} does not give names and values to a loop", action.place)
             continue
         found.append({name: value_of(value, origins) for name, value in row.value.items()})
     return found

@@ -36,7 +36,7 @@ from rosward.source.location import Place
 
 _ROS_ARGS: Final = Const("--ros-args")
 _RULE: Final = Const("-r")
-_BY_PUSH: Final = "what was pushed or set for all nodes before"
+_BY_PUSH: Final = "what was pushed or set earlier for all nodes"
 _KINDS: Final = {
     NodeKind.NODE: StartKind.NODE,
     NodeKind.LIFECYCLE: StartKind.LIFECYCLE,
@@ -124,7 +124,7 @@ def _check(name: Value | None, namespace: Value | None, scene: Scene, place: Pla
             plain = plain_text(option)
             error = validate(literal(plain)) if plain is not None else None
             if error is not None:
-                scene.fails(f"{plain!r} is no valid {what} of a node ({error})", place)
+                scene.fails(f"{plain!r} is not a valid {what} of a node ({error})", place)
 
 
 def _identity(name: Value | None, namespace: Value | None) -> list[Value]:

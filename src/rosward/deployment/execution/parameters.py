@@ -55,7 +55,7 @@ def evaluate(data: ParameterData, name: Value, scene: Scene, place: Place) -> Va
     """The value of a parameter: text is read as YAML or as the type that is forced; a literal is used as it is."""
 
     def failed(why: str) -> None:
-        scene.fails(f"the value of the parameter '{readable(name)}' is refused: {why}", place)
+        scene.fails(f"the value of the parameter '{readable(name)}' is rejected: {why}", place)
 
     if isinstance(data, Literal):
         return lift(lambda v: _literal(v, failed), data.value)
@@ -69,7 +69,7 @@ def evaluate(data: ParameterData, name: Value, scene: Scene, place: Place) -> Va
 def _literal(value: Value, failed: Failed) -> Value:
     if isinstance(value, Const):
         if not isinstance(value.value, (*_SCALARS, bytes)):
-            failed(f"{value.value!r} is no value of a parameter")
+            failed(f"{value.value!r} is not a parameter value")
             return unknown(value)
         return value
     if isinstance(value, Tuple):
@@ -88,7 +88,7 @@ def _list(value: Tuple, failed: Failed) -> Value:
         ]
         return Tuple(tuple(items))
     if (known and not value.items) or len(kinds) > 1:
-        failed("the items of a list must be there, and be of one type")
+        failed("a list must have items, all of one type")
         return unknown(value, "list")
     return value
 
@@ -155,8 +155,8 @@ class LaunchedParameters:
             types = {type_word(item) for item in option.items}
             if None in types:
                 return option
-            why = f"rcl reads the items of the list '{readable(name)}' as {' and '.join(sorted(map(str, types)))}, and refuses that"
-            self._scene.findings.tell("RW317", f"{why}: write them so that YAML takes them for one type.", place)
+            why = f"rcl reads the items of the list '{readable(name)}' as {' and '.join(sorted(map(str, types)))}, and rejects that"
+            self._scene.findings.tell("RW317", f"{why}: write them so that YAML reads them as one type.", place)
             return Unknown((Reason(Cause.ERROR, f"the parameter '{readable(name)}'", place),), "list")
 
         return lift(one, as_rcl_reads(value))
@@ -192,9 +192,9 @@ class LaunchedParameters:
             if content.absent:
                 shown = self._scene.files.show(option)
                 if needed:
-                    self._scene.fails(f"the parameter file {shown} is not there", place)
+                    self._scene.fails(f"the parameter file {shown} does not exist", place)
                 else:
-                    self._scene.findings.tell("RW315", f"The parameter file {shown} is not there.", place)
+                    self._scene.findings.tell("RW315", f"The parameter file {shown} does not exist.", place)
         if not told:
             self.settings.append(Setting("file", "", path, place=place))
         if all(content.absent for _, content in contents):

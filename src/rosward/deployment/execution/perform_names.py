@@ -100,7 +100,7 @@ def _param(scene: Scene, substitution: Substitution) -> Value:
             continue
         default = _default(scene, substitution)
         if default is None:
-            scene.fails(f"no SetParameter set '{readable(name)}' before", substitution.place)
+            scene.fails(f"no SetParameter has set '{readable(name)}'", substitution.place)
             default = Unknown((Reason(Cause.PARAMETER, readable(name), substitution.place),), "str")
         found.append(default)
     return join_all(found)
@@ -163,7 +163,7 @@ def _turn(scene: Scene, substitution: Substitution) -> Value:
         return _text(value, substitution.place)
     default = _default(scene, substitution)
     if default is None:
-        scene.fails(f"no loop around has a variable '{name}'", substitution.place)
+        scene.fails(f"no enclosing loop has a variable '{name}'", substitution.place)
     return default or Unknown((Reason(Cause.LOOP, name, substitution.place),), "str")
 
 

@@ -155,9 +155,9 @@ class Scene:
 
     def _not_performed(self, substitution: Substitution) -> Value:
         if self._depth >= MAX_DEPTH:
-            self.findings.tell("RW201", "Substitutions are nested too deep here.", substitution.place)
+            self.findings.tell("RW201", "Substitutions are nested too deeply here.", substitution.place)
         else:
-            message = f"The substitution '{substitution.kind}' is not understood: its text is not known."
+            message = f"The substitution '{substitution.kind}' is not supported: its text is unknown."
             self.findings.tell("RW321", message, substitution.place)
         return Unknown((Reason(Cause.LIMIT, substitution.kind, substitution.place),), "str")
 
@@ -178,5 +178,5 @@ def _as_text(value: Value) -> Value:
 def _joined(left: Value, right: Value) -> Value:
     """Two texts as one, unless it is longer than any that means something: an include may double its argument in each turn."""
     if sum(len(part) for value in (left, right) for part in parts_of(value) if isinstance(part, str)) > _LONGEST:
-        return Unknown((Reason(Cause.LIMIT, "a text that is too long", Place("", 0)),), "str")
+        return Unknown((Reason(Cause.LIMIT, "a string that is too long", Place("", 0)),), "str")
     return concat((left, right))

@@ -68,7 +68,7 @@ def change(action: Setting, scene: Scene) -> None:
         _set_parameter(action, scene)
     if scene.context.exceeded:
         scene.context.exceeded = False
-        message = "Namespaces, remap rules or parameters depend on too many conditions here: not all combinations are followed."
+        message = "Namespaces, remap rules or parameters depend on too many conditions here. Not all combinations are analysed."
         scene.findings.tell("RW201", message, action.place)
 
 
@@ -112,7 +112,7 @@ def _declare_one(name: str, action: tree.Declare, scene: Scene) -> None:
         if action.default is not None:
             default = with_origin(scene.text(action.default), Origin("launch argument", name, settled=True))
         else:
-            shown = f"The launch argument '{name}' has no default and is given no value."
+            shown = f"The launch argument '{name}' has no default and was not given a value."
             reasons = (Reason(Cause.LAUNCH_ARGUMENT, name, action.place),)
             scene.findings.tell("RW312", shown, action.place, causes_of(reasons, action.place))
             default = Unknown(reasons, "str")
@@ -138,7 +138,7 @@ def _chosen(name: str, value: Value, action: tree.Declare, scene: Scene) -> Valu
     if fitting:
         return join_all(fitting)
     choice = ", ".join(plain)
-    scene.fails(f"the launch argument '{name}' is '{readable(value)}', but has to be one of {choice}", action.place)
+    scene.fails(f"the launch argument '{name}' is '{readable(value)}', but must be one of {choice}", action.place)
     return value
 
 
@@ -195,7 +195,7 @@ def _scope(action: tree.ScopeChange, scene: Scene) -> None:
     else:
         context.reset_environment()
     if not done:
-        scene.fails(f"there are no {action.what} to go back to", action.place)
+        scene.fails(f"there are no {action.what} to restore", action.place)
 
 
 def _push_namespace(action: tree.PushNamespace, scene: Scene) -> None:
@@ -206,7 +206,7 @@ def _push_namespace(action: tree.PushNamespace, scene: Scene) -> None:
             plain = plain_text(option)
             error = validate_namespace(literal(plain)) if plain is not None else None
             if error is not None:
-                scene.fails(f"{plain!r} is no valid namespace ({error})", action.place)
+                scene.fails(f"{plain!r} is not a valid namespace ({error})", action.place)
 
 
 def _set_parameter(action: tree.SetParameter, scene: Scene) -> None:

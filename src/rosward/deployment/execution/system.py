@@ -97,7 +97,7 @@ class RunningLaunch:
         self._budget.left -= 1
         if self._budget.left > 0 and at.depth < MAX_NESTING and len(at.trail) <= MAX_INCLUDES:
             return True
-        what = "includes or groups are nested too deep" if self._budget.left > 0 else "too many actions"
+        what = "includes or groups are nested too deeply" if self._budget.left > 0 else "too many actions"
         self.scene.findings.tell("RW201", f"The execution of launch files ends here: {what}.", place)
         return False
 
@@ -123,7 +123,9 @@ class RunningLaunch:
         elif isinstance(action, tree.Group):
             self._group(action, inner)
         elif isinstance(action, tree.Maybe):
-            message = f"Whether this is part of the launch description depends on {action.why}. Both ways are taken."
+            message = (
+                f"Whether this is part of the launch description depends on {action.why}. Both branches are analysed."
+            )
             self.scene.findings.tell("RW316", message, action.place)
             for each in action.actions:
                 self._by(Truth(why=action.why), partial(self.walk, (each,)), inner)
@@ -134,7 +136,7 @@ class RunningLaunch:
         elif isinstance(action, tree.ForEach):
             self._loop(action, inner)
         elif isinstance(action, tree.Unread):
-            self.scene.findings.tell("RW321", f"Not understood: {action.why.rstrip('.')}.", action.place)
+            self.scene.findings.tell("RW321", f"Not supported: {action.why.rstrip('.')}.", action.place)
         elif not isinstance(action, tree.Inert):
             raise TypeError(f"a {type(action).__name__} has no execution")
 
@@ -158,7 +160,7 @@ class RunningLaunch:
         elif _key(action.target) in self._containers:
             container = self._containers[_key(action.target)]
         else:
-            self.scene.fails("the container is not started before", action.place)
+            self.scene.fails("the container is not started earlier", action.place)
             container = container_name(action.target, self.scene)
         components = action.components
         if not self.scene.distro.facts.components_have_conditions:
@@ -240,7 +242,7 @@ class RunningLaunch:
             return
         paths = options(self.scene.text(action.path))
         for path in paths:
-            verdict = Truth(why="which launch file is meant") if len(paths) > 1 else Truth(false=False)
+            verdict = Truth(why="which launch file is included") if len(paths) > 1 else Truth(false=False)
             self._by(verdict, partial(self._include_file, action, path), inner)
 
     def _include_file(self, action: tree.Include, path: Value, at: At) -> None:

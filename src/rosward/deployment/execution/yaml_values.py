@@ -136,7 +136,7 @@ def as_type(text: Value, kind: str, failed: Failed) -> Value:
         try:
             return value_of(_coerced(plain, kind), origins_of(option))
         except ValueError:
-            failed(f"{_shown(plain)} is no {kind}")
+            failed(f"{_shown(plain)} is not of type {kind}")
             return unknown(option)
 
     return lift(one, text)

@@ -62,7 +62,7 @@ class Refusals:
         if len(self._found) < _REFUSAL_LIMIT:
             self._found.append(Finding("RW320", message, place))
         elif len(self._found) == _REFUSAL_LIMIT:
-            message = f"launch refuses more than {_REFUSAL_LIMIT} things in this file; the rest is not listed."
+            message = f"launch rejects more than {_REFUSAL_LIMIT} items in this file; the rest is not listed."
             self._found.append(Finding("RW320", message, place))
 
     def template(self, text: str, place: Place) -> Template:
@@ -118,7 +118,7 @@ class Tag:
         found = self._attributes.get(name)
         if found is None and name in self._groups and self.format is Format.YAML:
             self._seen.add(name)
-            self.refuse(f"{name!r} of <{self.tag}> is a list of mappings where launch expects a value.")
+            self.refuse(f"{name!r} of <{self.tag}> is a list of mappings, but launch expects a value.")
         return found
 
     def text(self, name: str) -> str | None:
@@ -128,7 +128,7 @@ class Tag:
             return None
         if self.format is Format.YAML and not isinstance(found.value, str):
             self.refuse(
-                f"{name!r} of <{self.tag}> is {_told(found.value)}, where launch takes only text: quote it.",
+                f"{name!r} of <{self.tag}> is {_told(found.value)}, but launch requires a string: quote it.",
                 found.place,
             )
         return found.text
@@ -173,7 +173,7 @@ class Tag:
         if isinstance(value, bool):
             return value
         if not isinstance(value, str):
-            self.refuse(f"{name!r} of <{self.tag}> is {_told(value)}, where launch takes true or false.", found.place)
+            self.refuse(f"{name!r} of <{self.tag}> is {_told(value)}, but launch requires true or false.", found.place)
         return found.text
 
     def switch(self, name: str) -> bool | Template | None:
@@ -188,7 +188,7 @@ class Tag:
             return None
         if self.format is Format.YAML and not isinstance(found.value, (str, kind)):
             self.refuse(
-                f"{name!r} of <{self.tag}> is {_told(found.value)}, where launch takes a {kind.__name__}.", found.place
+                f"{name!r} of <{self.tag}> is {_told(found.value)}, but launch requires {kind.__name__}.", found.place
             )
         return self._refusals.template(found.text, found.place)
 
@@ -199,14 +199,16 @@ class Tag:
             return
         typed = self.format is Format.XML or isinstance(found.value, float)
         if not (typed and _is_duration(found.text)):
-            self.refuse(f"{name!r} of <{self.tag}> is not a float from zero up; it takes no substitution.", found.place)
+            self.refuse(
+                f"{name!r} of <{self.tag}> must be a non-negative float; substitutions are not allowed.", found.place
+            )
 
     def elements(self, name: str) -> tuple[Tag, ...]:
         """The nested elements of that tag."""
         self._seen.add(name)
         if self.format is Format.YAML and name in self._attributes:
             self._read.add(name)
-            self.refuse(f"{name!r} of <{self.tag}> is no list of mappings, as launch expects it.")
+            self.refuse(f"{name!r} of <{self.tag}> is not a list of mappings, which launch expects.")
         return self._groups.get(name, ())
 
     def children(self) -> tuple[Tag, ...]:
@@ -218,7 +220,7 @@ class Tag:
             self._seen.add("children")
             if self._body is None:
                 self.refuse(
-                    f"<{self.tag}> has no nested entities: launch expects a list, or one below the key 'children'."
+                    f"<{self.tag}> has no nested entities: launch expects a list, or a list below the key 'children'."
                 )
         return self._body or ()
 
@@ -235,7 +237,7 @@ class Tag:
         ways = {name: self.template(name) for name in ("if", "unless")}
         given = {name: template for name, template in ways.items() if template is not None}
         if len(given) > 1:
-            self.refuse(f"<{self.tag}> has both 'if' and 'unless', which launch does not take together.")
+            self.refuse(f"<{self.tag}> has both 'if' and 'unless', which launch does not accept together.")
             return Condition("if", (unknown_text("if and unless", self.place),), self.place)
         return next((Condition(name, (template,), self.place) for name, template in given.items()), None)
 

@@ -142,7 +142,7 @@ class _Parser:
         rest = self._text[self.position : self.position + 20]
         where = f"before {rest!r}" if rest else "at the end"
         shown = self._text if len(self._text) <= 100 else self._text[:100] + "…"
-        return SubstitutionError(f"{shown!r} is no text of launch: {why} ({where}).")
+        return SubstitutionError(f"{shown!r} is not a valid launch string: {why} ({where}).")
 
     def _pieces(self, quoting: _Quoting, text: re.Pattern[str]) -> Template:
         pieces: list[Value | Substitution] = []
@@ -169,7 +169,7 @@ class _Parser:
         while self._take(" "):
             arguments.append(self._argument(quoting))
         if not self._take(")"):
-            raise self.error("a substitution is not closed, or its arguments are not divided by one blank")
+            raise self.error("a substitution is not closed, or its arguments are not separated by one space")
         self._depth -= 1
         return self._made(name[0], arguments)
 
@@ -183,7 +183,7 @@ class _Parser:
             return template
         template = self._pieces(quoting, quoting.part)
         if not template:
-            raise self.error("an argument is missing (arguments are divided by exactly one blank)")
+            raise self.error("an argument is missing (arguments are separated by exactly one space)")
         return template
 
     def _take(self, sign: str) -> bool:

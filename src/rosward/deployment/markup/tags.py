@@ -42,7 +42,7 @@ def _read(element: Tag) -> LaunchAction:
     elif simple is not None:
         action = simple(element)
     else:
-        why = f"No description of the tag <{element.tag}> is known."
+        why = f"The tag <{element.tag}> is unknown."
         return Unread(place=element.place, condition=element.condition(), why=why)
     element.finish()
     return action

@@ -51,7 +51,7 @@ def command_words(element: Tag, text: str) -> tuple[Template, ...]:
         try:
             tokens = shlex.split(piece.value)
         except ValueError as error:
-            element.refuse(f"{piece.value[:100]!r} is no command line: {error}.")
+            element.refuse(f"{piece.value[:100]!r} is not a valid command line: {error}.")
             tokens = piece.value.split()
         if not tokens:
             words.append(tuple(word))
@@ -83,7 +83,7 @@ def process_attributes(element: Tag) -> tuple[LaunchAction, ...]:
     if on_exit is None:
         return ()
     if on_exit != "shutdown":
-        element.refuse(f"'on_exit' of <{element.tag}> is {on_exit!r}; launch knows 'shutdown' only.")
+        element.refuse(f"'on_exit' of <{element.tag}> is {on_exit!r}; launch supports only 'shutdown'.")
     return (Inert(place=element.place, kind="shutdown"),)
 
 

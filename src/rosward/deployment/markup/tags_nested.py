@@ -42,10 +42,10 @@ def _timer(element: Tag, inner: Inner) -> LaunchAction:
         element.refuse(f"<{element.tag}> has no attribute 'period', which launch requires.")
         period = unknown_text("period", element.place)
     elif not _may_be_number(plain_text(period)):
-        element.refuse(f"'period' of <{element.tag}> is no number.")
+        element.refuse(f"'period' of <{element.tag}> is not a number.")
     elif element.tag == "ros_timer" and element.format is Format.YAML:
         if plain_text(period) is not None and isinstance(attribute.value, str):
-            element.refuse("'period' of <ros_timer> is text, where launch takes a float.")
+            element.refuse("'period' of <ros_timer> is a string, but launch requires a float.")
     actions = inner(element.children())
     return Timer(place=element.place, condition=element.condition(), period=period, actions=actions)
 

@@ -42,14 +42,14 @@ def read_parameters(element: Tag) -> tuple[ParameterSource, ...]:
         name = param.template("name")
         if path is not None:
             if name is not None:
-                param.refuse("<param> has both 'name' and 'from', which launch does not take together.")
+                param.refuse("<param> has both 'name' and 'from', which launch does not accept together.")
             if isinstance(substitutions, str):
                 param.parsed(substitutions)
             found.append(ParameterFile(path, param.place, bool(substitutions)))
             param.finish()
         elif name is not None:
             if substitutions is not None:
-                param.refuse("'allow_substs' of <param> goes with 'from' only.")
+                param.refuse("'allow_substs' of <param> is allowed only with 'from'.")
             entries: _Entries = []
             _read(param, name, entries)
             found.append(ParameterTable(tuple(entries), param.place))
@@ -67,7 +67,7 @@ def _read(param: Tag, name: Template, entries: _Entries) -> None:
     elif not nested:
         param.refuse("<param> has neither a 'value' nor nested parameters.")
     if nested and (value is not None or kind is not None):
-        param.refuse("<param> has nested parameters; launch takes neither 'value' nor 'type' beside them.")
+        param.refuse("<param> has nested parameters; launch accepts neither 'value' nor 'type' with them.")
     for each in nested:
         _read(each, (*name, Const("."), *each.required("name")), entries)
     param.finish()
@@ -79,7 +79,7 @@ def _kind(param: Tag, kind: str | None) -> str | None:
         return None
     scalar = kind.removeprefix(_LIST)
     if scalar not in _SCALARS:
-        param.refuse(f"launch knows no type {kind!r} of a parameter.")
+        param.refuse(f"launch has no parameter type {kind!r}.")
         return None
     return f"List[{scalar}]" if kind.startswith(_LIST) else kind
 
@@ -87,14 +87,14 @@ def _kind(param: Tag, kind: str | None) -> str | None:
 def _data(param: Tag, attribute: Attribute, kind: str | None) -> ParameterData:
     value = attribute.value if param.format is Format.YAML else _from_xml(param, attribute.text, kind)
     if value is None:
-        param.refuse("The value of <param> is nothing that a parameter can be.", attribute.place)
+        param.refuse("The value of <param> is not a valid parameter value.", attribute.place)
         return Typed(param.parsed(attribute.text) if attribute.text else unknown_text("value", param.place), kind)
     is_list = kind is not None and kind.startswith("List[")
     inner = kind[5:-1] if kind is not None and is_list else kind
     if not isinstance(value, tuple):
         data = _scalar(param, value, inner)
         if is_list:
-            param.refuse(f"The value of <param> is no list, as {kind} asks for.", attribute.place)
+            param.refuse(f"The value of <param> is not a list, which {kind} requires.", attribute.place)
         return Typed(data.text, kind) if is_list and isinstance(data, Typed) else data
     if kind is not None and not is_list:
         param.refuse(f"The value of <param> is a list, not a {kind}.", attribute.place)
@@ -105,9 +105,9 @@ def _data(param: Tag, attribute: Attribute, kind: str | None) -> ParameterData:
     if len(types) > 1:
         param.refuse("The list in <param> has elements of several types.", attribute.place)
     elif inner is not None and not types <= {_SCALARS[inner]}:
-        param.refuse(f"The list in <param> is no {kind}.", attribute.place)
+        param.refuse(f"The list in <param> is not of type {kind}.", attribute.place)
     elif not items and inner not in {None, "str"}:
-        param.refuse(f"The list in <param> is empty, which launch does not take as {kind}.", attribute.place)
+        param.refuse(f"The list in <param> is empty, which launch does not accept as {kind}.", attribute.place)
     return Literal(Tuple(tuple(literals))) if len(literals) == len(items) else Several(tuple(items))
 
 
@@ -116,14 +116,14 @@ def _scalar(param: Tag, value: Scalar, kind: str | None) -> Literal | Typed:
     wanted = _SCALARS.get(kind or "")
     if not isinstance(value, str):
         if wanted is not None and not isinstance(value, wanted):
-            param.refuse(f"{value!r} in <param> is no {kind}.")
+            param.refuse(f"{value!r} in <param> is not of type {kind}.")
         return Literal(Const(value))
     template = param.parsed(value)
     text = plain_text(template)
     if text is None:
         return Typed(template, kind)
     if wanted not in {None, str}:
-        param.refuse(f"{value!r} in <param> is no {kind}.")
+        param.refuse(f"{value!r} in <param> is not of type {kind}.")
     return Literal(Const(text))
 
 

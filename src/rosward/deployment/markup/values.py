@@ -47,9 +47,9 @@ def compose(text: str) -> yaml.Node | None:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
         why = getattr(error, "problem", None) or str(error).partition("\n")[0]
-        raise _error(f"It is no YAML: {why}", mark) from None
+        raise _error(f"It is not YAML: {why}", mark) from None
     except (ValueError, RecursionError):
-        raise UnreadableMarkupError("It is no YAML.") from None
+        raise UnreadableMarkupError("It is not YAML.") from None
 
 
 def _error(why: str, mark: object) -> UnreadableMarkupError:
@@ -88,15 +88,15 @@ class Values:
     def check(self, node: yaml.Node) -> None:
         """Refuse a tag that safe_load does not know."""
         if not isinstance(node, yaml.ScalarNode) and node.tag not in _STRUCTURES:
-            raise _error(f"Nothing safe is known about the tag {node.tag!r}", node.start_mark)
+            raise _error(f"The tag {node.tag!r} is not supported", node.start_mark)
 
     def _scalar(self, node: yaml.ScalarNode) -> Scalar | None:
         if node.tag in _NUMBERS and len(node.value) > _NUMBER_LIMIT:
             raise _error("A number is too long", node.start_mark)
         if node.tag not in SafeConstructor.yaml_constructors:
-            raise _error(f"Nothing safe is known about the tag {node.tag!r}", node.start_mark)
+            raise _error(f"The tag {node.tag!r} is not supported", node.start_mark)
         try:
             value = self._constructor.construct_object(node)
         except (yaml.YAMLError, ValueError, KeyError, IndexError, OverflowError, AttributeError):
-            raise _error(f"{node.value[:40]!r} is no value of the type {node.tag!r}", node.start_mark) from None
+            raise _error(f"{node.value[:40]!r} is not a value of the type {node.tag!r}", node.start_mark) from None
         return value if isinstance(value, (str, bool, int, float)) else None

@@ -76,7 +76,7 @@ class _Document:
 
     def _doctype(self, _: str, system: str | None, public: str | None, subset: bool) -> None:
         if system or public or subset:
-            raise self._unreadable("The launch file has a document type declaration; entities are not read.")
+            raise self._unreadable("The launch file has a document type declaration; entities are not supported.")
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self._count += 1

@@ -51,13 +51,13 @@ class _Document:
     def root(self, node: yaml.Node | None) -> Tag:
         """The element `launch`; raises UnreadableError."""
         if not isinstance(node, yaml.MappingNode):
-            raise UnreadableMarkupError("Its root is no mapping with the key 'launch'.")
+            raise UnreadableMarkupError("Its root is not a mapping with the key 'launch'.")
         entries = self._entries(node, 0)
         if [name for name, *_ in entries] != ["launch"]:
-            raise UnreadableMarkupError("Its root is no mapping with 'launch' as its only key.")
+            raise UnreadableMarkupError("Its root is not a mapping with 'launch' as its only key.")
         _, key, value = entries[0]
         if isinstance(value, yaml.ScalarNode):
-            raise UnreadableMarkupError("Below 'launch' stands no list of actions.", value.start_mark.line + 1)
+            raise UnreadableMarkupError("'launch' is not a list of actions.", value.start_mark.line + 1)
         return self._element("launch", key, value, 0)
 
     def _place(self, node: yaml.Node) -> Place:
@@ -97,7 +97,7 @@ class _Document:
         else:
             self._values.native(node)
             self._refusals.add(
-                f"<{tag}> is no mapping, as launch expects it ({{}} if it has no attributes).", self._place(key)
+                f"<{tag}> is not a mapping, which launch expects ({{}} if it has no attributes).", self._place(key)
             )
         return Tag(
             tag,
@@ -121,7 +121,7 @@ class _Document:
             self._visit(item, depth)
             entries = self._entries(item, depth) if isinstance(item, yaml.MappingNode) else []
             if len(entries) != 1:
-                self._refusals.add("An action is a mapping with its tag as the only key.", self._place(item))
+                self._refusals.add("An action must be a mapping with its tag as the only key.", self._place(item))
                 entries = [each for each in entries if not isinstance(each[2], yaml.ScalarNode)]
             found += [self._element(tag, key, value, depth + 1) for tag, key, value in entries]
         return tuple(found)
@@ -138,12 +138,10 @@ class _Document:
                     merged.setdefault(name, entry)
                 continue
             if not isinstance(key, yaml.ScalarNode):
-                raise self._unreadable("A key is no scalar.", key)
+                raise self._unreadable("A key is not a scalar.", key)
             self._values.native(key)
             if key.value in own:
-                message = (
-                    f"The key {key.value!r} stands twice in one mapping: launch takes the last, the first is lost."
-                )
+                message = f"The key {key.value!r} occurs twice in one mapping: launch uses the last one and ignores the first."
                 self._refusals.add(message, self._place(key))
             own[key.value] = (key.value, key, value)
         return list({**merged, **own}.values())
@@ -155,7 +153,7 @@ class _Document:
         found: dict[str, tuple[str, yaml.Node, yaml.Node]] = {}
         for each in sources:
             if not isinstance(each, yaml.MappingNode):
-                raise self._unreadable("What << names is no mapping.", each)
+                raise self._unreadable("The value of << is not a mapping.", each)
             self._visit(each, depth)
             for name, key, value in self._entries(each, depth):
                 found.setdefault(name, (name, key, value))

@@ -114,7 +114,7 @@ class Actions:
             return ()
         if all(isinstance(a, Unread) for a in read):
             return read
-        return (Maybe(place=read[0].place, actions=read, why=why_unknown(found) or "condition in Python not known"),)
+        return (Maybe(place=read[0].place, actions=read, why=why_unknown(found) or "unknown condition in Python"),)
 
     def _one(self, value: Value, place: Place) -> tuple[LaunchAction, ...]:
         """One entity."""
@@ -124,7 +124,7 @@ class Actions:
             if isinstance(value, Tuple):
                 return self.entities(value, place)
             if isinstance(value, Const):
-                self.objects.tell("RW320", f"{value.value!r} is no launch entity", place)
+                self.objects.tell("RW320", f"{value.value!r} is not a launch entity", place)
                 return ()
             why = why_unknown((value,)) or (value.name if isinstance(value, External) else "not a launch entity")
             return (Unread(place=_where(value, place), why=why),)
@@ -173,10 +173,10 @@ class Actions:
             if each in INERT:
                 return (Inert(kind=kind.rpartition(".")[2], **given),)
             if each in NOT_READ:
-                return (Unread(place=here, why=f"{kind.rpartition('.')[2]} is not followed: {NOT_READ[each]}"),)
+                return (Unread(place=here, why=f"{kind.rpartition('.')[2]} is not analysed: {NOT_READ[each]}"),)
         cls = objects.machine.obj(ref).cls
         name = cls.name if isinstance(cls, (Class, External)) else objects.machine.obj(ref).kind
-        return (Unread(place=here, why=f"{name} is no launch entity that is known"),)
+        return (Unread(place=here, why=f"{name} is not a known launch entity"),)
 
     def _read_as(self, ref: Ref) -> str:
         """The last part of the name of the class by which an action is read."""
@@ -279,7 +279,7 @@ class Actions:
         found: list[LaunchAction] = []
         for option in options(handler):
             if not isinstance(option, Ref):
-                found.append(Unread(place=given["place"], why=why_unknown((option,)) or "event handler not known"))
+                found.append(Unread(place=given["place"], why=why_unknown((option,)) or "unknown event handler"))
                 continue
             event, value = event_of(self.objects, option)
             target = self.objects.field(option, "target")

@@ -193,7 +193,7 @@ class LaunchPython:
         elif self._objects.is_a(value, _CONDITION):
             return self._context.evaluate(value)
         elif isinstance(value, Ref) and not self._objects.overrides(value, "__call__"):
-            self._tell("RW320", "this is no condition", self._place(value))
+            self._tell("RW320", "this is not a condition", self._place(value))
             return machine.unknown(Cause.ERROR, "condition", "bool")
         else:
             found = machine.call(value, (self._launch_context(),))

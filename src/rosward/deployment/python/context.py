@@ -74,7 +74,9 @@ class PerformedContext:
             return Unknown(text.reasons if isinstance(text, Unknown) else self._unknown().reasons, "bool")
         word = text.value.strip().lower()
         if word not in _TRUE and word not in _FALSE:
-            self._texts.objects.tell("RW320", f"{text.value!r} is no valid condition: true, false, 1 or 0", place)
+            self._texts.objects.tell(
+                "RW320", f"{text.value!r} is not a valid condition: expected true, false, 1 or 0", place
+            )
             return self._unknown()
         return Const((word in _TRUE) is not negated, text.origins)
 

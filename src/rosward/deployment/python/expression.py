@@ -38,7 +38,7 @@ class Expressions:
         self._machine = machine
 
     def evaluate(self, expression: Value, modules: tuple[str, ...], turn: int) -> Value:
-        """The str() of the value; unknown where the text is not wholly known, or is no expression."""
+        """The str() of the value; unknown where the text is not completely known, or is no expression."""
         return lift(lambda text: self._one(text, modules, turn), expression)
 
     def _one(self, text: Value, modules: tuple[str, ...], turn: int) -> Value:
@@ -49,7 +49,7 @@ class Expressions:
         source = text.value.lstrip(" \t")
         names = _names(source) if len(source) <= _LONGEST else None
         if names is None:
-            return machine.unknown(Cause.ERROR, f"{text.value[:80]!r} is no Python expression", "str")
+            return machine.unknown(Cause.ERROR, f"{text.value[:80]!r} is not a Python expression", "str")
         program = [f"import {m}" for m in modules if all(p.isidentifier() for p in m.split("."))]
         if "math" in modules:  # what is in math can be named as it is
             program += [f"from math import {n}" for n in sorted(names & vars(math).keys())]

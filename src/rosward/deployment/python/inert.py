@@ -31,9 +31,9 @@ INERT: Final = frozenset(
 
 NOT_READ: Final = MappingProxyType(
     {
-        "launch_testing.actions.GTest": "it runs the program of a test",
-        "launch_testing.actions.PyTest": "it runs the program of a test",
-        "launch_testing.actions.Test": "it runs the program of a test",
+        "launch_testing.actions.GTest": "it runs a test program",
+        "launch_testing.actions.PyTest": "it runs a test program",
+        "launch_testing.actions.Test": "it runs a test program",
     }
 )
 """What may start a node, and is not followed; why."""

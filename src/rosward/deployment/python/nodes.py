@@ -104,7 +104,7 @@ class Nodes:
                 elif isinstance(option, Unknown):
                     found.append(Component(package=(option,), plugin=(option,), place=place))
                 elif option != NONE:
-                    self.objects.tell("RW320", "launch_ros wants a ComposableNode here", place)
+                    self.objects.tell("RW320", "launch_ros requires a ComposableNode here", place)
         return tuple(found)
 
     def _component(self, ref: Ref, place: Place, sure: bool) -> Component:
@@ -113,9 +113,7 @@ class Nodes:
         field, texts = self.objects.field, self.texts
         condition = texts.condition(field(ref, "condition"), here)
         if not sure:
-            condition = Condition(
-                "python", (), here, self.objects.unknown("condition in Python not known", here, "bool")
-            )
+            condition = Condition("python", (), here, self.objects.unknown("unknown condition in Python", here, "bool"))
         return Component(
             package=texts.template(field(ref, "package"), here),
             plugin=texts.template(field(ref, "plugin"), here),

@@ -47,14 +47,14 @@ class ParameterReader:
         if value is None or value == NONE:
             return ()
         if self.objects.is_dict(value) or self.objects.is_text(value):
-            self.objects.tell("RW320", "launch_ros wants a list of parameters here", place)
+            self.objects.tell("RW320", "launch_ros requires a list of parameters here", place)
             return self._source(SequenceItem(value), place)
         return tuple(s for e in self.objects.elements(value) for s in self._source(e, place))
 
     def _source(self, element: SequenceItem, place: Place) -> tuple[ParameterSource, ...]:
         value = element.value
         if not element.sure:
-            return (self._anything(value, place, "parameters that may be given"),)
+            return (self._anything(value, place, "parameters that may be set"),)
         if self.objects.is_dict(value):
             assert isinstance(value, Ref)
             return self._table(value, place)
@@ -115,7 +115,7 @@ class ParameterReader:
             elif any(self.objects.is_dict(o) for o in options(value)):
                 whole = False
             elif key in obj.maybe:
-                unknown = self.objects.unknown("parameter that may be given", place, "")
+                unknown = self.objects.unknown("parameter that may be set", place, "")
                 known = value if _is_plain(value) else unknown
                 entries.append((name, Literal(join(known, unknown))))
             else:
@@ -131,7 +131,7 @@ class ParameterReader:
                 return Typed(self.texts.template(value, place))
             return Literal(self._joined(value, place))
         if value == NONE:
-            self.objects.tell("RW320", "launch_ros takes no None as the value of a parameter", place)
+            self.objects.tell("RW320", "launch_ros does not accept None as a parameter value", place)
             return Literal(self.objects.unknown("None", place, ""))
         if self.objects.kind(value) == _VALUE:
             assert isinstance(value, Ref)
@@ -155,7 +155,7 @@ class ParameterReader:
         if not all(e.sure for e in elements):
             return Literal(self.objects.unknown("list of unknown length", place, ""))
         if not elements:
-            self.objects.tell("RW320", "launch_ros takes no empty list as the value of a parameter", place)
+            self.objects.tell("RW320", "launch_ros does not accept an empty list as a parameter value", place)
             return Literal(Tuple(()))
         items = [e.value for e in elements]
         if all(_is_plain(i) for i in items):
@@ -180,7 +180,7 @@ class ParameterReader:
             return self.data(value, here)
         if self._is_scalar(value):
             if wanted is not None and not all(_is_of(o, wanted) for o in options(value)):
-                self.objects.tell("RW320", f"the value is no {wanted}, as value_type wants it", here)
+                self.objects.tell("RW320", f"the value is not of the type {wanted} that value_type requires", here)
             return Literal(value)
         if self.objects.is_sequence(value):
             found = self._array(value, here)

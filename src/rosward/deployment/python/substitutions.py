@@ -100,7 +100,7 @@ class Texts:
             self._pieces = 0
         self._pieces += 1
         if self._depth > _DEEPEST or self._pieces > _MOST:
-            return (self.objects.unknown("text of too many parts", place),)
+            return (self.objects.unknown("string with too many parts", place),)
         self._depth += 1
         try:
             return self._template(value, place)
@@ -118,7 +118,7 @@ class Texts:
         if isinstance(value, (Unknown, External)):
             return (value if isinstance(value, Unknown) else self.objects.unknown(value.name, place),)
         if isinstance(value, Const):
-            self.objects.tell("RW320", f"launch wants a str or a substitution here, not {value.value!r}", place)
+            self.objects.tell("RW320", f"launch requires a str or a substitution here, not {value.value!r}", place)
             return (Const(str(value.value), value.origins),)
         if self.objects.kind(value) in FORMS or self.is_substitution(value):
             return self._substitution(value, place)
@@ -147,7 +147,7 @@ class Texts:
                 elif isinstance(option, Unknown):
                     found.append(((option,), (option,)))
                 else:
-                    self.objects.tell("RW320", "launch wants pairs of texts here", place)
+                    self.objects.tell("RW320", "launch requires pairs of strings here", place)
         return tuple(found)
 
     def words(self, value: Value | None, place: Place) -> tuple[Template, ...]:

@@ -133,7 +133,7 @@ def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) 
     if function.__class__ is Unknown:
         note_call(machine)
         if lost_behaviour(function):
-            machine.report("RW201", "too many alternatives of what is called here: none of them is followed")
+            machine.report("RW201", "too many alternatives for what is called here: none of them is analysed")
         escape(machine, (*args, *keywords.values()), name_of(function), function)
         return Unknown(function.reasons)
     escape(machine, (*args, *keywords.values()), name_of(function))

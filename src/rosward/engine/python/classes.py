@@ -56,7 +56,7 @@ def _combinations(machine: Engine, written: list[Value]) -> list[Value]:
     for base in written:
         alternatives = _alternatives(base)
         if len(found) * len(alternatives) > _MAX_COMBINATIONS:
-            machine.report("RW206", "a class with too many alternatives of bases: only the first is followed")
+            machine.report("RW206", "a class with too many alternative bases: only the first is analysed")
             alternatives = alternatives[:1]
         found = [(*bases, each) for bases in found for each in alternatives]
     plain = Native("builtins.object")

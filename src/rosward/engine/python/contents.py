@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join
-from rosward.domain.heap import Obj
+from rosward.domain.heap import Obj, ObjKind
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, BoundMethod, Class, Native, Ref, Value
 from rosward.engine.python import members
@@ -20,7 +20,8 @@ from rosward.models.python.contents import CONTENTS, KINDS, builtin_of, contents
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-_FILLED_LATER: Final = ("list", "dict", "set")
+_FILLED_LATER: Final[dict[str, ObjKind]] = {"list": "list", "dict": "dict", "set": "set"}
+"""The kind of what is empty until `__init__`, by its builtin type."""
 IN_PLACE: Final = frozenset({"__iadd__", "__imul__", "__ior__", "__iand__", "__isub__", "__ixor__"})
 
 
@@ -30,7 +31,9 @@ def give(machine: Engine, cls: Class, ref: Ref, args: tuple[Value, ...] | None, 
     if not name:
         return
     if name in _FILLED_LATER:
-        held: Value = Ref(machine.place_at(("contents", ref.address), Obj(name, Native(f"builtins.{name}"))))
+        held: Value = Ref(
+            machine.place_at(("contents", ref.address), Obj(_FILLED_LATER[name], Native(f"builtins.{name}")))
+        )
     else:
         held = machine.call(Native(f"builtins.{name}"), args or (), keywords)
         if held is UNBOUND:

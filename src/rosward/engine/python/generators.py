@@ -85,7 +85,7 @@ def _ask(machine: Engine, ref: Ref, running: Running) -> Stepped:
 
 
 def _widening(machine: Engine) -> Merge:
-    reason = Reason(Cause.LIMIT, "generators nested too deep", machine.place)
+    reason = Reason(Cause.LIMIT, "generators nested too deeply", machine.place)
     return lambda old, new: widen(old, new, reason)
 
 
@@ -116,7 +116,7 @@ def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Runnin
             break
         machine.state = running.before.copy()
     else:
-        machine.report("RW201", "generators inside generators did not come to rest; what they do may be missing")
+        machine.report("RW201", "nested generators did not converge; what they do may be missing")
     item, ended, value = running.stepped
     if running.state is not None:
         machine.state = running.state.copy()

@@ -102,12 +102,12 @@ def on_path(
         return tuple(others.values())
     files = sorted({*others, *([sure.file] if sure is not None and sure.file else ())})
     if len(others) > _ALTERNATIVES:
-        said = f"{name} may be any of {len(files)} files ({named_few(files)}); none of them is followed"
-        machine.report("RW203", f"sys.path holds a folder that is not known: {said}")
+        said = f"{name} may be any of {len(files)} files ({named_few(files)}); none of them is analysed"
+        machine.report("RW203", f"sys.path contains an unknown folder: {said}")
         surest = sure or otherwise
         return (None if surest is None or surest.guess else surest,)
     if others and reached.open:
-        machine.report("RW203", f"sys.path holds a folder that is not known: {name} may be {' or '.join(files)}")
+        machine.report("RW203", f"sys.path contains an unknown folder: {name} may be {' or '.join(files)}")
     return (*others.values(), *((sure,) if sure is not None or not others else ()))
 
 

@@ -155,7 +155,7 @@ def intrinsic(machine: Engine, name: str, arguments: list[Value], frame: Frame) 
     elif name == "annotate":
         _annotate(machine, arguments, frame)
     elif name == "unsupported":
-        machine.report("RW206", "a construct of Python that is not understood")
+        machine.report("RW206", "an unsupported Python construct")
         return machine.unknown(Cause.OPERATION, "construct")
     else:
         asked = matching.ask(machine, name, arguments)

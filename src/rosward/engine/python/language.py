@@ -34,11 +34,12 @@ from rosward.ir.program import PYTHON as NAME
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
+    from rosward.models.native import ResumptionKind
 
 __all__ = ["PYTHON"]
 
 
-def _next_of(machine: Engine, iterator: Value, kind: str, value: Value, default: Value | None) -> Value:
+def _next_of(machine: Engine, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None) -> Value:
     """The next item of an iterator, or the default, else StopIteration."""
     item = stepping.next_of(machine, iterator, Resumption(kind, value), default)
     abandoned.watch(machine, iterator)

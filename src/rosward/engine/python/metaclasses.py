@@ -96,7 +96,7 @@ def fill(machine: Engine, cls: Class, names: Value) -> None:
     sure = len(options(names)) == 1
     for option in options(names):
         if not (isinstance(option, Ref) and machine.obj(option).kind == "dict"):
-            machine.report("RW203", "a class is made of names that are not known")
+            machine.report("RW203", "a class is created from unknown names")
             continue
         table = machine.obj(option)
         record = machine.at(cls.address)
@@ -107,5 +107,5 @@ def fill(machine: Engine, cls: Class, names: Value) -> None:
         if sure and table.rest is None:  # what the metaclass took away is gone
             attrs = {n: v for n, v in attrs.items() if Const(n) in table.entries or n.startswith("__")}
         if table.rest is not None:
-            machine.report("RW203", "a class is made of names that are not all known")
+            machine.report("RW203", "a class is created from names that are not all known")
         machine.put(cls.address, record.replace(attrs=attrs))

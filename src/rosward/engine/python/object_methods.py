@@ -38,7 +38,7 @@ def call(machine: Engine, name: str, args: tuple[Value, ...]) -> Value:
         return classes.new_instance(machine, args[0], tuple(args[1:]))
     wanted = _MOST.get(method)
     if wanted is not None and len(args) != wanted:
-        return machine.die("TypeError", f"{name}() takes {wanted} arguments, {len(args)} are given")
+        return machine.die("TypeError", f"{name}() takes {wanted} arguments but {len(args)} were given")
     if method == "__getattribute__":
         return _attribute(machine, args[0], args[1])
     if method == "__setattr__":
@@ -69,7 +69,7 @@ def _set(machine: Engine, target: Value, name: Value, value: Value) -> Value:
     known = [str(n.value) for n in options(name) if n.__class__ is Const]
     several = len(options(name)) > 1 or len(options(target)) > 1
     if len(known) < len(options(name)):
-        machine.report("RW203", "object.__setattr__ with a name that is not known")
+        machine.report("RW203", "object.__setattr__ with an unknown name")
         escape(machine, (value,), "object.__setattr__")
     for option in options(target):
         for each in known:

@@ -244,6 +244,6 @@ def _drain_rest(machine: Engine, iterator: Value, *, asynchronous: bool) -> tupl
         if seen == (head.version, rest, value):
             break
     else:
-        machine.report("RW201", "an iterator did not come to rest; what it does later may be missing")
+        machine.report("RW201", "an iterator did not converge; what it does later may be missing")
     machine.state = head if end is None else end
     return rest, value

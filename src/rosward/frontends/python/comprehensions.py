@@ -18,6 +18,7 @@ from rosward.frontends.python.expressions import build
 from rosward.frontends.python.narrowing import branch
 from rosward.frontends.python.scopes import Scope
 from rosward.ir.ops import Block, ForEach, NewCell
+from rosward.ir.python import BuildKind
 
 
 def enter(body: Body, node: Located, scope: Scope) -> None:
@@ -30,7 +31,7 @@ def enter(body: Body, node: Located, scope: Scope) -> None:
     body.scope = scope
 
 
-def comprehension(kind: str, intrinsic: str) -> Callable[[Body, Any], int]:
+def comprehension(kind: BuildKind, intrinsic: str) -> Callable[[Body, Any], int]:
     """How a comprehension is lowered that makes such a container, adding to it by such an intrinsic."""
 
     def lower(body: Body, node: ast.ListComp | ast.SetComp | ast.GeneratorExp | ast.DictComp) -> int:

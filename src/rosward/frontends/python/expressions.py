@@ -29,6 +29,7 @@ from rosward.ir.ops import (
     Unary,
     Yield,
 )
+from rosward.ir.python import BuildKind
 
 BINARY: Final[Mapping[type, str]] = {
     ast.Add: "+",
@@ -125,7 +126,7 @@ def arguments(body: Body, positional: Sequence[ast.expr], keywords: Sequence[ast
     return tuple(given)
 
 
-def _display(kind: str) -> Callable[[Body, Any], int]:
+def _display(kind: BuildKind) -> Callable[[Body, Any], int]:
     def lower(body: Body, node: ast.List | ast.Tuple | ast.Set) -> int:
         items: list[tuple[bool, int]] = []
         for item in node.elts:
@@ -149,7 +150,7 @@ def _dict(body: Body, node: ast.Dict) -> int:
     return build(body, node, "dict", items)
 
 
-def build(body: Body, node: ast.expr, kind: str, items: Sequence[tuple[bool, int]]) -> int:
+def build(body: Body, node: ast.expr, kind: BuildKind, items: Sequence[tuple[bool, int]]) -> int:
     """A register with a new list, tuple, set or dict."""
     dst = body.register()
     body.ops.append(Build(node.lineno, node.col_offset + 1, dst, kind, tuple(items)))

@@ -77,7 +77,7 @@ def lower_module(text: str, file: str, origins: Sequence[int] = (), name: str = 
     try:
         return _lower(tree, file, name or file, lines)
     except (RecursionError, MemoryError) as error:
-        raise FrontendError("depth", "the code is nested too deep to be read", 1, 1) from error
+        raise FrontendError("depth", "the code is nested too deeply to be analysed", 1, 1) from error
 
 
 def _move(tree: ast.Module, origins: Sequence[int]) -> None:
@@ -135,7 +135,7 @@ def _parse(text: str) -> ast.Module:
             return tree
         raise _unreadable(error, text) from error
     except (RecursionError, MemoryError) as error:
-        raise FrontendError("depth", "the code is nested too deep to be parsed", 1, 1) from error
+        raise FrontendError("depth", "the code is nested too deeply to be parsed", 1, 1) from error
     except ValueError as error:  # lone surrogates, numbers with too many digits
         raise FrontendError("syntax", str(error), 1, 1) from error
 
@@ -184,5 +184,5 @@ def _unreadable(error: SyntaxError, text: str) -> FrontendError:
         if _PYTHON_2_LINE.match(line):
             kind = "python2"
         if kind == "syntax" and _TEMPLATE.search(line) and sys.version_info < (3, 14):
-            message += " (a template string needs Python 3.14: run rosward with it)"
+            message += " (template strings need Python 3.14: run rosward with it)"
     return FrontendError(kind, message, number, max(column, 1))

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 from rosward.frontends.python.body import Body, Located
 from rosward.frontends.python.scopes import PlaceKind
@@ -66,7 +66,7 @@ class Subject(NamedTuple):
     Of an attribute or item, `obj` holds the object, whatever expression gave that; `key` its key.
     """
 
-    kind: str
+    kind: Literal["register", "attr", "item", "cell", "global"]
     register: int
     obj: int = NO_REGISTER
     name: str = ""

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, join_all, options, reasons_of
-from rosward.domain.heap import Obj, fields_of
+from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series, joined
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
@@ -51,7 +51,7 @@ class Raised(Exception):  # noqa: N818 - an exception of the analysed program, n
 def native(function: Callable[[NativeCall], Value], least: int = 0, names: str = "") -> NativeFunction:
     """A native in which `Raised` ends the path, and which is never entered with fewer than `least` positional arguments.
 
-    `names` are those of the parameters that may be given by name too, by position: `native(_sum, 1, "_ start")`; `_` for one that may not.
+    `names` are those of the parameters that may be set by name too, by position: `native(_sum, 1, "_ start")`; `_` for one that may not.
     """
     parameters = tuple(names.split())
 
@@ -132,7 +132,7 @@ def _combined(function: Callable[..., _R], values: tuple[Value, ...]) -> list[_R
 class Fresh(NamedTuple):
     """A list or set that an operation would make; `cls` is the name of its builtin class."""
 
-    kind: str
+    kind: ObjKind
     cls: str
     items: Series
 
@@ -294,7 +294,7 @@ def listed(
     rest: Value | None = None,
     tail: tuple[Value, ...] = (),
     *,
-    kind: str = "list",
+    kind: ObjKind = "list",
     cls: str = "",
 ) -> Ref:
     """A new list or set: of `known`, then any number of `rest`, then `tail`.

@@ -48,7 +48,7 @@ def create(
     if isinstance(name, (External, Class)) and isinstance(type_, (Const, Text)):
         machine.report(
             "RW209",
-            f"the type of this {kind.replace('_', ' ')} stands where its name belongs, which fails; it is taken as it is meant",
+            f"the type of this {kind.replace('_', ' ')} is in place of its name, which fails; the arguments were swapped for the analysis",
         )
         name, type_ = type_, name
     for option in options(node if node is not None else NONE):
@@ -61,7 +61,7 @@ def create(
         if address is None and isinstance(type_, Const) and type_.value is not None:
             continue  # no interface type: a method of that name that has nothing to do with ROS
         if address is None:
-            machine.report("RW208", f"{kind.replace('_', ' ')} on a node that is not known{_why(option)}")
+            machine.report("RW208", f"{kind.replace('_', ' ')} on an unknown node{_why(option)}")
         effect = EntityEffect(
             kind,
             address,

@@ -63,7 +63,7 @@ def _tell(machine: Machine, line: Series) -> None:
     known = read_words(Series(configuration.words), configuration) if configuration is not None else None
     for error in read.errors:
         if known is None or error not in known.errors:  # else the launch file is told
-            machine.report("RW209", f"rcl refuses these arguments: {error}")
+            machine.report("RW209", f"rcl rejects these arguments: {error}")
     reasons = read.open
     if known is None or read.unreadable != known.unreadable:  # else the launch file is told
         reasons = (*reasons, *read.holes)

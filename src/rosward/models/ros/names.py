@@ -26,7 +26,7 @@ def _named(machine: Machine, node: Value, part: int) -> Value:
     """The node's final name (part 0) or namespace (part 1)."""
     log = machine.log
     found = [final_name(log, e)[part] for e in _effects(machine, node)]
-    return join_all(found) if found else machine.unknown(Cause.LIVE, "name of a node that is not known", "str")
+    return join_all(found) if found else machine.unknown(Cause.LIVE, "name of an unknown node", "str")
 
 
 def _node_name(call: NativeCall) -> Value:

@@ -63,13 +63,11 @@ def _declare(call: NativeCall) -> Value:
 def _refused(machine: Machine, node: Value, name: Value) -> Value | None:
     """Declaring raises: the name is empty or no str, or the parameter is there already."""
     if isinstance(name, Const) and not isinstance(name.value, str):
-        return fail(
-            machine, Native("builtins.TypeError"), f"the name of a parameter is {name.value!r}, which is no str", ()
-        )
+        return fail(machine, Native("builtins.TypeError"), f"the parameter name {name.value!r} is not a str", ())
     if name == Const(""):
-        return table.raise_(machine, "InvalidParameterException", "the name of a parameter is empty", name)
+        return table.raise_(machine, "InvalidParameterException", "the parameter name is empty", name)
     if isinstance(name, Const) and table.is_declared(machine, node, name):
-        message = f"parameter {name.value!r} is declared already: ParameterAlreadyDeclaredException is raised"
+        message = f"parameter {name.value!r} is already declared: ParameterAlreadyDeclaredException is raised"
         return table.raise_(machine, "ParameterAlreadyDeclaredException", message, name)
     return None
 

@@ -27,7 +27,7 @@ __all__ = ["sarif_json", "text"]
 
 _SCHEMA: Final = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 _ROOT: Final = "SRCROOT"
-_FINGERPRINT: Final = "roswardFinding/v1"
+_FINGERPRINT: Final = "roswardFinding/v2"
 
 
 def text(scan: Scan) -> str:

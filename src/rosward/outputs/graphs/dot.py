@@ -5,7 +5,7 @@
 
 Nodes are ellipses, topics boxes, services hexagons, actions tabbed folders; each has a colour that stays apart from the
 others for colour-blind eyes. Namespaces of nodes are clusters, and a name in a cluster is written without the
-namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not wholly known. What
+namespace. A dashed edge exists in some executions only; a dashed, red outline is a name that is not completely known. What
 nearly everyone talks to (`/tf`) would pull all of the drawing into one knot: it gets a double outline and is drawn
 beside each of its nodes. What only the client library makes is hidden unless asked for. `class` attributes let a page
 restyle the drawing. A dashed outline in the colour of nodes is a node that is assumed: nothing starts it. A node of

@@ -37,11 +37,11 @@ def summaries(network: Network, system: bool = False) -> Iterator[Drawing]:
 
 
 def _views(network: Network) -> Iterator[tuple[str, Callable[[Node], str]]]:
-    yield "without their topics, services and actions", _one_each
+    yield "without topics, services and actions", _one_each
     depth = max((node.namespace.count("/") for node in network.nodes if node.namespace != "/"), default=0)
     for most in range(depth, 0, -1):
         yield "by namespace", partial(_namespace, depth=most)
-    yield "by namespace, those alike together", lambda node: _NUMBER.sub("*", _namespace(node, 1))
+    yield "by namespace, similar ones grouped", lambda node: _NUMBER.sub("*", _namespace(node, 1))
     yield "by package", lambda node: node.package or "unknown package"
 
 
@@ -60,9 +60,9 @@ def _drawing(network: Network, group_of: Callable[[Node], str], how: str, direct
     edges, crowds = _edges(network, group_of, system)
     lines = [_shape(group, number, alone) for group, number in sorted(groups.items())]
     lines += [_edge(*ends, looks) for ends, looks in sorted(edges.items())]
-    caption = [f"{len(network.nodes)} nodes, {how}. graph.dot, report.html and network.json have all of it."]
+    caption = [f"{len(network.nodes)} nodes, {how}. See graph.dot, report.html or network.json for everything."]
     if crowds:
-        caption.append(f"Without {crowds} that join{'s' if crowds == 1 else ''} many with many.")
+        caption.append(f"Omitted: {crowds} that connect{'s' if crowds == 1 else ''} many nodes with many.")
     header = (*HEADER, f"graph [label={label_of(caption)}, labelloc=b, rankdir={direction}]")
     text = "\n".join(["digraph rosward {", *(f"  {line};" for line in (*header, *lines)), "}"]) + "\n"
     return Drawing(text, len(groups), len(edges), steps_between_layers(edges))

@@ -5,7 +5,7 @@
 
 Nodes are rounded, topics boxes, services hexagons, actions slanted, in the colours of `dot.py`; namespaces of nodes are subgraphs. A dashed
 edge exists in some executions only, a dashed outline is a node that is assumed,
-and a red one a name that is not wholly known. A node of unknown interface is grey. Shapes have numbers for their identity and
+and a red one a name that is not completely known. A node of unknown interface is grey. Shapes have numbers for their identity and
 names stand in quoted labels as entities, so that no name is read as part of the drawing. Viewers refuse a text of more than 50 000
 characters or 500 edges: what is more than that is left out, and the drawing says so.
 """
@@ -103,7 +103,7 @@ def _told(nodes: int, edges: int) -> Iterator[str]:
     if nodes or edges:
         parts = [f"{nodes} nodes"] if nodes else []
         parts += [f"{edges} edges"] if edges else []
-        yield f'  cut["left out of this drawing: {" and ".join(parts)}"]'
+        yield f'  cut["omitted from this drawing: {" and ".join(parts)}"]'
 
 
 def _edges(nodes: Iterable[Node], *, system: bool) -> dict[tuple[_Key, _Key], bool]:

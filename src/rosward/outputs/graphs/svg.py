@@ -124,7 +124,7 @@ def _message(reason: str, drawn: Drawing) -> str:
     lines = [
         reason + ".",
         f"It has {drawn.vertices} nodes, topics, services and actions, and {drawn.edges} edges.",
-        "graph.dot holds the whole of it; network.json and the tables of the report say the same in words.",
+        "graph.dot has the complete graph; network.json and the tables of the report have the same content as text.",
     ]
     texts = "".join(f'<text x="20" y="{40 + 24 * number}">{xml_text(line)}</text>' for number, line in enumerate(lines))
     return (

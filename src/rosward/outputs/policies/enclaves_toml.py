@@ -19,7 +19,7 @@ from rosward.safe import toml_string
 
 __all__ = ["enclaves_toml"]
 
-_HEAD: Final = "# Which enclave each process runs in, for `--enclaves`. Written by `rosward enclaves suggest`."
+_HEAD: Final = "# The enclave of each process, for `--enclaves`. Written by `rosward enclaves suggest`."
 
 
 def enclaves_toml(suggestion: Suggestion) -> str:

@@ -39,7 +39,7 @@ _POLICIES: Final = {
     "reliability": frozenset(("RELIABLE", "BEST_EFFORT", "SYSTEM_DEFAULT", "BEST_AVAILABLE")),
     "durability": frozenset(("TRANSIENT_LOCAL", "VOLATILE", "SYSTEM_DEFAULT", "BEST_AVAILABLE")),
 }
-_UNKNOWN_QOS: Final = "QoS is not known"
+_UNKNOWN_QOS: Final = "QoS is unknown"
 _TYPES: Final = {
     "bool": "bool",
     "integer": "int",
@@ -59,10 +59,12 @@ def nodl_document(node: Node) -> str:
     left_out: list[str] = []
     document: dict[str, Any] = {"nodl_version": 2}
     program = "/".join(part for part in (node.package, node.executable) if part)
-    document["description"] = f"Node {node.name}{f' of {program}' if program else ''}, read from its source by rosward."
+    document["description"] = (
+        f"Node {node.name}{f' of {program}' if program else ''}, extracted from its source by rosward."
+    )
     parameters = {p.name: _parameter(p) for p in node.parameters if _is_described(p, left_out)}
     if node.assumed:
-        left_out.append(f"Assumed: nothing in the sources makes {node.process}.")
+        left_out.append(f"Assumed: nothing in the sources creates {node.process}.")
     if parameters:
         document["parameters"] = parameters
     for kind, section in _SECTIONS:
@@ -86,13 +88,13 @@ def _distinct(entities: Iterable[Entity]) -> list[Entity]:
 def _is_describable(entity: Entity, node: Node, left_out: list[str]) -> bool:
     """Whether NoDL has a form for an entity; a remark where it has none."""
     if not _NAME.fullmatch(_relative(entity.name, node)):
-        left_out.append(f"Not described: {entity.kind.value} {entity.name}, whose name is not wholly known.")
+        left_out.append(f"Not described: {entity.kind.value} {entity.name}, whose name is not completely known.")
     elif entity.type is None:
-        left_out.append(f"Not described: {entity.kind.value} {entity.name}, whose type is not known.")
+        left_out.append(f"Not described: {entity.kind.value} {entity.name}, whose type is unknown.")
     elif not _TYPE.fullmatch(entity.type):
         left_out.append(f"Not described: {entity.kind.value} {entity.name} of type {entity.type}.")
     elif not entity.ros_prefix:
-        left_out.append(f"Not described: {entity.kind.value} {entity.name}, outside of the name space of ROS.")
+        left_out.append(f"Not described: {entity.kind.value} {entity.name}, outside the ROS namespace.")
     else:
         return True
     return False
@@ -141,7 +143,7 @@ def _is_described(parameter: Parameter, left_out: list[str]) -> bool:
     if parameter.name in _IMPLICIT or parameter.name.startswith("qos_overrides."):
         return False
     if _type(parameter) is None:
-        left_out.append(f"Not described: parameter {parameter.name}, whose type is not known.")
+        left_out.append(f"Not described: parameter {parameter.name}, whose type is unknown.")
         return False
     return True
 

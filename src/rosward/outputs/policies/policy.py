@@ -31,7 +31,7 @@ __all__ = ["Line", "policies", "policy_lines", "policy_xml"]
 _MOST_PLACES: Final = 5
 _HEADER: Final = (
     "Written by rosward from the source of the system.",
-    "Behind each rule stands where it comes from; a rule with nothing behind it is needed by the client library.",
+    "The comment after each rule says where it comes from; a rule without a comment is needed by the client library.",
 )
 
 
@@ -114,19 +114,19 @@ def _profile(profile: Profile, enclave: Enclave) -> Iterator[Line]:
 def _notes(profile: Profile, enclave: Enclave) -> Iterator[str]:
     for node in profile.nodes:
         if node.label is not None:
-            yield f"The node of {node.label}, whose name is not known"
+            yield f"The node of {node.label}, whose name is unknown"
         if node.interface is Interface.UNKNOWN:
-            yield f"Of unknown interface, so it may do no more than every node does: {'; '.join(node.lacks)}"
+            yield f"Unknown interface, so only what every node needs is allowed: {'; '.join(node.lacks)}"
     if enclave.path != enclave.found:
         yield (
-            f"The enclave was found as {enclave.found}, which no enclave can be called: "
+            f"The enclave was determined as {enclave.found}, which is not a valid enclave name: "
             f"start the node with ROS_SECURITY_ENCLAVE_OVERRIDE={enclave.path} in its environment"
         )
     for process in sorted({node.process for node in profile.nodes if node.assumed}):
-        yield f"Assumed: nothing in the sources makes {process}"
+        yield f"Assumed: nothing in the sources creates {process}"
     if len(profile.nodes) > 1:
         places = ", ".join(str(node.defined_at) for node in profile.nodes)
-        yield f"{len(profile.nodes)} nodes have this full name, and share this profile: {places}"
+        yield f"{len(profile.nodes)} nodes have this full name and share this profile: {places}"
     for omission in profile.omissions:
         yield _omission(omission)
 
@@ -152,7 +152,7 @@ def _origin(grant: Grant) -> str:
         parts.append("conditional")
     if not all(entity.resolution.whole for entity in own):
         parts.append(
-            "partly known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
+            "partially known name: * also matches /" if grant.name != "/*" else "unknown name: everything is allowed"
         )
     return ", ".join(part for part in parts if part)
 

@@ -19,7 +19,7 @@ from rosward.safe import printable
 from rosward.source.location import Place
 
 _HEAD = """\
-# The enclave of each process, and how it gets there. Without --enclave a process runs in /, and its rights are those of /.
+# The enclave of each process, and how to start it there. Without --enclave, a process runs in / with the permissions of /.
 """
 
 
@@ -53,15 +53,13 @@ def _starter(members: list[Node]) -> Node:
 def _how(node: Node, enclave: str, shared: Collection[Place]) -> str:
     place = node.launched_by
     if node.assumed:
-        return f", which nothing in the sources makes: start what makes it with --ros-args --enclave {enclave}"
+        return f", which nothing in the sources creates: start what creates it with --ros-args --enclave {enclave}"
     if node.given_enclave == enclave:
-        return ": its start says so"
+        return ": already set by its start"
     if node.process.startswith(CONTAINER):
         return f", which nothing here starts: start it with --ros-args --enclave {enclave}"
     if place is not None and place in shared:
-        return (
-            f", started at {printable(str(place))} as others are: give it --enclave {enclave} among its ROS arguments"
-        )
+        return f", started at {printable(str(place))} like others: add --enclave {enclave} to its ROS arguments"
     if place is not None:
         return f", started at {printable(str(place))}: {_option(place.file, enclave)}"
     if node.package and node.executable:

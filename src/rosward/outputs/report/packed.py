@@ -33,5 +33,5 @@ def document_in(page: str) -> str:
     """The JSON document of a report. ValueError where it is no report."""
     found = _DOCUMENT.search(page)
     if found is None:
-        raise ValueError("there is no document of rosward in this page")
+        raise ValueError("this page does not contain a rosward report")
     return unpacked(found[1])

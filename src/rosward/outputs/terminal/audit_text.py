@@ -34,16 +34,16 @@ def audit_text(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[F
         groups.setdefault(one.node or "no node", []).append(one)
     for node, differences in groups.items():
         lines += [node, *(_line(d.finding) + _looks(d.seen, audit.looks) for d in differences), ""]
-    lines += _section("not seen, and only in some runs", _unseen(audit))
+    lines += _section("not seen, expected only in some runs", _unseen(audit))
     lines += _section(
         "tools", [f"{t.node}  {t.tool}, {several(t.entities, 'entity', 'entities')}" for t in audit.tools]
     )
     lines += _section(
-        "explained by the name of the node alone, for its interface is not known",
+        "explained only by the name of the node, whose interface is unknown",
         [f"{u.node} {u.place}  {_listed(u.entities)}" for u in audit.unjudged],
     )
     if open_questions:
-        lines += ["not known of the code", *(_line(f) for f in open_questions), ""]
+        lines += ["unknown about the code", *(_line(f) for f in open_questions), ""]
     lines += _summary(audit, len(audit.differences) - len(new))
     lines.append(_verdict(audit, new))
     return "\n".join(printable(line) for line in lines) + "\n"
@@ -84,7 +84,7 @@ def _summary(audit: Audit, known: int) -> list[str]:
     beside = [
         some(audit.accepted, "is accepted", "are accepted"),
         some(known, "is in the baseline", "are in the baseline"),
-        some(audit.untold, "expected node is in no text", "expected nodes are in no text"),
+        some(audit.untold, "expected node is not in the input", "expected nodes are not in the input"),
     ]
     told = [part for part in beside if part]
     if told:
@@ -101,12 +101,12 @@ def _counted(counts: AuditCounts, one: str, many: str) -> str:
 def _verdict(audit: Audit, new: Sequence[Difference]) -> str:
     count = {code: sum(d.finding.code == code for d in new) for code in ("RW501", "RW502", "RW503", "RW504", "RW506")}
     parts = [
-        some(count["RW501"], "running node not explained", "running nodes not explained"),
-        some(count["RW502"], "running entity not explained", "running entities not explained"),
-        some(count["RW503"], "expected and not there", "expected and not there"),
-        some(count["RW504"], "of another type or QoS", "of another type or QoS"),
-        some(count["RW506"], "explained by an unknown name only", "explained by unknown names only"),
-        some(len(audit.findings), "part not read", "parts not read"),
+        some(count["RW501"], "unexplained running node", "unexplained running nodes"),
+        some(count["RW502"], "unexplained running entity", "unexplained running entities"),
+        some(count["RW503"], "expected but not running", "expected but not running"),
+        some(count["RW504"], "with a different type or QoS", "with a different type or QoS"),
+        some(count["RW506"], "explained only by an unknown name", "explained only by unknown names"),
+        some(len(audit.findings), "unreadable part", "unreadable parts"),
     ]
     said = ", ".join(part for part in parts if part)
-    return f"{said}." if said else "The source explains all that runs, and all that it surely has runs."
+    return f"{said}." if said else "The source explains everything that runs, and everything it expects is running."

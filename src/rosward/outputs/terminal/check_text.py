@@ -30,7 +30,7 @@ def check_text(found: Checked) -> str:
         groups.setdefault(one.enclave, []).append(one.judged)
     for enclave, judged in groups.items():
         lines += _section(enclave, judged)
-    lines += _section("not known of the code", found.questions)
+    lines += _section("unknown about the code", found.questions)
     lines += [f"note: {note}" for note in found.policy.notes]
     lines.append(_verdict(found))
     return "\n".join(printable(line) for line in lines) + "\n"
@@ -45,12 +45,12 @@ def _section(title: str, judged: Iterable[Judged]) -> list[str]:
 def _verdict(found: Checked) -> str:
     new = [d.judged.finding.code for d in found.differences if not d.judged.known]
     parts = [
-        some(new.count("RW401"), "right lacking", "rights lacking"),
-        some(new.count("RW402"), "rule too much", "rules too much"),
-        some(new.count("RW404"), "enclave of no process", "enclaves of no process"),
-        some(new.count("RW405"), "process without enclave", "processes without enclave"),
-        some(_new(found.unread), "part of the policy not read", "parts of the policy not read"),
-        some(_new(found.questions), "question about the code open", "questions about the code open"),
+        some(new.count("RW401"), "missing permission", "missing permissions"),
+        some(new.count("RW402"), "unused permission", "unused permissions"),
+        some(new.count("RW404"), "enclave without a process", "enclaves without a process"),
+        some(new.count("RW405"), "process without an enclave", "processes without an enclave"),
+        some(_new(found.unread), "unreadable part of the policy", "unreadable parts of the policy"),
+        some(_new(found.questions), "open question about the code", "open questions about the code"),
     ]
     aside = [
         f"{number} {word}" for number, word in ((found.ignored, "ignored"), (found.known, "in the baseline")) if number
@@ -63,7 +63,7 @@ def _verdict(found: Checked) -> str:
     if found.known:
         return f"Nothing new: {', '.join(aside)}."
     number = len(found.policy.enclaves)
-    clean = f"Clean: {number} {'enclave lets its process' if number == 1 else 'enclaves let their processes'} do what the code does, and no more"
+    clean = f"Clean: {number} {'enclave allows its process' if number == 1 else 'enclaves allow their processes'} exactly what the code does"
     return f"{clean}{''.join(f', {part}' for part in aside)}."
 
 

@@ -37,10 +37,10 @@ def diff_markdown(differences: Differences) -> str:
     """What somebody has to look at first: the new rights; the rest can be unfolded. One line where nothing changed."""
     notes = [f"> `{_plain(note)}`" for note in differences.notes[:_MOST_ROWS]]
     if differences.empty:
-        return "\n\n".join(["**rosward:** no change of nodes, entities and rights.", *notes]) + "\n"
+        return "\n\n".join(["**rosward:** no change in nodes, entities or permissions.", *notes]) + "\n"
     parts = [f"**rosward:** {_in_short(differences)}", *_new_rights(differences.rights.gained)]
     for title, _, items in _groups(differences):
-        if title != "rights gained":
+        if title != "permissions gained":
             rows = [f"- `{_plain(str(item))}`" for item in items[:_MOST_ROWS]]
             rows += [f"- … and {len(items) - _MOST_ROWS} more"] if len(items) > _MOST_ROWS else []
             listed = "\n".join(rows)
@@ -50,14 +50,14 @@ def diff_markdown(differences: Differences) -> str:
 
 def _in_short(differences: Differences) -> str:
     nodes, entities, rights = differences[:3]
-    changes = ((rights, "right"), (nodes, "node"), (entities, "entity"))
+    changes = ((rights, "permission"), (nodes, "node"), (entities, "entity"))
     counts = [
-        f"{len(items)} {'new ' if new else ''}{_several(word, len(items))}{'' if new else ' gone'}"
+        f"{len(items)} {'new ' if new else ''}{_several(word, len(items))}{'' if new else ' removed'}"
         for change, word in changes
         for items, new in ((change.gained, True), (change.lost, False))
         if items
     ]
-    first = [] if rights.gained else ["no new rights"]
+    first = [] if rights.gained else ["no new permissions"]
     return ", ".join([*first, *counts]) + "."
 
 
@@ -67,7 +67,7 @@ def _several(word: str, number: int) -> str:
 
 def _new_rights(rights: Sequence[RightLine]) -> Iterator[str]:
     if rights:
-        rows = ["| enclave | new right | where |", "|---|---|---|"]
+        rows = ["| enclave | new permission | where |", "|---|---|---|"]
         rows += [
             f"| {_cell(r.enclave)} | {_plain(r.words)} {_cell(r.name)} | {_cell(str(r.place))} |"
             for r in rights[:_MOST_ROWS]
@@ -105,8 +105,8 @@ def _groups(differences: Differences) -> Iterator[tuple[str, str, Sequence[objec
         ("nodes lost", "-", nodes.lost),
         ("entities gained", "+", entities.gained),
         ("entities lost", "-", entities.lost),
-        ("rights gained", "+", rights.gained),
-        ("rights lost", "-", rights.lost),
+        ("permissions gained", "+", rights.gained),
+        ("permissions lost", "-", rights.lost),
     )
     for title, mark, items in groups:
         if items:

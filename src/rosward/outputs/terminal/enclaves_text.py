@@ -55,7 +55,7 @@ def _named(made: Ladder, group: int) -> str:
 def _cut_by(suggestion: Suggestion) -> str:
     match suggestion.wish:
         case Wish.FREE:
-            return "before the first step that costs something"
+            return "the last step that costs nothing"
         case Wish.MOST:
             return f"at most {suggestion.limit} enclaves"
         case Wish.BUDGET:
@@ -69,32 +69,32 @@ def _verdict(suggestion: Suggestion) -> Iterator[str]:
     application = sum(len(process.application) for process in processes)
     knee = suggestion.ladder.steps[suggestion.knee - 1] if suggestion.knee else None
     if not suggestion.met:
-        yield f"No cut is {_cut_by(suggestion)}; this is the nearest."
+        yield f"No step meets the request ({_cut_by(suggestion)}); this is the closest."
     yield (
         f"{several(len(processes), 'process', 'processes')} in {several(len(enclaves), 'enclave', 'enclaves')}, price {total.application}: "
-        f"{several(application, 'right', 'rights')} of the application and {total.system} of the client library "
-        f"are held by processes that do not need them; they need {suggestion.needed} of the application."
+        f"{several(application, 'permission', 'permissions')} of the application and {total.system} of the client library "
+        f"are held by processes that do not need them; they need {suggestion.needed} application permissions."
     )
-    yield f"The price counts {ACTS} for a right that acts on others, {LISTENS} for a subscription."
+    yield f"The price counts {ACTS} for a permission that affects other nodes and {LISTENS} for a subscription."
     free = sum(step.price.application == 0 for step in suggestion.ladder.steps)
     if knee is not None and suggestion.wish is Wish.FREE and suggestion.knee > suggestion.cut.steps:
-        yield f"Fewer enclaves cost least up to the knee, --max {knee.enclaves}: price {knee.total.application}."
+        yield f"The best trade-off for fewer enclaves is the knee, --max {knee.enclaves}: price {knee.total.application}."
     if free:
-        yield f"{several(free, 'step costs', 'steps cost')} nothing but rights of the client library."
+        yield f"{several(free, 'step costs', 'steps cost')} only permissions of the client library."
     if any(enclave.fixed for enclave in enclaves):
-        yield "Enclaves that launch files name stay as they are (--ignore-given)."
+        yield "Enclaves set by launch files are kept; use --ignore-given to regroup them."
 
 
 def _enclave(enclave: JointEnclave, *, verbose: bool) -> Iterator[str]:
     size = f"permissions {-(-enclave.size // 1024)} KB"
     if enclave.too_large:
-        size += f", more than the {LARGEST // 1024} KB that are safe"
-    given = ", named by a launch file" if enclave.fixed else ""
+        size += f", above the {LARGEST // 1024} KB limit"
+    given = ", set by a launch file" if enclave.fixed else ""
     yield f"{enclave.path}{given}: price {enclave.price.application}, {enclave.price.system} system, {size}"
     for process in enclave.processes:
         yield f"  {process.process} ({_some(process.nodes, verbose=verbose)})"
         if process.application or process.system:
-            yield f"    more than it needs: {_counts(process)}"
+            yield f"    not needed: {_counts(process)}"
         if process.application:
             yield f"    {_some([_said(p) for p in process.application], verbose=verbose)}"
 

@@ -39,15 +39,15 @@ _GROUPS: Final = 8
 _SHOWN: Final = 12
 _NAMED: Final = 6
 _RESOLUTIONS: Final = {
-    "exact": "exact: the code alone decides it",
-    "default": "default: holds where nobody sets it otherwise",
-    "bound": "bound: it is set from outside",
+    "exact": "exact: determined by the code alone",
+    "default": "default: holds unless it is set from outside",
+    "bound": "bound: set from outside",
 }
 _INTERFACES: Final = {
-    "analysed": "analysed: its source was interpreted",
-    "declared": "declared: a file says what it has",
-    "partial": "known in part: it may have more than this",
-    "unknown": "unknown: nothing but what every node has",
+    "analysed": "analysed: derived from its source",
+    "declared": "declared: described in a file",
+    "partial": "partially known: it may have more than this",
+    "unknown": "unknown: only what every node has",
 }
 _IGNORING: Final = {"error": ", and its code in `accepted` of the configuration"}
 """Lines of a list that are shown."""
@@ -56,7 +56,7 @@ _IGNORING: Final = {"error": ", and its code in `accepted` of the configuration"
 def explain_text(answer: Answer) -> str:
     """The answer for a terminal."""
     if answer.empty:
-        lines = [f"{answer.query}: nothing in the result is called so, ends so, or stands there"]
+        lines = [f"{answer.query}: no name in the result matches or ends with this, and nothing is at this place"]
         lines += ["did you mean", *(f"  {name}" for name in answer.close)] if answer.close else []
     else:
         lines = list(_sections(answer))
@@ -86,7 +86,7 @@ def _sections(answer: Answer) -> Iterator[str]:
         yield from _rule_of_findings(answer.rule, len(answer.doubts))
     brief = len(answer.meetings) + len(answer.nodes) + len(answer.enclaves) > _WHOLE
     if brief:
-        yield f"{answer.query} is the end of several names; give more of one for all that there is to tell"
+        yield f"{answer.query} matches the end of several names; pass a longer name to see all details"
         yield from (f"  {m.word:<8} {m.name}  {_numbers(m)}" for m in answer.meetings)
         yield from (f"  node     {n.name}  {_started(n.start)}" for n in answer.nodes)
         yield from (f"  enclave  {e.path}  {', '.join(e.nodes)}" for e in answer.enclaves)
@@ -100,7 +100,7 @@ def _sections(answer: Answer) -> Iterator[str]:
             yield from _enclave(enclave)
     yield from _ends(answer.ends, named=True)
     if answer.through:
-        yield "through a call in this line"
+        yield "through a call on this line"
         yield from _cut(f"  {e.kind} {e.name} of {e.node}  {_at(e)}" for e in answer.through)
         yield ""
     yield from _doubts(answer.doubts, helped=answer.rule is not None)
@@ -110,11 +110,11 @@ def _rule_of_findings(rule: RuleTold, found: int) -> Iterator[str]:
     yield f"{rule.code} {rule.title}"
     yield _row(rule.severity, rule.meaning)
     yield _row("do", rule.help)
-    yield _row("ignore", f"# rosward: ignore[{rule.code}] in its line{_IGNORING.get(rule.severity, '')}")
+    yield _row("ignore", f"# rosward: ignore[{rule.code}] on its line{_IGNORING.get(rule.severity, '')}")
     if not rule.searched:
-        yield _row("find", f"rosward explain {rule.code} PATH shows where it holds")
+        yield _row("find", f"rosward explain {rule.code} PATH lists where it applies")
     else:
-        yield _row("found", f"{found}" if found else "nowhere in what was read")
+        yield _row("found", f"{found}" if found else "nowhere in the sources")
     yield ""
 
 
@@ -171,7 +171,7 @@ def _group(members: list[EndTold], *, named: bool) -> Iterator[str]:
     first = members[0]
     what = f"{first.kind} {first.name}  {first.type or 'of unknown type'}," if named else first.kind
     whose = first.node if len(members) == 1 else f"{len(members)} nodes"
-    yield f"{what} of {whose}{', in some executions only' if first.conditional else ''}"
+    yield f"{what} of {whose}{', only in some executions' if first.conditional else ''}"
     if first.system:
         yield _row("created", "by the client library")
     else:
@@ -197,13 +197,15 @@ def _group(members: list[EndTold], *, named: bool) -> Iterator[str]:
 
 def _name(end: EndTold) -> Iterator[str]:
     if end.missing:
-        yield _row("name", f"{end.resolution}: {'known in part' if end.resolution == 'pattern' else 'not known'}")
+        yield _row(
+            "name", f"{end.resolution}: {'partially known' if end.resolution == 'pattern' else 'cannot be determined'}"
+        )
         yield from (_row("missing", reason) for reason in end.missing[:_SHOWN])
         yield from (_row("supply", remedy) for remedy in end.remedies)
     else:
         yield _row("name", _RESOLUTIONS.get(end.resolution, end.resolution))
     yield from (_row("" if at else "made of", _source(source)) for at, source in enumerate(end.made_of))
-    yield from (_row("remap", f"{rule}  (a rule of the launch that leads to this name)") for rule in end.remaps)
+    yield from (_row("remap", f"{rule}  (remap rule of the launch file)") for rule in end.remaps)
 
 
 def _source(source: NameSource) -> str:
@@ -220,7 +222,7 @@ def _value(value: object) -> str:
 
 def _started(start: Start) -> str:
     if start.assumed:
-        return f"by nothing in the sources: it is assumed that somebody makes {start.process}"
+        return f"not by the sources: {start.process} is assumed to be created elsewhere"
     if start.launched_by is None:
         if start.package and start.executable:
             return f"ros2 run {start.package} {start.executable}"
@@ -245,7 +247,7 @@ def _node(node: NodeTold) -> Iterator[str]:
     yield _row("started", _started(node.start))
     yield _row("enclave", node.enclave)
     yield _row("interface", _INTERFACES.get(node.interface, node.interface))
-    yield from (_row("lacks", reason) for reason in node.lacks[:_SHOWN])
+    yield from (_row("missing", reason) for reason in node.lacks[:_SHOWN])
     if node.missing:
         yield _row("name", node.resolution)
         yield from (_row("missing", reason) for reason in node.missing)
@@ -264,7 +266,7 @@ def _node(node: NodeTold) -> Iterator[str]:
         yield ""
         yield f"  parameter{'' if len(node.parameters) == 1 else 's'}"
         for p in node.parameters:
-            value = _value(p.value) if p.value is not None else "(not plain, or not known)"
+            value = _value(p.value) if p.value is not None else "(unknown or not a plain value)"
             set_ = (
                 f"  (default {_value(p.default)})" if repr(p.value) != repr(p.default) and p.default is not None else ""
             )
@@ -291,7 +293,7 @@ def _enclave(enclave: EnclaveTold) -> Iterator[str]:
     yield from lines
     omitted = [rule for rule in enclave.rules if rule.why_not]
     if omitted:
-        yield "  left out"
+        yield "  omitted"
         yield from _cut(f"    {rule.rule}: {rule.why_not}" for rule in omitted)
     yield ""
 

@@ -53,7 +53,7 @@ def _branch(entries: Sequence[LaunchEntry], depth: int, indent: str) -> list[str
 
 
 def _entry(each: LaunchEntry, first: str, rest: str) -> list[str]:
-    conditions = [f"if {'; '.join(each.why) or 'a condition that is not known'}"] if each.conditional else []
+    conditions = [f"if {'; '.join(each.why) or 'an unknown condition'}"] if each.conditional else []
     conditions += [f"after {each.event}"] if each.event else []
     said = f"  [{', '.join(conditions)}]" if conditions else ""
     rows: list[tuple[str, str, str]] = []

@@ -101,13 +101,13 @@ def _head(network: Network, counts: Counts) -> tuple[str, str]:
 def _left_out(unread: Unread) -> Iterator[tuple[str, str]]:
     if unread.excluded:
         things = _several(unread.excluded, "file or folder", "files and folders")
-        yield f"  not read: {things} excluded by a pattern (-v: which)", "yellow"
+        yield f"  not read: {things} excluded by a pattern (use -v to list)", "yellow"
     if unread.ignored:
         folders = _several(unread.ignored, "folder")
-        yield f"  not read: {folders} marked to be ignored, as by COLCON_IGNORE (-v: which)", "yellow"
+        yield f"  not read: {folders} marked as ignored, for example by COLCON_IGNORE (use -v to list)", "yellow"
     if unread.launch_files:
-        files = _several(unread.launch_files, "launch file is", "launch files are")
-        yield f"  {files} not followed: --launch FILE, or --all-launch", "dim"
+        files = _several(unread.launch_files, "launch file was", "launch files were")
+        yield f"  {files} not analysed; use --launch FILE or --all-launch", "dim"
 
 
 def _things(counts: Counts) -> list[tuple[str, str]]:
@@ -132,7 +132,7 @@ def _names(counts: Counts) -> list[tuple[str, str]]:
     return parts
 
 
-_WORDS: Final = {Interface.PARTIAL: "partly known"}
+_WORDS: Final = {Interface.PARTIAL: "partially known"}
 
 
 def _interfaces(counts: Counts) -> list[tuple[str, str]]:
@@ -158,7 +158,7 @@ def _group(console: Console, group: Doubts, verbose: bool) -> None:
         for finding in one.also if verbose else ():
             _finding(console, finding, of=rule.code)
     if len(shown) < len(group.causes):
-        _print(console, (f"  … and {len(group.causes) - len(shown):,} more (-v lists all)", "dim"))
+        _print(console, (f"  … and {len(group.causes) - len(shown):,} more (use -v to list all)", "dim"))
     if not all(one.finding.remedy for one in shown):
         _print(console, ("  " + rule.help, "italic"))
 
@@ -180,12 +180,12 @@ def _verdict(counts: Counts, verbose: bool, reviewed: Reviewed) -> list[tuple[st
     elif reviewed.accepted or known:  # the result lacks something, and somebody said that this is known
         old = [(reviewed.accepted, "accepted"), (known, "in the baseline")]
         told = ", ".join(f"{_several(number, 'error')} {word}" for number, word in old if number)
-        parts = [("Incomplete, as is known: ", "bold yellow"), (told, "")]
+        parts = [("Incomplete (known): ", "bold yellow"), (told, "")]
     else:
         parts = [("Complete", "bold green"), (": no errors", "")]
     parts.append((f", {_several(warnings, 'warning')}", ""))
     if notes:
-        parts.append((f", {_several(notes, 'note')}" + ("" if verbose else " (-v shows notes)"), ""))
+        parts.append((f", {_several(notes, 'note')}" + ("" if verbose else " (use -v to show notes)"), ""))
     for number, word in ((reviewed.ignored, "ignored"), (len(reviewed.known), "in the baseline")):
         if number:
             parts.append((f", {number:,} {word}", "dim"))

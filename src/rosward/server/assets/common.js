@@ -17,7 +17,7 @@ export function answered(status, text) {
   let said = {};
   try { said = JSON.parse(text); } catch { /* not from our server */ }
   if (status >= 400 || status === 0) {
-    const why = said.error ?? (status === 403 ? "Open the address again that rosward serve has printed." : `The server answered ${status}.`);
+    const why = said.error ?? (status === 403 ? "Open the address printed by rosward serve again." : `The server answered ${status}.`);
     throw new Error(why.charAt(0).toUpperCase() + why.slice(1));
   }
   return said;
@@ -62,7 +62,7 @@ export function element(name, properties = {}, ...inner) {
   return made;
 }
 
-const STEPS = { starting: "Starting", unpacking: "Unpacking", reading: "Reading the sources", analysing: "Following the programs", writing: "Writing the results" };
+const STEPS = { starting: "Starting", unpacking: "Unpacking", reading: "Reading the sources", analysing: "Analysing the programs", writing: "Writing the results" };
 
 /** What a result is doing, in words. */
 export function doing(result) {

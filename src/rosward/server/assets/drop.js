@@ -32,7 +32,7 @@ async function walk(entry, folder, files, rules, leftOut) {
     return;
   }
   if (isHidden(entry.name, rules)) return;
-  if (files.length > rules.files) throw new Error(`These are more than ${rules.files.toLocaleString()} files. Name the folder below instead.`);
+  if (files.length > rules.files) throw new Error(`More than ${rules.files.toLocaleString()} files. Open the folder below instead.`);
   const inner = await listing(entry.createReader());
   const workspace = inner.some((each) => each.isDirectory && each.name === "src");
   for (const each of inner) {
@@ -68,8 +68,8 @@ function isOfUse(path, file, rules, leftOut) {
 /** Send files; the id of the result. `tell` hears which part of them is sent. */
 export function send(files, settings, leftOut, rules, tell) {
   const size = files.reduce((sum, { file }) => sum + file.size, 0);
-  if (!files.length) throw new Error("There is nothing in it that rosward could read.");
-  if (size > rules.upload) throw new Error(`These are more than ${Math.round(rules.upload / 2 ** 20)} MB. Name the folder below instead.`);
+  if (!files.length) throw new Error("It contains nothing that rosward can read.");
+  if (size > rules.upload) throw new Error(`More than ${Math.round(rules.upload / 2 ** 20)} MB. Open the folder below instead.`);
   const form = new FormData();
   form.append("settings", JSON.stringify(settings));
   form.append("left_out", JSON.stringify(leftOut.slice(0, 1000)));
@@ -78,7 +78,7 @@ export function send(files, settings, leftOut, rules, tell) {
     const request = new XMLHttpRequest();
     request.open("POST", "/api/uploads");
     request.upload.onprogress = (event) => tell(event.loaded / (event.total || 1));
-    request.onerror = () => reject(new Error("The upload was broken off: it may be too large, or hold a file that has changed."));
+    request.onerror = () => reject(new Error("The upload was interrupted: it may be too large, or a file may have changed."));
     request.onload = () => {
       try { resolve(answered(request.status, request.responseText).id); } catch (error) { reject(error); }
     };

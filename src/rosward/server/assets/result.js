@@ -39,7 +39,7 @@ if (tabs.length) open(location.hash.slice(1));
 
 async function look(file) {
   const answer = await fetch(`/results/${own.id}/files/${file.split("/").map(encodeURIComponent).join("/")}?show`);
-  if (!answer.ok) throw new Error("The file is not there any more.");
+  if (!answer.ok) throw new Error("The file no longer exists.");
   return answer.text();
 }
 
@@ -81,7 +81,7 @@ function followed(results) {
   again.hidden = !next;
   if (!next) return;
   if (next.state === "done" && ended(own)) go(next.id);
-  else if (ended(next)) again.textContent = `Files have changed, and the analysis of that has no result: ${next.message}`;
+  else if (ended(next)) again.textContent = `Files have changed, but the new analysis has no result: ${next.message}`;
   else again.textContent = `Files have changed. ${doing(next)}…`;
 }
 news(followed);

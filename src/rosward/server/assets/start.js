@@ -20,7 +20,7 @@ async function take(find) {
   const [bar, status] = sending.children;
   try {
     sending.hidden = false;
-    status.textContent = "Looking at the files";
+    status.textContent = "Checking the files";
     bar.removeAttribute("value");
     const leftOut = [];
     const files = await find(leftOut);

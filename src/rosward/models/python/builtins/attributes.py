@@ -260,7 +260,7 @@ def _set(call: NativeCall) -> Value:
     for option in names:
         known = text_of(option)
         if known is None:
-            machine.report("RW203", "setattr with a name that is not known")
+            machine.report("RW203", "setattr with an unknown name")
         elif len(names) == 1:
             machine.store_attr(target, known, value)
         else:

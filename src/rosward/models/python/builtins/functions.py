@@ -182,7 +182,7 @@ def _dir(call: NativeCall) -> Value:
 def _run_code(call: NativeCall) -> Value:
     """exec and compile."""
     name = call.name.rpartition(".")[2]
-    call.machine.report("RW203", f"{name}() is not followed")
+    call.machine.report("RW203", f"{name}() is not analysed")
     return NONE if name == "exec" else unknown_from(call.machine, name, "", *call.args)
 
 

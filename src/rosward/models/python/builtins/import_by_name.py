@@ -20,7 +20,7 @@ def _text(value: Value) -> str | None:
 
 
 def _not_known(call: NativeCall) -> Value:
-    call.machine.report("RW203", "the name of the module that is imported here is not known")
+    call.machine.report("RW203", "the name of the module imported here is unknown")
     return call.machine.unknown(Cause.CALL, call.name)
 
 
@@ -74,15 +74,13 @@ def _import(call: NativeCall) -> Value:
 
 def _entry_points(call: NativeCall) -> Value:
     """`importlib.metadata.entry_points(…)`: what packages have registered, and what is loaded by it."""
-    call.machine.report("RW203", "what the entry points of installed packages load is not followed")
+    call.machine.report("RW203", "what the entry points of installed packages load is not analysed")
     return call.machine.unknown(Cause.CALL, call.name)
 
 
 def _reload(call: NativeCall) -> Value:
     """`importlib.reload(module)`: the module, as it is."""
-    call.machine.report(
-        "RW203", "importlib.reload is not followed: what the module changed since it was imported is kept"
-    )
+    call.machine.report("RW203", "importlib.reload is not analysed: changes to the module since its import are kept")
     return call.exactly(1)[0]
 
 

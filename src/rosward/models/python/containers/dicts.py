@@ -116,7 +116,7 @@ def store(machine: Machine, ref: Ref, index: Value, value: Value, weak: bool = F
         key = key_of(option)
         if key is None:
             if isinstance(obj.payload, Value):
-                machine.report("RW203", "an attribute or variable with a name that is not known is set")
+                machine.report("RW203", "an attribute or variable with an unknown name is set")
             obj = _store_unknown(machine, obj, option, value)
         elif compares(machine, key):  # it may be equal to another key
             obj = _store_unknown(machine, obj, key, value)

@@ -105,9 +105,9 @@ def _made_at_run_time(call: NativeCall) -> Value:
     what = next((t for t in map(text_of, call.args) if t), "")
     call.machine.report(
         "RW203",
-        f"{call.name}({what!r}) runs code that is not followed"
+        f"{call.name}({what!r}) runs code that is not analysed"
         if what
-        else f"{call.name} runs code that is not followed",
+        else f"{call.name} runs code that is not analysed",
     )
     return call.machine.unknown(Cause.MODULE, call.name)
 

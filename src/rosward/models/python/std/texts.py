@@ -139,7 +139,7 @@ def _pure(function: Callable[..., object], hint: str) -> NativeFunction:
 def _shell_split(call: NativeCall) -> Value:
     def run(text: object, comments: Any, posix: Any) -> object:
         if not isinstance(text, str):  # of None it would read the standard input of this process
-            raise AttributeError("shlex.split of something that is no text")
+            raise AttributeError("shlex.split of something that is not a string")
         return shlex.split(text, bool(comments), bool(posix))
 
     text = call.arg(0, "s") or call.exactly(1)[0]

@@ -7,7 +7,7 @@ rosward.about = (() => {
 
   function start() {
     dialog.append(dom.el("form", { method: "dialog" }, dom.el("button", { class: "act" }, "Close")));
-    document.getElementById("buttons").append(dom.button("About, licences", "note", () => dialog.showModal()));
+    document.getElementById("buttons").append(dom.button("About and licences", "note", () => dialog.showModal()));
   }
 
   return { start };

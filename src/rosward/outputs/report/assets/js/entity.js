@@ -14,7 +14,7 @@ rosward.entity = (() => {
       ? [el("b", {}, entity.kind), " of ", parts.link(model.nodes.get(entity.node)), " at ", parts.link(model.endpoints.get(entity.endpoint))]
       : [parts.link(other)];
     const below = [
-      seen === "node" || seen === "both" ? entity.type || "type not known" : null,
+      seen === "node" || seen === "both" ? entity.type || "unknown type" : null,
       entity.callback ? `→ ${entity.callback}` : null, qosText(entity.qos), entity.via ? `by ${entity.via}` : null,
     ].filter(Boolean).join("  ·  ");
     const details = el("details", { class: "entity", id: `entity-${entity.id}` },
@@ -31,8 +31,8 @@ rosward.entity = (() => {
   function flags(entity) {
     return el("span", { class: "flags" },
       entity.resolution === "exact" ? null : parts.resolution(entity),
-      entity.conditional ? el("span", { class: "tag sometimes", title: "It is made in some executions only" }, "conditional") : null,
-      entity.system ? el("span", { class: "tag", title: "The client library makes it" }, "system") : null,
+      entity.conditional ? el("span", { class: "tag sometimes", title: "Created only in some executions" }, "conditional") : null,
+      entity.system ? el("span", { class: "tag", title: "Created by the client library" }, "system") : null,
       parts.badges(entity.id));
   }
 
@@ -42,19 +42,19 @@ rosward.entity = (() => {
     return el("div", { class: "inside" },
       entity.reasons.length ? el("div", { class: "callout doubt" }, icon("warning"), el("div", {},
         el("b", {}, `The name is ${parts.RESOLUTIONS[entity.resolution]}`), list(entity.reasons),
-        entity.remedies.length ? [el("b", {}, "What helps"), list(entity.remedies)] : null)) : null,
+        entity.remedies.length ? [el("b", {}, "How to resolve"), list(entity.remedies)] : null)) : null,
       model.findingsOf(entity.id).map(parts.finding),
       parts.facts([
         ["name", [el("code", {}, named(entity.name)), " ", parts.resolution(entity)]],
-        ["type", entity.type === null ? el("span", { class: "doubt" }, "not known") : el("code", {}, named(entity.type))],
+        ["type", entity.type === null ? el("span", { class: "doubt" }, "unknown") : el("code", {}, named(entity.type))],
         ["callback", entity.callback && el("code", {}, entity.callback)],
         ["QoS", entity.qos && qosText(entity.qos)],
-        ["made by", entity.via && el("code", {}, entity.via)],
+        ["created by", entity.via && el("code", {}, entity.via)],
         ["remapped", entity.remaps.map((one) => el("div", {}, el("code", {}, named(one))))],
         ["policy", rule ? el("a", { href: route.toRule(rule), class: "rule" }, icon("shield"), rule.text) : el("span", { class: "doubt" }, `no rule: ${entity.why_not || "not needed"}`)],
       ]),
       madeOf(entity.sources),
-      first ? [el("h4", {}, "Created at"), parts.source(first)] : entity.system ? el("p", { class: "dim" }, "Made by the client library of every node.") : null,
+      first ? [el("h4", {}, "Created at"), parts.source(first)] : entity.system ? el("p", { class: "dim" }, "Created by the client library for every node.") : null,
       more.map((at) => parts.source(at)),
       entity.path.length > 1 ? el("details", { class: "path" }, el("summary", {}, `Reached through ${entity.path.length} places`), entity.path.map((at) => parts.source(at))) : null);
   }
@@ -65,7 +65,7 @@ rosward.entity = (() => {
       el("td", {}, one.what, " ", el("code", {}, named(one.name))),
       el("td", {}, el("code", {}, named(one.value === null ? "?" : one.value))),
       el("td", {}, one.origin, one.places.map((at) => [" ", parts.place(at)]))));
-    return [el("h4", {}, "What the name was made of"), parts.table(["Part", "Value", "From"], rows)];
+    return [el("h4", {}, "Parts of the name"), parts.table(["Part", "Value", "From"], rows)];
   }
 
   const list = (texts) => el("ul", {}, texts.map((text) => el("li", {}, named(text, "span"))));

@@ -94,7 +94,7 @@ rosward.graph = (() => {
     });
     const blank = document.getElementById("blank");
     blank.hidden = wanted.shapes.length > 0;
-    blank.textContent = model.nodes.size ? "The filters leave nothing to draw." : "There is no ROS node in these sources.";
+    blank.textContent = model.nodes.size ? "Nothing matches the filters." : "These sources contain no ROS nodes.";
     const heavy = wanted.shapes.length + wanted.edges.length > HEAVY;
     cy.renderer().hideEdgesOnViewport = heavy;
     const frame = opened && cy.getElementById(opened);
@@ -245,7 +245,7 @@ rosward.graph = (() => {
     const thing = model.thing(target.data("ref"));
     if (!thing) return;
     const kind = model.kindOf(thing);
-    const more = kind === "node" ? [thing.package, thing.executable].filter(Boolean).join(" · ") : thing.types.join(", ") || "type not known";
+    const more = kind === "node" ? [thing.package, thing.executable].filter(Boolean).join(" · ") : thing.types.join(", ") || "unknown type";
     rosward.dom.fill(element, rosward.dom.el("b", {}, model.nameOf(thing)), rosward.dom.el("span", {}, `${kind} · ${more}`));
     const at = target.renderedBoundingBox({ includeLabels: false });
     element.hidden = false;

@@ -7,9 +7,9 @@ rosward.keyboard = (() => {
   const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   const GROUPS = ["namespace", "process", "enclave", "none"];
   const KEYS = [
-    ["/", "search"], ["↑ ↓", "through the list"], ["Enter", "open"], ["Escape", "close, one step back out"], ["1 2 3", "graph, policies, findings"],
-    ["arrows", "in the graph: to the next thing in that direction"], ["+ -", "zoom"], ["0", "fit"], ["f", "focus on what is open, or end it"],
-    ["g", "next grouping"], ["s", "system entities"], ["t", "light or dark"], ["?", "these keys"],
+    ["/", "search"], ["↑ ↓", "move through the list"], ["Enter", "open"], ["Escape", "close, or go back one step"], ["1 2 3", "graph, policies, findings"],
+    ["arrows", "in the graph: move in that direction"], ["+ -", "zoom"], ["0", "fit"], ["f", "focus on the open item, or end the focus"],
+    ["g", "next grouping"], ["s", "system entities"], ["t", "light or dark theme"], ["?", "show these keys"],
   ];
   const dialog = document.getElementById("keys");
 

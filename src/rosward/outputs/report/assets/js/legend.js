@@ -13,15 +13,15 @@ rosward.legend = (() => {
     const sample = (kind) => el("i", { class: `sample ${kind}` });
     const marks = [
       ...KINDS.map((kind) => [some(shapes, (one) => one.kind === kind), icon(kind), kind]),
-      [some(shapes, (one) => one.kind === "group"), icon("group"), "closed frame (a click opens it)"],
+      [some(shapes, (one) => one.kind === "group"), icon("group"), "closed frame (click to open)"],
       [some(shapes, (one) => one.assumed), sample("assumed"), "assumed: nothing starts it"],
-      [some(shapes, (one) => one.unknown), sample("unknown"), "interface not known"],
-      [some(shapes, (one) => one.doubtful), sample("doubtful"), "name not wholly known"],
-      [some(edges, (one) => one.dashed && one.kind !== "maybe"), sample("dashed"), "conditional, or name not known"],
-      [some(edges, (one) => one.kind === "maybe"), sample("maybe"), "may be the same"],
-      [some(edges, (one) => one.kind === "mixed"), sample("mixed"), "of several kinds"],
-      [crowds, null, `without ${crowds} that join${crowds === 1 ? "s" : ""} many with many`],
-      [some(shapes, (one) => one.hub), sample("hub"), "drawn at each of its many nodes"],
+      [some(shapes, (one) => one.unknown), sample("unknown"), "unknown interface"],
+      [some(shapes, (one) => one.doubtful), sample("doubtful"), "name not completely known"],
+      [some(edges, (one) => one.dashed && one.kind !== "maybe"), sample("dashed"), "conditional or unknown name"],
+      [some(edges, (one) => one.kind === "maybe"), sample("maybe"), "may be the same name"],
+      [some(edges, (one) => one.kind === "mixed"), sample("mixed"), "several kinds"],
+      [crowds, null, `omitted: ${crowds} that connect${crowds === 1 ? "s" : ""} many nodes with many`],
+      [some(shapes, (one) => one.hub), sample("hub"), "drawn next to each of its nodes"],
     ];
     dom.fill(box, marks.filter(([there]) => there).map(([, mark, word]) => el("li", {}, mark, word)));
   }

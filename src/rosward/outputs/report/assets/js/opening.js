@@ -93,8 +93,8 @@ rosward.opening = (() => {
   /** Says what is not drawn, and how to get it. */
   function tell({ detail, collapsed = [] }) {
     hint.hidden = detail === undefined;
-    const closed = collapsed.length ? "some frames are closed: a click opens one" : "without their topics: click one to see what it talks to";
-    const all = dom.el("button", { type: "button", class: "act", onclick: () => state.set({ collapsed: [], detail: "all" }) }, "Draw all of it");
+    const closed = collapsed.length ? "some frames are closed; click one to open it" : "shown without their topics; click one to see its connections";
+    const all = dom.el("button", { type: "button", class: "act", onclick: () => state.set({ collapsed: [], detail: "all" }) }, "Draw everything");
     dom.fill(hint, `${names.plural(model.nodes.size, "node")}, ${closed}.`, all, dom.button("Close", "close", () => { hint.hidden = true; }));
   }
 

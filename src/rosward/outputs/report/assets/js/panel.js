@@ -5,7 +5,7 @@ rosward.panel = (() => {
   const { model, state, route, dom, parts, entity, names } = rosward;
   const { el, icon, named } = dom;
   const box = document.getElementById("panel");
-  const INTERFACES = { declared: "declared", partial: "known in part", unknown: "interface not known" };
+  const INTERFACES = { declared: "declared", partial: "partially known", unknown: "unknown interface" };
   const KINDS = [["publisher", "Publishes"], ["subscription", "Subscribes to"], ["service server", "Serves"], ["service client", "Calls"], ["action server", "Executes actions"], ["action client", "Sends goals to"]];
   const SIDES = { topic: [["publisher", "Publishers"], ["subscription", "Subscriptions"]], service: [["service server", "Servers"], ["service client", "Clients"]], action: [["action server", "Servers"], ["action client", "Clients"]] };
 
@@ -57,15 +57,15 @@ rosward.panel = (() => {
       findings(one.id, own),
       one.reasons.length ? el("div", { class: "callout doubt" }, icon("warning"), el("ul", {}, one.reasons.map((text) => el("li", {}, named(text, "span"))))) : null,
       parts.facts([
-        ["package", one.package], ["executable", one.executable], [one.assumed ? "made by" : "process", one.assumed ? `nothing in the sources: ${one.process}` : one.process],
+        ["package", one.package], ["executable", one.executable], [one.assumed ? "created by" : "process", one.assumed ? `nothing in the sources: ${one.process}` : one.process],
         ["enclave", enclave && el("a", { href: route.toEnclave(enclave) }, named(enclave.path))],
       ]),
       KINDS.map(([kind, title]) => group(title, own.filter((each) => each.kind === kind), "node")),
-      one.interface === "unknown" ? el("p", { class: "dim" }, `What it makes is not known: ${one.lacks.join("; ")}.`)
-        : own.length ? null : el("p", { class: "dim" }, "It makes no publisher, subscription, service or action of its own."),
+      one.interface === "unknown" ? el("p", { class: "dim" }, `Its interface is unknown: ${one.lacks.join("; ")}.`)
+        : own.length ? null : el("p", { class: "dim" }, "It creates no publishers, subscriptions, services or actions of its own."),
       parameters(one.parameters),
-      system.length ? el("details", { class: "system" }, el("summary", {}, `${system.length} made by the client library`), system.map((each) => entity.row(each, "node"))) : null,
-      el("h3", {}, "Where it comes from"),
+      system.length ? el("details", { class: "system" }, el("summary", {}, `${system.length} created by the client library`), system.map((each) => entity.row(each, "node"))) : null,
+      el("h3", {}, "Source"),
       parts.source(one.place, "defined"),
       one.launched_by ? parts.source(one.launched_by, "launched") : null,
       one.includes.map((at) => parts.source(at, "included")));
@@ -102,12 +102,12 @@ rosward.panel = (() => {
       actions(one),
       findings(one.id),
       parts.facts([
-        [one.types.length > 1 ? "types" : "type", types.length ? types : el("span", { class: "doubt" }, "not known")],
-        ["may be", matches.map((other) => el("div", {}, parts.link(other)))],
-        ["may be meant by", matched.map((other) => el("div", {}, parts.link(other)))],
+        [one.types.length > 1 ? "types" : "type", types.length ? types : el("span", { class: "doubt" }, "unknown")],
+        ["may match", matches.map((other) => el("div", {}, parts.link(other)))],
+        ["may be matched by", matched.map((other) => el("div", {}, parts.link(other)))],
       ]),
       SIDES[one.kind].map(([kind, title]) => group(title, all.filter((each) => each.kind === kind), "endpoint")
-        || el("section", {}, el("h3", {}, title, " ", el("span", { class: "number" }, 0)), el("p", { class: "dim" }, "None in the sources that were read."))));
+        || el("section", {}, el("h3", {}, title, " ", el("span", { class: "number" }, 0)), el("p", { class: "dim" }, "None in the analysed sources."))));
   }
 
   function entities(list) {

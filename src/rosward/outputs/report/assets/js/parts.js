@@ -30,7 +30,7 @@ rosward.parts = (() => {
     const head = el("figcaption", {}, place(one), note ? el("span", { class: "dim" }, note) : null, dom.copyButton(() => placeText(one), "Copy"));
     if (!one.line || !numbers.length) {
       const leftOut = one.line > 0 && model.report.summary.places_without_code > 0;
-      return el("figure", { class: "source" }, head, leftOut ? el("p", { class: "left-out dim" }, "These lines are not in the report, whose size is limited.") : null);
+      return el("figure", { class: "source" }, head, leftOut ? el("p", { class: "left-out dim" }, "These lines are not in the report because its size is limited.") : null);
     }
     const indent = Math.min(...numbers.filter((at) => lines[at].trim()).map((at) => lines[at].search(/\S/)), 40);
     const rows = numbers.map((at) => el("div", { class: at === one.line ? "line marked" : "line" },
@@ -59,8 +59,8 @@ rosward.parts = (() => {
   }
 
   const RESOLUTIONS = {
-    exact: "known exactly", default: "known, if the defaults of its parameters are kept", bound: "known from a value that was given",
-    pattern: "known in part", unknown: "not known",
+    exact: "known exactly", default: "known if the defaults of its parameters are kept", bound: "known from a value that was set",
+    pattern: "partially known", unknown: "unknown",
   };
 
   function resolution(one) {

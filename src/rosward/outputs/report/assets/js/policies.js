@@ -22,7 +22,7 @@ rosward.policies = (() => {
 
   function draw(one) {
     if (one === null) {
-      dom.fill(box, el("div", { class: "nothing" }, icon("shield"), el("h2", {}, "No policy"), el("p", {}, "There is no node in these sources, so there is nothing to allow.")));
+      dom.fill(box, el("div", { class: "nothing" }, icon("shield"), el("h2", {}, "No policy"), el("p", {}, "These sources contain no nodes, so there is nothing to allow.")));
       return;
     }
     dom.fill(box,
@@ -83,7 +83,7 @@ rosward.policies = (() => {
     const list = one.nodes.flatMap((id) => model.nodes.get(id).entities.map((each) => model.entities.get(each))).filter((each) => each.rule === null && each.why_not);
     if (!list.length) return null;
     return el("section", { class: "refused" }, el("h3", {}, icon("warning"), `${names.plural(list.length, "use")} not allowed by this policy`),
-      el("p", { class: "dim" }, "What these names are is not known from the sources, so the policy does not allow them."),
+      el("p", { class: "dim" }, "These names cannot be determined from the sources, so the policy does not allow them."),
       list.map((each) => rosward.entity.row(each, "both")));
   }
 

@@ -23,15 +23,15 @@ rosward.print = (() => {
   function findings() {
     if (!model.report.findings.length) return null;
     const ordered = parts.SEVERITIES.flatMap((severity) => model.report.findings.filter((one) => one.severity === severity));
-    return [el("h2", {}, "Findings"), table(["Finding", "Place", "What is the matter"], ordered.map((one) => [`${one.severity} ${one.code}`, one.place && parts.placeText(one.place), one.message]))];
+    return [el("h2", {}, "Findings"), table(["Finding", "Place", "Message"], ordered.map((one) => [`${one.severity} ${one.code}`, one.place && parts.placeText(one.place), one.message]))];
   }
 
   function node(one) {
     const own = one.entities.map((id) => model.entities.get(id)).filter((each) => !each.system);
     return el("section", {}, el("h3", {}, named(one.fqn)),
       el("p", {}, [one.assumed ? "assumed: nothing starts it" : null, one.package, one.executable, parts.placeText(one.place)].filter(Boolean).join(" · ")),
-      own.length ? table(["Kind", "Name", "Type", "QoS", "Created at"], own.map((each) => [each.kind, each.name + (each.resolution === "exact" ? "" : ` (${each.resolution})`), each.type || "not known", entity.qosText(each.qos), each.places.map(parts.placeText).join(", ")]))
-        : el("p", {}, "It makes no publisher, subscription, service or action of its own."));
+      own.length ? table(["Kind", "Name", "Type", "QoS", "Created at"], own.map((each) => [each.kind, each.name + (each.resolution === "exact" ? "" : ` (${each.resolution})`), each.type || "unknown", entity.qosText(each.qos), each.places.map(parts.placeText).join(", ")]))
+        : el("p", {}, "It creates no publishers, subscriptions, services or actions of its own."));
   }
 
   function table(heads, rows) {

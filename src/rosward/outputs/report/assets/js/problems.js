@@ -21,7 +21,7 @@ rosward.problems = (() => {
   function draw() {
     const all = groups();
     if (!all.length) {
-      dom.fill(box, el("div", { class: "nothing" }, icon("ok"), el("h2", {}, "No findings"), el("p", {}, "Every file was read, every name is known, and all that is sent is received.")));
+      dom.fill(box, el("div", { class: "nothing" }, icon("ok"), el("h2", {}, "No findings"), el("p", {}, "Every file was read, every name is known, and everything that is sent is received.")));
       return;
     }
     dom.fill(box, el("header", {}, el("h2", {}, "Findings"), el("div", { class: "chips", role: "group", "aria-label": "Severities" }, parts.SEVERITIES.map(filter))),
@@ -55,7 +55,7 @@ rosward.problems = (() => {
     const others = model.sameCause.get(finding.id);
     const line = item(finding);
     if (!others.length) return line;
-    const rest = el("details", {}, el("summary", {}, `${others.length} more of this cause`));
+    const rest = el("details", {}, el("summary", {}, `${others.length} more with this cause`));
     rest.addEventListener("toggle", () => { if (rest.open) unfold(rest, finding); });
     line.append(rest);
     return line;

@@ -12,12 +12,12 @@ rosward.summary = (() => {
     const open = (counts.names.pattern || 0) + (counts.names.unknown || 0);
     const kinds = [["node", counts.nodes], ["topic", counts.topics.total - counts.topics.system], ["service", counts.services.total - counts.services.system], ["action", counts.actions.total - counts.actions.system]];
     return [
-      el("ul", { class: "counts" }, kinds.map(([kind, number]) => el("li", { title: kind === "node" ? null : "without those that the client library makes" },
+      el("ul", { class: "counts" }, kinds.map(([kind, number]) => el("li", { title: kind === "node" ? null : "without those that the client library creates" },
         icon(kind), " ", el("b", {}, number.toLocaleString("en")), names.plural(number, kind).replace(/^[\d,]+/, ""))),
       el("li", {}, summary.complete
-        ? el("span", { class: "complete yes", title: "There is no error among the findings: everything that was asked for was read" }, icon("ok"), "complete")
-        : el("a", { class: "complete no", href: "#findings", title: "There are errors: something that the system does may be missing here" }, icon("warning"), "not complete")),
-      open ? el("li", {}, el("a", { class: "complete no", href: "#findings", title: "Names that the sources do not wholly tell" }, icon("warning"), `${names.plural(open, "name")} open`)) : null),
+        ? el("span", { class: "complete yes", title: "No findings are errors: everything requested was analysed" }, icon("ok"), "complete")
+        : el("a", { class: "complete no", href: "#findings", title: "Some findings are errors: parts of the system may be missing here" }, icon("warning"), "not complete")),
+      open ? el("li", {}, el("a", { class: "complete no", href: "#findings", title: "Names that the sources do not determine completely" }, icon("warning"), `${names.plural(open, "name")} open`)) : null),
       el("p", { class: "read" }, `Read from ${names.plural(summary.files, "file")} (${names.plural(summary.lines, "line")}), ${names.plural(summary.processes, "process")}, for ROS 2 ${summary.distro}. `, el("strong", {}, "Nothing was executed.")),
     ];
   }

@@ -34,7 +34,7 @@ rosward.theme = (() => {
   function start() {
     set(kept());
     system.addEventListener("change", graph.restyle);
-    document.getElementById("buttons").append(dom.button("Light or dark", "theme", turn));
+    document.getElementById("buttons").append(dom.button("Light or dark theme", "theme", turn));
   }
 
   return { start, turn };
