@@ -12,17 +12,24 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.certain import is_true, text_of
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.text import pattern, readable
-from rosward.domain.unknown import Cause, Origin, Origins, Reason
+from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref, Text, Tuple, Unknown, Value
-from rosward.effects.log import NodeEffect, ParameterEffect
+from rosward.effects.log import ParameterEffect
 from rosward.models.failures import fail
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import plain_data
 from rosward.models.ros import parameter_table as table
-from rosward.models.ros.effects import mark
+from rosward.models.ros.parameter_given import (
+    given_wrongly,
+    initial_value,
+    nodes_at,
+    on_heap,
+    own_overrides,
+    type_label,
+    unread_files,
+)
 from rosward.naming.command_line import ANY_NAME, type_word
-from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
 
 if TYPE_CHECKING:
@@ -40,15 +47,13 @@ def _declare(call: NativeCall) -> Value:
     found: list[Value] = []
     for node in nodes:
         for name in names:
-            failed = _refused(machine, node, name) or _given_wrongly(
-                machine, node, name, default, type_, ignored, typed
-            )
+            failed = _refused(machine, node, name) or given_wrongly(machine, node, name, default, type_, ignored, typed)
             if failed is not None:
                 machine.raised += 1
                 if alone:
                     return failed
                 continue
-            value = _initial(machine, node, name, default, _hint(machine, type_), ignored)
+            value = initial_value(machine, node, name, default, _hint(machine, type_), ignored)
             address = node.address if isinstance(node, Ref) else None
             machine.log.parameters[
                 ParameterEffect(
@@ -77,107 +82,8 @@ _HINTS: Final = {"BOOL": "bool", "INTEGER": "int", "DOUBLE": "float", "STRING": 
 
 def _hint(machine: Machine, type_: Value) -> str:
     """The Python type of a parameter of a declared type; '' where it is not known."""
-    word = _type_label(machine, type_)
+    word = type_label(machine, type_)
     return "list" if word.endswith("_ARRAY") else _HINTS.get(word, "")
-
-
-def _type_label(machine: Machine, type_: Value) -> str:
-    """The name of a member of Parameter.Type."""
-    attrs = machine.obj(type_).attrs if isinstance(type_, Ref) else {}
-    return text_of(attrs.get("name", attrs.get("_name_")))
-
-
-def _initial(machine: Machine, node: Value, name: Value, default: Value, hint: str, ignored: Value) -> Value:
-    """The value of a parameter when it is declared: what the code or the command line sets, else its default.
-
-    Of a process whose command line is known the default holds for sure; otherwise anybody may have set another.
-    `ignored`: whether what is set from outside does not count (ignore_override).
-    """
-    label = text_of(name, readable(name))
-    override = _override(machine, node, label) if ignored != TRUE else None
-    open_ = _open(machine, node)
-    if override is not None and not open_:
-        return override
-    origin = Origin("parameter", label, settled=machine.log.configuration is not None and not open_)
-    values = [
-        machine.unknown(Cause.PARAMETER, label, hint)
-        if option == NONE or option is UNBOUND
-        else mark(machine, option, origin)
-        for option in (options(default) if override is None else (override,))
-    ]
-    return join_all([*values, *(Unknown((r,), hint) for r in open_)])
-
-
-def _given_wrongly(
-    machine: Machine, node: Value, name: Value, default: Value, type_: Value, ignored: Value, typed: bool
-) -> Value | None:
-    """Declaring raises: what sets the parameter is of another type than the default. Without `typed` any type will do."""
-    label = text_of(name)
-    override = _override(machine, node, label) if ignored == FALSE and typed and label else None
-    if override is None:
-        return None
-    declared, given = type_word(default) or _type_label(machine, type_).lower(), type_word(override)
-    if not declared or not given or declared == given or "not_set" in (declared, given):
-        return None
-    message = f"parameter {label!r} is declared as {declared} but set to a value of type {given}"
-    return table.raise_(machine, "InvalidParameterTypeException", message, name, Const(declared))
-
-
-def _open(machine: Machine, node: Value) -> tuple[Reason, ...]:
-    """The parameter files of the node's command lines that are not known: they may set anything."""
-    return tuple(
-        dict.fromkeys(
-            r for e in _effects(machine, node) for line in command_lines(machine.log, e) for r in line.missing
-        )
-    )
-
-
-def _effects(machine: Machine, node: Value) -> list[NodeEffect]:
-    return [e for e in machine.log.nodes if isinstance(node, Ref) and e.address == node.address]
-
-
-def _override(machine: Machine, node: Value, name: str) -> Value | None:
-    """What the node's own code sets by parameter_overrides, or its command line."""
-    if not isinstance(node, Ref):
-        return None
-    own, others = _own(machine, node)
-    if name in own:
-        return own[name]
-    found: list[Value] = []
-    for effect in _effects(machine, node):
-        values = values_of(machine.log, effect)
-        value = values.get(name, values.get(ANY_NAME))
-        if value is not None:
-            found.append(_on_heap(machine, name, value))
-    if others:
-        found.append(machine.unknown(Cause.PARAMETER, f"{name}, which parameter_overrides may set"))
-    return join_all(found) if found else None
-
-
-def _own(machine: Machine, node: Value) -> tuple[dict[str, Value], bool]:
-    """What the code itself sets by parameter_overrides, by name; and whether it may set others."""
-    given = machine.obj(node).attrs.get("__overrides__") if isinstance(node, Ref) else None
-    if given is None:
-        return {}, False
-    known, rest = machine.iterate(given)
-    found: dict[str, Value] = {}
-    others = rest is not None
-    for item in known:
-        attrs = machine.obj(item).attrs if isinstance(item, Ref) else {}
-        name = text_of(attrs.get("_name", attrs.get("name")))
-        value = attrs.get("_value", attrs.get("value"))
-        if name and value is not None:
-            found[name] = value
-        else:
-            others = True
-    return found, others
-
-
-def _on_heap(machine: Machine, name: str, value: Value) -> Value:
-    """A given value as the program holds it, marked as set from outside."""
-    if isinstance(value, Tuple):
-        value = machine.new_list(value.items)
-    return mark(machine, value, Origin("parameter", name, settled=True, given=True))
 
 
 def _now(machine: Machine, value: Value, label: str) -> Value:
@@ -263,7 +169,7 @@ def _is_given(call: NativeCall) -> Value:
     """
     machine = call.machine
     node, name = call.exactly(2)
-    if machine.log.configuration is None and not _own(machine, node)[1]:
+    if machine.log.configuration is None and not own_overrides(machine, node)[1]:
         if all(
             table.is_declared(machine, node, n) is None and not table.may_name(machine, node, n) for n in options(name)
         ):
@@ -334,15 +240,15 @@ def _declare_given(call: NativeCall) -> Value:
     """
     machine = call.machine
     for node in options(call.args[0]):
-        own, others = _own(machine, node)
-        open_ = _open(machine, node)
+        own, others = own_overrides(machine, node)
+        open_ = unread_files(machine, node)
         if machine.log.configuration is None or open_:
             table.put_any(machine, node, "set from outside")
-        effects = _effects(machine, node)
+        effects = nodes_at(machine, node)
         given: dict[str, list[Value]] = {}
         for effect in effects:
             for label, value in values_of(machine.log, effect).items():
-                given.setdefault(label, []).append(_on_heap(machine, label, value))
+                given.setdefault(label, []).append(on_heap(machine, label, value))
         for label, values in given.items():
             if label == ANY_NAME:
                 table.put_any(machine, node, "set from outside")
@@ -378,7 +284,7 @@ def _declare_own(call: NativeCall) -> Value:
     for node in options(call.args[0]):
         for label, default, sure in (("use_sim_time", FALSE, True), ("start_type_description_service", TRUE, False)):
             if table.is_declared(machine, node, Const(label)) is not True:
-                value = _initial(machine, node, Const(label), default, "bool", FALSE)
+                value = initial_value(machine, node, Const(label), default, "bool", FALSE)
                 old = table.value_of(machine, node, Const(label))
                 table.put(machine, node, Const(label), value if old is None else join(value, old), sure=sure)
     return NONE
