@@ -189,7 +189,7 @@ class EffectLog:
         if not cls.stub:
             self.classes[cls] = None
 
-    def seen(self, code: Code, *, stub: bool) -> None:
+    def add_function(self, code: Code, *, stub: bool) -> None:
         """A function was made."""
         if not stub:
             self.functions[code.key] = code

@@ -86,7 +86,7 @@ def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERY
         tuple(reader.findings),
         tuple(dict.fromkeys(reader.shared)),
         reader.all_shared and not reader.findings,
-        reader.targets.found(),
+        reader.targets.startable(),
         tuple(dict.fromkeys(reader.entry_points)),
         tuple(dict.fromkeys(reader.generated)),
     )

@@ -112,7 +112,7 @@ class Targets:
         if program:
             self._registered.append(CMakeTarget(program, TargetKind.EXECUTABLE, place, plugin))
 
-    def found(self) -> tuple[CMakeTarget, ...]:
+    def startable(self) -> tuple[CMakeTarget, ...]:
         """What can be started or loaded."""
         programs = [
             CMakeTarget(name, TargetKind.EXECUTABLE, place)

@@ -117,7 +117,7 @@ def as_yaml(text: Value, failed: Failed) -> Value:
             return _with_hole(option)
         loaded = load_yaml(plain) if plain else Loaded("")
         if loaded.error or not _is_uniform(loaded.value):
-            failed(loaded.error or f"{_shown(plain)} is neither a scalar nor a list of values of one type")
+            failed(loaded.error or f"{_quoted(plain)} is neither a scalar nor a list of values of one type")
             return unknown(option)
         return value_of(loaded.value, origins_of(option))
 
@@ -136,7 +136,7 @@ def as_type(text: Value, kind: str, failed: Failed) -> Value:
         try:
             return value_of(_coerced(plain, kind), origins_of(option))
         except ValueError:
-            failed(f"{_shown(plain)} is not of type {kind}")
+            failed(f"{_quoted(plain)} is not of type {kind}")
             return unknown(option)
 
     return lift(one, text)
@@ -214,7 +214,7 @@ def _is_word(text: str) -> bool:
     return ":" not in text and (len(text) > len("false") or "/" in text or "_" in text)
 
 
-def _shown(text: str) -> str:
+def _quoted(text: str) -> str:
     return repr(text if len(text) <= 40 else text[:37] + "…")
 
 

@@ -333,10 +333,10 @@ def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
     return function.__class__ is not Ref or members.lookup(machine, machine.obj(function).cls, "__call__") is None
 
 
-def _known(machine: Engine, value: Value) -> bool:
+def _is_known(machine: Engine, value: Value) -> bool:
     """Whether all that a builtin asks of a value is known."""
     if value.__class__ is Tuple:
-        return all(_known(machine, v) for v in value.items)
+        return all(_is_known(machine, v) for v in value.items)
     return _is_exact(machine, value) if value.__class__ is Ref else value.__class__ is Const
 
 
@@ -362,7 +362,7 @@ def _native(machine: Engine, name: str, arguments: list[Value]) -> bool:
     if (
         head in _EVALUATED
         and (method in _NUMBERS or head not in ("", "builtins"))
-        and all(_known(machine, a) for a in arguments)
+        and all(_is_known(machine, a) for a in arguments)
     ):
         return False  # where it fails, it says so
     if head in ("", "builtins") and members.is_builtin_exception(Native(f"builtins.{method}")):

@@ -93,7 +93,7 @@ def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Runnin
     """One step. Of generators that are nested too deep to be told apart it may ask for itself: solved by iteration from below."""
     for number in range(machine.budget.fixpoint * 2):
         merge = join if number < machine.budget.widen_after else _widening(machine)
-        seen, running.asked = running.seen, False
+        seen, running.asked = running.versions, False
         item, ended, value = stepped = _once(machine, ref, action)
         before = running.stepped
         if not running.asked and before.item is UNBOUND and before.ended is None:
@@ -112,7 +112,7 @@ def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Runnin
             before.ended if ended is None else ended,
             value if before.value is UNBOUND else merge(before.value, value),
         )
-        if not running.asked or seen == running.seen:
+        if not running.asked or seen == running.versions:
             break
         machine.state = running.before.copy()
     else:

@@ -40,11 +40,11 @@ def made(machine: Engine, value: Value) -> Value:
         elif option.__class__ in (Ref, Unknown):
             found.append(option)
         else:
-            found.append(exception_object(machine, Native("builtins.TypeError"), (_told(machine),)))
+            found.append(exception_object(machine, Native("builtins.TypeError"), (_unknown_message(machine),)))
     return join_all(found)
 
 
-def _told(machine: Engine) -> Value:
+def _unknown_message(machine: Engine) -> Value:
     """A message that Python writes, and that is not followed."""
     return machine.unknown(Cause.LIVE, "message of an exception", "str")
 

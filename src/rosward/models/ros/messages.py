@@ -78,7 +78,9 @@ def send(machine: Machine, kind: str, node: Value, name: Value, type_: Value, va
         return  # a message that is serialised already
     others = [_other(machine, option, wanted) for option in options(value)]
     if all(others) and not machine.choosing:  # one of several publishers may take it
-        machine.report("RW213", f"{_TAKES[kind]} {_shown(wanted)}, not {' or '.join(dict.fromkeys(others))}: TypeError")
+        machine.report(
+            "RW213", f"{_TAKES[kind]} {_full_name(wanted)}, not {' or '.join(dict.fromkeys(others))}: TypeError"
+        )
 
 
 _TAKES: Final = {
@@ -90,7 +92,7 @@ _TAKES: Final = {
 """What rclpy checks. It looks neither at feedback nor at results."""
 
 
-def _shown(name: MessageName) -> str:
+def _full_name(name: MessageName) -> str:
     part = f".{name.part}" if name.part else ""
     return f"{name.package}/{name.kind}/{name.name}{part}"
 
@@ -112,7 +114,7 @@ def _other(machine: Machine, value: Value, wanted: MessageName) -> str:
     cls = obj.cls
     if isinstance(cls, External):
         found = message_name(cls.name)
-        return "" if found is None or found == wanted else _shown(found)
+        return "" if found is None or found == wanted else _full_name(found)
     if not isinstance(cls, Class) or cls.stub or any(isinstance(b, (External, Unknown)) for b in cls.mro):
         return ""
     return cls.name

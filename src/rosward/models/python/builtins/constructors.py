@@ -33,7 +33,7 @@ from rosward.domain.values import (
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.containers import dicts
-from rosward.models.python.containers.list_alternatives import keep_told, told
+from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.lists import new_tuple
 from rosward.models.python.containers.sets import new_set
 from rosward.models.python.operators.compare import kind_of
@@ -110,7 +110,7 @@ def _series(call: NativeCall) -> Series:
 
 def _list(call: NativeCall) -> Value:
     made = listed(call.machine, call.name, *_series(call))
-    keep_told(call.machine, made, (told(call.machine, a) for a in call.args[:1]))
+    keep_told(call.machine, made, (elements_apart(call.machine, a) for a in call.args[:1]))
     return made
 
 

@@ -18,7 +18,7 @@ from rosward.models.python.plain import MAX_ITEMS
 Told = tuple[tuple[Value, bool], ...] | None
 
 
-def told(machine: Machine, value: Value) -> Told:
+def elements_apart(machine: Machine, value: Value) -> Told:
     """The elements of a list or tuple of objects in order, and whether each is surely there; None where they are not told apart."""
     items: tuple[Value, ...] | None = None
     if isinstance(value, Tuple):

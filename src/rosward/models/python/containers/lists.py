@@ -16,7 +16,7 @@ from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import NO_ORIGINS
 from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
-from rosward.models.python.containers.list_alternatives import Told, keep_told, told
+from rosward.models.python.containers.list_alternatives import Told, elements_apart, keep_told
 from rosward.models.python.operators.compare import comparable, compares, equal
 from rosward.models.python.plain import (
     MAX_ITEMS,
@@ -74,13 +74,13 @@ def _lost(call: NativeCall) -> Value:
 def _append(call: NativeCall) -> Value:
     ref, value = _receiver(call), call.args[1]
     if ref is not None:
-        _add(call.machine, ref, Series((value,)), told(call.machine, Tuple((value,))))
+        _add(call.machine, ref, Series((value,)), elements_apart(call.machine, Tuple((value,))))
     return NONE
 
 
 def _add(machine: Machine, ref: Ref, more: Series, apart: Told) -> None:
     """Elements come to the end of a list."""
-    before = told(machine, ref)
+    before = elements_apart(machine, ref)
     write_series(machine, ref, concatenated((machine.obj(ref).series(), more)))
     keep_told(machine, ref, (before, apart))
 
@@ -89,7 +89,7 @@ def _extend(call: NativeCall) -> Value:
     ref = _receiver(call)
     more = call.machine.series(call.args[1])
     if ref is not None:
-        _add(call.machine, ref, more, told(call.machine, call.args[1]))
+        _add(call.machine, ref, more, elements_apart(call.machine, call.args[1]))
     return NONE
 
 
