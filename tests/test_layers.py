@@ -17,7 +17,7 @@ from typing import Final, NamedTuple
 import pytest
 
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
-LONGEST: Final = 500
+LONGEST: Final = 400
 
 _TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "safe"})
 _DOMAIN = frozenset({"domain", "ir"}) | _TEXT

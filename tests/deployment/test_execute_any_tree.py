@@ -11,7 +11,8 @@ import pytest
 from deployment.execution import HERE, UNKNOWN, Run, share, text
 from rosward.deployment import tree
 from rosward.domain.choice import join
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.compound import Tuple
+from rosward.domain.values import Const, Value
 
 TEXTS = (
     "",

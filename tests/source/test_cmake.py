@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from rosward.source.cmake import CMakeProject, read_cmake
-from rosward.source.cmake_text import parse_cmake
+from rosward.source.cmake.interpreter import CMakeProject, read_cmake
+from rosward.source.cmake.text import parse_cmake
 from source.trees import write
 
 FILES = {"scripts/a.py": "", "scripts/b.py": "", "scripts/deep/c.py": "", "scripts/d.txt": ""}

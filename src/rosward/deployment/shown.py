@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import origins_of, parts_of
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.values import Const, Value
 from rosward.network.launch_tree import GivenParameter, LaunchEntry, Shown
 
 if TYPE_CHECKING:

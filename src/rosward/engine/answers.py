@@ -11,14 +11,7 @@ from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Function,
-    Ref,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
 from rosward.engine import escape, schedule, throwing
 from rosward.findings import Finding
 from rosward.source.location import Place

@@ -10,20 +10,14 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all
+from rosward.domain.compound import Native, TooManyPartsError
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.domain.suspended import Suspension
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    Class,
-    ModuleValue,
-    Native,
-    Ref,
-    TooManyPartsError,
-    Value,
-)
+from rosward.domain.values import Class, ModuleValue, Ref, Value
 from rosward.engine.answers import Answers
 from rosward.engine.budget import Budget
 from rosward.engine.catcher import Catcher

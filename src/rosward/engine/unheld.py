@@ -14,25 +14,11 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import SHIFT
 from rosward.domain.suspended import Suspension
-from rosward.domain.values import (
-    BoundMethod,
-    Choice,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Super,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame

@@ -13,10 +13,11 @@ from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import lift, options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
 from rosward.domain.text import make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Choice, Const, Text, Tuple, Unknown, Value
+from rosward.domain.values import Choice, Const, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.holes import HOLE, Holed, with_stars
 from rosward.ros import arguments, names

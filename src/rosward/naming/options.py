@@ -12,20 +12,10 @@ from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.compound import BoundMethod, Descriptor, External, Partial
 from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import Cause, Origins, Reason
-from rosward.domain.values import (
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Partial,
-    Text,
-    Value,
-)
+from rosward.domain.values import Choice, Class, Const, Function, Text, Value
 from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Resolution
 from rosward.source.location import Place

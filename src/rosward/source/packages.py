@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.source.boundary import EVERYWHERE, Boundary
-from rosward.source.cmake import CMakeProject, read_cmake
-from rosward.source.cmake_install import below_share
+from rosward.source.cmake.install import below_share
+from rosward.source.cmake.interpreter import CMakeProject, read_cmake
 from rosward.source.entry_points import PythonSide, read_pyproject, read_setup_cfg
 from rosward.source.generated import there
 from rosward.source.location import Place

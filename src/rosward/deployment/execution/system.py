@@ -27,9 +27,10 @@ from rosward.deployment.execution.substitutions import SUBSTITUTIONS
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started
 from rosward.domain.choice import options
+from rosward.domain.compound import Partial
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Partial, Unknown, Value
+from rosward.domain.values import Const, Unknown, Value
 from rosward.guard import guarded
 from rosward.network.launch_tree import Inclusion
 from rosward.source.location import Place

@@ -15,9 +15,10 @@ from typing import Final, NamedTuple
 import yaml
 
 from rosward.domain.choice import lift, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins, Reason
-from rosward.domain.values import Choice, Const, Hole, Text, Tuple, Unknown, Value
+from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import literal
 from rosward.ros.parameter_values import InvalidArgument, parse_value
 from rosward.source import limits

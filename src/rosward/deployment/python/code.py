@@ -22,23 +22,10 @@ from rosward.deployment.python.expression import Expressions
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.tree import Description, Unread
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import BoundMethod, Partial
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import (
-    NONE,
-    TRUE,
-    UNBOUND,
-    BoundMethod,
-    Const,
-    Function,
-    Hole,
-    ModuleValue,
-    Partial,
-    Ref,
-    Text,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, TRUE, UNBOUND, Const, Function, Hole, ModuleValue, Ref, Text, Unknown, Value
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget, LimitReachedError

@@ -24,7 +24,8 @@ from rosward.deployment.tree import (
     Typed,
 )
 from rosward.domain.choice import join, options
-from rosward.domain.values import NONE, Const, External, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
 from rosward.source.location import Place
 
 _VALUE: Final = "launch_ros.parameter_descriptions.ParameterValue"

@@ -7,23 +7,10 @@ from collections import Counter
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Ref,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame

@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join
+from rosward.domain.compound import BoundMethod, Native
 from rosward.domain.heap import Obj, ObjKind
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, BoundMethod, Class, Native, Ref, Value
+from rosward.domain.values import UNBOUND, Class, Ref, Value
 from rosward.engine.python import members
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import CONTENTS, KINDS, builtin_of, contents

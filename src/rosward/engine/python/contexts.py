@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.exceptions import APART, Rest, leave_unseen

@@ -6,24 +6,20 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
     TRUE,
     UNBOUND,
-    BoundMethod,
     Choice,
     Class,
     Const,
-    External,
     Function,
     ModuleValue,
-    Native,
-    Partial,
     Ref,
     Text,
-    Tuple,
     Unknown,
     Value,
 )

@@ -15,24 +15,8 @@ import builtins
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    TooManyPartsError,
-    Tuple,
-    Value,
-)
+from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
 from rosward.engine.python import members
 from rosward.engine.throwing import note
 from rosward.ir import ops

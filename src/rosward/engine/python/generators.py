@@ -12,11 +12,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, widen
+from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.state import Merge, State, join_states
 from rosward.domain.suspended import Point, Suspension, add_points
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
 from rosward.engine import activation, declared
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher

@@ -17,26 +17,9 @@ import os
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.engine.python import members, metaclasses
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.python.specials import NOT_IMPLEMENTED

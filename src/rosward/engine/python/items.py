@@ -6,21 +6,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    Native,
-    Ref,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses

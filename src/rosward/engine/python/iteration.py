@@ -12,23 +12,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.series import Series
 from rosward.domain.state import element, join_states
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    External,
-    Function,
-    Native,
-    Ref,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot

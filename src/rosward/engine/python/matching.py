@@ -7,8 +7,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, TRUE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import FALSE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.python import members
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import bare

@@ -7,23 +7,8 @@ import builtins
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    Function,
-    Native,
-    Partial,
-    Range,
-    Ref,
-    Slice,
-    Text,
-    Tuple,
-    Value,
-)
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Range, Slice, Tuple
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Value
 from rosward.models.python.contents import KINDS
 from rosward.models.python.exceptions import is_exception
 

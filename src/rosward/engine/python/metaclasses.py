@@ -12,16 +12,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Class,
-    Const,
-    Descriptor,
-    Function,
-    Ref,
-    Value,
-)
+from rosward.domain.compound import BoundMethod, Descriptor
+from rosward.domain.values import UNBOUND, Class, Const, Function, Ref, Value
 from rosward.engine.python import members
 from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
 

@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Descriptor, Function, ModuleValue, Ref, Value
+from rosward.domain.compound import Descriptor
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.python import members
 from rosward.models.python.attribute_tables import remove_from_table

@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.values import Class, Native, Ref, Value
+from rosward.domain.compound import Native
+from rosward.domain.values import Class, Ref, Value
 from rosward.engine.python import members, metaclasses
 
 if TYPE_CHECKING:

@@ -7,17 +7,9 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import is_true, text_of
 from rosward.domain.choice import lift, options
+from rosward.domain.compound import External
 from rosward.domain.series import Series
-from rosward.domain.values import (
-    NONE,
-    Class,
-    Const,
-    External,
-    Ref,
-    Text,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.log import EntityEffect, NodeEffect
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data

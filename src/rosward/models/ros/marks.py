@@ -11,17 +11,9 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import lift
+from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    Const,
-    External,
-    Function,
-    Native,
-    Partial,
-    Tuple,
-    Value,
-)
+from rosward.domain.values import NONE, Const, Function, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros.entities import create
 from rosward.models.ros.messages import message_of, send

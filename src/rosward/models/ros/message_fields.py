@@ -15,10 +15,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Native
 from rosward.domain.heap import Obj
 from rosward.domain.table import marked
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, External, Native, Ref, Unknown, Value
+from rosward.domain.values import Const, Ref, Unknown, Value
 from rosward.models.ros.interfaces import message_name
 from rosward.source.definitions import FLOATS, INTEGERS, TEXTS, Definition, Field
 

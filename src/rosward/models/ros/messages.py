@@ -7,22 +7,10 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import lift, options
+from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Class,
-    Const,
-    External,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.sent import SentEffect
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros.interfaces import MessageName, message_name

@@ -11,23 +11,9 @@ import builtins
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Range, Tuple
 from rosward.domain.text import matches
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Class,
-    Const,
-    Descriptor,
-    Function,
-    ModuleValue,
-    Native,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Text, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.operators.compare import kind_of

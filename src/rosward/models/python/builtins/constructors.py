@@ -7,26 +7,20 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.values import (
     EMPTY,
     FALSE,
     NONE,
-    BoundMethod,
     Choice,
     Class,
     Const,
-    Descriptor,
-    External,
     Function,
     ModuleValue,
-    Native,
-    Partial,
     Ref,
-    Slice,
     Text,
-    Tuple,
     Unknown,
     Value,
 )

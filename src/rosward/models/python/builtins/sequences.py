@@ -9,9 +9,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import Native, Range, Tuple
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Native, Range, Ref, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.builtins.lazy import acts, lazily, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Alternatives
-from rosward.domain.values import Ref, Tuple, Value
+from rosward.domain.values import Ref, Value
 from rosward.models.native import Machine
 from rosward.models.python.plain import MAX_ITEMS
 

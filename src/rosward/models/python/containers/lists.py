@@ -11,10 +11,11 @@ from collections.abc import Iterable
 from typing import Any, Final
 
 from rosward.domain.choice import join, join_all
+from rosward.domain.compound import Slice, Tuple
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import NO_ORIGINS
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.list_alternatives import Told, elements_apart, keep_told
 from rosward.models.python.operators.compare import comparable, compares, equal

@@ -14,22 +14,11 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Native, Range, Tuple
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
-from rosward.domain.values import (
-    Choice,
-    Class,
-    Const,
-    External,
-    Native,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.list_alternatives import elements_apart, keep_told

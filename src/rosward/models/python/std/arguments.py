@@ -13,9 +13,10 @@ import argparse
 from typing import Any, Final, NoReturn
 
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Const, Ref, Tuple, Value
+from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.support import exact_list, names_of, place_list, text_of
 

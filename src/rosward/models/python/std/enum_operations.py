@@ -6,13 +6,9 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Native
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    Class,
-    Native,
-    Ref,
-    Value,
-)
+from rosward.domain.values import Class, Ref, Value
 from rosward.models.native import NativeCall
 from rosward.models.python.std.support import class_obj, int_of
 

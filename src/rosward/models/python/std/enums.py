@@ -15,25 +15,10 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Descriptor, External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.std.enum_operations import (
     COMPARISONS,

@@ -14,8 +14,9 @@ import csv
 from typing import Any, Final
 
 from rosward.domain.choice import lift
+from rosward.domain.compound import Tuple
 from rosward.domain.text import origins_of
-from rosward.domain.values import NONE, Const, Tuple, Value
+from rosward.domain.values import NONE, Const, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.std.support import NotKnown, from_plain, text_of, to_plain, unknown_from
 

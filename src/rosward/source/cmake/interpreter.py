@@ -13,15 +13,15 @@ from __future__ import annotations
 
 import os
 import re
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.findings import Finding
 from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
-from rosward.source.cmake_files import PackageFiles
-from rosward.source.cmake_install import CMakeTarget, Targets, below_share, by_option, shared
-from rosward.source.cmake_text import CMakeArgument, Command, parse_cmake
+from rosward.source.cmake.files import PackageFiles
+from rosward.source.cmake.install import CMakeTarget, Targets, below_share, by_option, shared
+from rosward.source.cmake.text import Command, parse_cmake
+from rosward.source.cmake.variables import Variables, elements
 from rosward.source.entry_points import EntryPoint, read_setup_cfg
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
@@ -33,9 +33,6 @@ if TYPE_CHECKING:
     from rosward.source.workspace import Shared
 
 _STEP_LIMIT: Final = 50_000
-_VALUE_LIMIT: Final = 1_000_000  # characters
-
-_PIECE: Final = re.compile(r"(\\.|\$\{|\$ENV\{|\$CACHE\{|\})", re.DOTALL)
 
 
 _TARGET_COMMANDS: Final = frozenset(
@@ -44,14 +41,6 @@ _TARGET_COMMANDS: Final = frozenset(
         "rclcpp_components_register_nodes",
     }
 )  # fmt: skip
-_INSTALL_FOLDERS: Final = MappingProxyType(
-    {
-        "CMAKE_INSTALL_LIBDIR": "lib",
-        "CMAKE_INSTALL_BINDIR": "bin",
-        "CMAKE_INSTALL_DATADIR": "share",
-        "CMAKE_INSTALL_DATAROOTDIR": "share",
-    }
-)
 
 
 class InstalledScript(NamedTuple):
@@ -105,11 +94,10 @@ class _Reader:
         self._file = ""
         self._steps = 0
         self._files = PackageFiles(folder)
-        self._variables: dict[str, str] = {
-            "PROJECT_NAME": package,
-            "CMAKE_PROJECT_NAME": package,
-            "CMAKE_INSTALL_PREFIX": "",
-        }
+        self._variables = Variables(
+            {"PROJECT_NAME": package, "CMAKE_PROJECT_NAME": package, "CMAKE_INSTALL_PREFIX": ""},
+            dict.fromkeys(("CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR", f"{package}_SOURCE_DIR"), folder),
+        )
         self._functions: dict[str, tuple[list[str], list[Command]]] = {}
         self.scripts: list[InstalledScript] = []
         self.shared: list[Shared] = []
@@ -146,7 +134,7 @@ class _Reader:
             command = commands[position]
             position += 1
             self._steps += 1
-            if self._steps > _STEP_LIMIT or depth > limits.CMAKE_DEPTH or self._files.exhausted:
+            if self._steps + self._variables.steps > _STEP_LIMIT or depth > limits.CMAKE_DEPTH or self._files.exhausted:
                 self._doubt("The build description of this project is too large to be read completely.", command)
                 self._steps = _STEP_LIMIT + 1
                 return
@@ -160,39 +148,39 @@ class _Reader:
                 self._command(command, depth)
 
     def _command(self, command: Command, depth: int) -> None:
-        arguments = self._expand(command.arguments)
+        arguments = self._variables.expand(command.arguments, self._folder)
         match command.name:
             case "project" if arguments:
-                self._variables["PROJECT_NAME"] = arguments[0]
+                self._variables.values["PROJECT_NAME"] = arguments[0]
             case "set" if arguments:
                 values = [a for a in arguments[1:] if a != "PARENT_SCOPE"]
                 if "CACHE" in values:
                     values = values[: values.index("CACHE")]
-                self._set(arguments[0], values)
+                self._variables.set(arguments[0], values)
             case "unset" if arguments:
-                self._variables.pop(arguments[0], None)
+                self._variables.values.pop(arguments[0], None)
             case "list" if len(arguments) >= 2:
-                self._list(arguments[0], arguments[1], arguments[2:])
+                self._variables.change_list(arguments[0], arguments[1], arguments[2:])
             case "file" if len(arguments) >= 2 and arguments[0] in {"GLOB", "GLOB_RECURSE"}:
                 self._glob(arguments[1], arguments[2:], recurse=arguments[0] == "GLOB_RECURSE")
             case "get_filename_component" if len(arguments) >= 3:
-                self._set(arguments[0], [_component(arguments[1], arguments[2])])
+                self._variables.set(arguments[0], [_component(arguments[1], arguments[2])])
             case "install" | "catkin_install_python" if arguments:
                 self._install(arguments, command)
             case name if name in _TARGET_COMMANDS and arguments:
                 self._target(arguments, command)
             case "generate_parameter_module" if len(arguments) >= 2:
                 source = os.path.normpath(os.path.join(self._folder, arguments[1]))  # noqa: PTH118
-                made = self._variables["PROJECT_NAME"], arguments[0], source, "".join(arguments[2:3])
+                made = self._variables.values["PROJECT_NAME"], arguments[0], source, "".join(arguments[2:3])
                 self.generated.append(GeneratedModule(*made, self._place(command)))
             case "ament_python_install_package" if arguments:
                 self._python_package(arguments)
             case "add_subdirectory" if arguments:
                 inner = self._inside(arguments[0])
                 if inner is not None and os.path.isfile(os.path.join(inner, "CMakeLists.txt")):  # noqa: PTH113, PTH118
-                    name = self._variables["PROJECT_NAME"]  # a project within has a name of its own
+                    name = self._variables.values["PROJECT_NAME"]  # a project within has a name of its own
                     self.read(inner, depth + 1)
-                    self._variables["PROJECT_NAME"] = name
+                    self._variables.values["PROJECT_NAME"] = name
             case "include" if arguments and arguments[0].endswith(".cmake"):
                 inner = self._inside(arguments[0])
                 if inner is not None and os.path.isfile(inner):  # noqa: PTH113
@@ -209,18 +197,18 @@ class _Reader:
 
     def _call(self, name: str, arguments: list[str], depth: int) -> None:
         parameters, body = self._functions[name]
-        before = dict(self._variables) if len(self._variables) < 1000 else self._variables
-        self._variables["ARGV"] = ";".join(arguments)
-        self._variables["ARGN"] = ";".join(arguments[len(parameters) :])
+        before = dict(self._variables.values) if len(self._variables.values) < 1000 else self._variables.values
+        self._variables.values["ARGV"] = ";".join(arguments)
+        self._variables.values["ARGN"] = ";".join(arguments[len(parameters) :])
         for index, argument in enumerate(arguments[:20]):
-            self._variables[f"ARGV{index}"] = argument
+            self._variables.values[f"ARGV{index}"] = argument
         for parameter, argument in zip(parameters, arguments, strict=False):
-            self._variables[parameter] = argument
+            self._variables.values[parameter] = argument
         self._run(body, depth + 1)
-        self._variables = before
+        self._variables.values = before
 
     def _foreach(self, command: Command, body: list[Command], depth: int) -> None:
-        arguments = self._expand(command.arguments)
+        arguments = self._variables.expand(command.arguments, self._folder)
         if not arguments:
             return
         items: list[str] = []
@@ -238,78 +226,14 @@ class _Reader:
                 if argument in {"LISTS", "ITEMS"}:
                     mode = argument
                 else:
-                    items += _split(self._variables.get(argument, "")) if mode == "LISTS" else [argument]
+                    items += elements(self._variables.values.get(argument, "")) if mode == "LISTS" else [argument]
         else:
             items = rest
         for item in items:
-            if self._steps > _STEP_LIMIT:
+            if self._steps + self._variables.steps > _STEP_LIMIT:
                 return
-            self._variables[arguments[0]] = item
+            self._variables.values[arguments[0]] = item
             self._run(body, depth + 1)
-
-    def _set(self, name: str, values: list[str]) -> None:
-        value = ";".join(values)
-        self._steps += len(value) // 1000
-        self._variables[name] = value if len(value) <= _VALUE_LIMIT else ""
-
-    def _list(self, operation: str, name: str, values: list[str]) -> None:
-        now = _split(self._variables.get(name, ""))
-        match operation:
-            case "APPEND":
-                self._set(name, now + values)
-            case "PREPEND":
-                self._set(name, values + now)
-            case "REMOVE_ITEM":
-                unwanted = set(values)
-                self._set(name, [item for item in now if item not in unwanted])
-            case "REMOVE_DUPLICATES":
-                self._set(name, list(dict.fromkeys(now)))
-            case "SORT":
-                self._set(name, sorted(now))
-            case _:
-                pass
-
-    def _expand(self, arguments: tuple[CMakeArgument, ...]) -> list[str]:
-        """The arguments with variables put in; what is not quoted falls apart at its semicolons."""
-        result: list[str] = []
-        for argument in arguments:
-            text = argument.text if argument.literal else self._substitute(argument.text)
-            if argument.quoted:
-                result.append(text)
-            else:
-                result += _split(text)
-        return result
-
-    def _substitute(self, text: str) -> str:
-        """The text with `${NAME}` replaced, the inner ones of `${A_${B}}` first, and escapes resolved."""
-        if "$" not in text and "\\" not in text:
-            return text
-        open_ones: list[tuple[str, list[str]]] = []
-        now: list[str] = []
-        for piece in _PIECE.split(text):
-            if piece.startswith("$") and piece.endswith("{"):
-                open_ones.append((piece, now))
-                now = []
-            elif piece == "}" and open_ones:
-                opening, before = open_ones.pop()
-                before.append(self._value("".join(now)) if opening == "${" else "")
-                now = before
-            elif piece.startswith("\\") and len(piece) == 2:
-                now.append({"n": "\n", "t": "\t", ";": ";"}.get(piece[1], piece[1]))
-            else:
-                now.append(piece)
-        size = sum(map(len, now))
-        self._steps += size // 1000
-        return "".join(now) if size <= _VALUE_LIMIT else ""
-
-    def _value(self, name: str) -> str:
-        if name in self._variables:
-            return self._variables[name]
-        if name in {"CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"}:
-            return self._folder
-        if name in {"CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR", f"{self._package}_SOURCE_DIR"}:
-            return self._top
-        return _INSTALL_FOLDERS.get(name, "")
 
     def _inside(self, path: str) -> str | None:
         return self._files.inside(path, self._folder)
@@ -330,7 +254,9 @@ class _Reader:
             full = self._inside(pattern)
             if full is not None:
                 found += self._files.glob(full, recurse=recurse)
-        self._set(name, [os.path.relpath(path, relative) if relative else path for path in sorted(set(found))])
+        self._variables.set(
+            name, [os.path.relpath(path, relative) if relative else path for path in sorted(set(found))]
+        )
 
     def _install(self, arguments: list[str], command: Command) -> None:
         what, *rest = arguments
@@ -443,10 +369,6 @@ def _block(commands: list[Command], position: int, name: str) -> tuple[list[Comm
 def _behind(keyword: str, arguments: list[str]) -> str:
     """The value of a keyword of a command; '' where it has none."""
     return next(iter(arguments[arguments.index(keyword) + 1 :]), "") if keyword in arguments else ""
-
-
-def _split(text: str) -> list[str]:
-    return [part for part in text.split(";") if part]
 
 
 def _component(path: str, which: str) -> str:

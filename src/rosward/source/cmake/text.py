@@ -5,7 +5,7 @@
             DESTINATION lib)
     ->  Command("install", (Argument("PROGRAMS"), Argument("a b.py", quoted=True), Argument("${X}"), …), line=1)
 
-Only the text: comments, quotes, brackets and nesting. What the commands mean is told by `source/cmake.py`.
+Only the text: comments, quotes, brackets and nesting. What the commands mean is told by `interpreter.py`.
 """
 
 from __future__ import annotations

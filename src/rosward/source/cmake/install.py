@@ -5,7 +5,7 @@
     install(TARGETS talker DESTINATION lib/demo)                                ->  executable talker
     rclcpp_components_register_node(arms PLUGIN "demo::Arm" EXECUTABLE arm)     ->  component demo::Arm of arms, executable arm
 
-`source/cmake.py` interprets the commands; here is what those say that are about targets and destinations.
+`interpreter.py` interprets the commands; here is what those say that are about targets and destinations.
 """
 
 from __future__ import annotations
