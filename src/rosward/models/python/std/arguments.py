@@ -58,7 +58,7 @@ def _dest(call: NativeCall) -> Value:
 
 
 def _argument_name(call: NativeCall) -> Value:
-    """argparse._argument_name(flags, dest): the name of an argument in reports."""
+    """argparse._shown(flags, dest): the name of an argument in reports."""
     return Const(_long(_flags(call, call.args[0])) or text_of(call.args[1]) or "argument")
 
 
@@ -153,7 +153,7 @@ def _getopt(call: NativeCall) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "argparse._dest": _dest,
-    "argparse._argument_name": _argument_name,
+    "argparse._shown": _argument_name,
     "argparse._kind": _kind,
     "argparse._exact": _exact,
     "getopt.getopt": _getopt,
