@@ -29,8 +29,9 @@ from rosward.deployment.request import LaunchRequest, Request, UnknownRequestErr
 from rosward.deployment.shown import shown
 from rosward.deployment.started import Setting, Started, StartKind
 from rosward.domain.choice import options
+from rosward.domain.compound import Tuple
 from rosward.domain.text import matches
-from rosward.domain.values import Const, Tuple, Unknown, Value
+from rosward.domain.values import Const, Unknown, Value
 from rosward.ros.distro import Distro
 
 KINDS: Final = {"composable": StartKind.COMPONENT, **{k.value: k for k in StartKind}}

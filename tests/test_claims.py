@@ -11,7 +11,7 @@ import pytest
 from casefile import Case, run_case
 
 import rosward
-from rosward.findings import RULES, Severity
+from rosward.rules import RULES, Severity
 
 
 class Claim(enum.Enum):

@@ -21,12 +21,12 @@ from rosward.deployment.execution import includes
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
 from rosward.engine.python import native_calls
-from rosward.findings import RULES, Severity
 from rosward.frontends.registry import PYTHON
 from rosward.models.native import perform as real_perform
 from rosward.outputs.formats import FORMATS
 from rosward.outputs.report.packed import document_in
 from rosward.pipeline import Result
+from rosward.rules import RULES, Severity
 from rosward.source import discover as discovery
 
 NODE = """\

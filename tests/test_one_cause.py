@@ -7,8 +7,9 @@ import random
 
 import pytest
 
-from rosward.findings import RULES, Finding, Severity, each_once
+from rosward.findings import Finding, each_once
 from rosward.one_cause import OneCause, by_cause, more_of
+from rosward.rules import RULES, Severity
 from rosward.source.location import Place
 
 ARGUMENT = ("launch argument without a value: ns",)

@@ -15,11 +15,12 @@ from rosward._version import __version__
 
 if TYPE_CHECKING:
     from rosward.engine.budget import Budget
-    from rosward.findings import Finding, Rule, Severity
+    from rosward.findings import Finding
     from rosward.network.graph import Action, Network, Service, Topic
     from rosward.one_cause import OneCause, by_cause
     from rosward.pipeline import NothingToReadError, RequestError, Result, UnknownRequestError, extract
     from rosward.ros.entities import Entity, EntityKind, Node, Parameter, Qos, Resolution
+    from rosward.rules import Rule, Severity
     from rosward.source.location import Place
 
 __all__ = [
@@ -64,9 +65,9 @@ _WHERE: Final = {
     "RequestError": "rosward.pipeline",
     "Resolution": "rosward.ros.entities",
     "Result": "rosward.pipeline",
-    "Rule": "rosward.findings",
+    "Rule": "rosward.rules",
     "Service": "rosward.network.graph",
-    "Severity": "rosward.findings",
+    "Severity": "rosward.rules",
     "Topic": "rosward.network.graph",
     "UnknownRequestError": "rosward.pipeline",
     "by_cause": "rosward.one_cause",

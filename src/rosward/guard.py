@@ -17,7 +17,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final, TypeVar, final
 
-from rosward.findings import INTERNAL_ERROR, Finding
+from rosward.findings import Finding
+from rosward.rules import INTERNAL_ERROR
 from rosward.source.location import Place
 
 __all__ = ["Steps", "guarded", "internal_error", "where"]

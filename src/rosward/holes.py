@@ -33,6 +33,6 @@ def holed(parts: Iterable[str | None]) -> Holed:
     return Holed("".join(HOLE if part is None else literal(part) for part in parts))
 
 
-def shown(text: str) -> str:
+def with_stars(text: str) -> str:
     """The text as a person reads it: `*` for holes and for what is one."""
     return text.replace(_STAR, "*")

@@ -14,7 +14,8 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Final, NamedTuple, TypeVar
 
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding
+from rosward.rules import Severity
 
 __all__ = ["OneCause", "alike", "by_cause", "more_of"]
 

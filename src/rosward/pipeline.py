@@ -30,7 +30,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
-from rosward.findings import Finding, Findings, Severity
+from rosward.findings import Finding, Findings
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
@@ -40,6 +40,7 @@ from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
+from rosward.rules import Severity
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.text import place_name
@@ -174,14 +175,14 @@ def extract(
         unknown=unknown,
         tests=tests,
         follow_links=follow_links,
-        enclaves=_shown(mode, assigned, result.root),
+        enclaves=_chosen_enclaves(mode, assigned, result.root),
         assumed=assumed,
         budget=(budget or Budget()).factor,
     )
     return replace(result, network=replace(result.network, asked=asked))
 
 
-def _shown(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:
+def _chosen_enclaves(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:
     """How enclaves were chosen: the mode, or the file that assigns them."""
     return place_name(os.path.abspath(assigned.file), root) if assigned.file else mode.value  # noqa: PTH100
 

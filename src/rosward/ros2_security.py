@@ -19,7 +19,7 @@ __all__ = ["ExtractPolicyVerb"]
 
 
 @final
-class ExtractPolicyVerb(VerbExtension):  # type: ignore[misc]
+class ExtractPolicyVerb(VerbExtension):  # type: ignore[misc]  # sros2 has no types
     """Generate XML policy file from source code."""
 
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:  # noqa: ARG002

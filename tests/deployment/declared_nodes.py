@@ -8,8 +8,9 @@ from pathlib import Path
 
 from rosward.deployment.declared.effects import Declarations, declared
 from rosward.deployment.declared.found import ReadFile
+from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.log import EffectLog
 from rosward.naming.final_name import final_name

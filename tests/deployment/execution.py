@@ -16,9 +16,10 @@ from rosward.deployment.performer import Performer
 from rosward.deployment.started import Started, StartKind
 from rosward.deployment.tree import Description, LaunchAction, Substitution, Template
 from rosward.domain.choice import options
+from rosward.domain.compound import Partial, Tuple
 from rosward.domain.text import parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Hole, Partial, Text, Tuple, Unknown, Value
+from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.ros.distro import Distro
 from rosward.source.location import Place

@@ -24,7 +24,8 @@ from rosward.deployment.tree import (
     Substitution,
     Typed,
 )
-from rosward.domain.values import Const, Tuple
+from rosward.domain.compound import Tuple
+from rosward.domain.values import Const
 
 
 def xml(text: str) -> str:

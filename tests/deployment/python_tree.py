@@ -30,9 +30,10 @@ from rosward.deployment.tree import (
     Typed,
 )
 from rosward.domain.choice import options
+from rosward.domain.compound import Partial, Tuple
 from rosward.domain.text import concat, pattern
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Choice, Const, Partial, Tuple, Unknown, Value
+from rosward.domain.values import Choice, Const, Unknown, Value
 from rosward.engine.library import Library
 from rosward.models.tables import own_models
 from rosward.source.discover import discover

@@ -7,7 +7,8 @@ import pytest
 
 from deployment.execution import HERE, UNKNOWN, Run, plain, share, text, var
 from rosward.deployment import tree
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.compound import Tuple
+from rosward.domain.values import Const, Value
 from rosward.ros.distro import Distro
 
 TRUE = Const(True)

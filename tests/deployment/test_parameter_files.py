@@ -8,7 +8,8 @@ import time
 import pytest
 
 from rosward.deployment.parameter_files import read_parameter_file
-from rosward.domain.values import Const, Tuple, Unknown, Value
+from rosward.domain.compound import Tuple
+from rosward.domain.values import Const, Unknown, Value
 
 ROBOT = """\
 /**:

@@ -13,7 +13,8 @@ from rosward.deployment.python.actions import Actions
 from rosward.deployment.python.inert import INERT, NOT_READ
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.python.substitutions import CONDITIONS, FORMS
-from rosward.domain.values import Class, External, ModuleValue, Unknown
+from rosward.domain.compound import External
+from rosward.domain.values import Class, ModuleValue, Unknown
 from rosward.effects.log import EffectLog
 from rosward.engine.budget import Budget
 from rosward.engine.interpreter import Interpreter

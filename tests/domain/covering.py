@@ -9,12 +9,13 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.series import Series
 from rosward.domain.state import State, element
 from rosward.domain.suspended import ANY_TURN, EACH, KEPT, YIELD, Point, Suspension
 from rosward.domain.text import matches
-from rosward.domain.values import UNBOUND, Choice, Const, Hole, Text, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Const, Hole, Text, Unknown, Value
 
 
 def shape(value: Value) -> Value:

@@ -8,6 +8,7 @@ from typing import Final
 from hypothesis import strategies as st
 
 from rosward.domain.choice import join_all
+from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.heap import Alternatives, Obj, ObjKind
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
@@ -15,21 +16,7 @@ from rosward.domain.state import NOTHING_DONE, State
 from rosward.domain.suspended import ANY_TURN, EACH, YIELD, PathStep, Point, Suspension, add_points
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Origin, Reason
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Const,
-    External,
-    Function,
-    Hole,
-    ModuleValue,
-    Native,
-    Partial,
-    Ref,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Hole, ModuleValue, Ref, Unknown, Value
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.source.location import Place
 

@@ -11,12 +11,13 @@ from hypothesis import given
 from domain.covering import object_covers, state_covers
 from domain.strategies import CLASS, FUNCTIONS, REASONS, triples
 from rosward.domain.choice import join
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Alternatives, Obj, ObjKind
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import State
 from rosward.domain.suspended import EACH, PathStep, Point, Suspension
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
 
 A, B = Const("a"), Const("b")
 AB = join(A, B)

@@ -14,25 +14,12 @@ from hypothesis import strategies as st
 from domain.covering import FILLINGS, covers, fill, object_covers, shape, state_covers
 from domain.strategies import LOOP, states, string_values, text_parts, triples, two_states, unknowns, values, words
 from rosward.domain.choice import MAX_OPTIONS, generalise, join, join_all, lift, lift2, options, widen
+from rosward.domain.compound import External, Native, Partial, Range, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.text import common, concat, make, matches
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Const,
-    External,
-    Hole,
-    Native,
-    Partial,
-    Range,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Const, Hole, Text, Unknown, Value
 
 # Join
 

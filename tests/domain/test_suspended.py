@@ -8,10 +8,11 @@ from hypothesis import given
 from domain.covering import suspension_covers
 from domain.strategies import FUNCTIONS, LOOP, suspensions
 from rosward.domain.choice import join, widen
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.state import join_objects
 from rosward.domain.suspended import EACH, NO_TURN, PathStep, Point, Suspension, join_suspended
-from rosward.domain.values import NONE, UNBOUND, Const, Tuple
+from rosward.domain.values import NONE, UNBOUND, Const
 
 
 def test_covers_tells_apart() -> None:

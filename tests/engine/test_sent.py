@@ -7,7 +7,8 @@ from pathlib import Path
 
 from rosward.analysis.process import run
 from rosward.analysis.read import read_sources
-from rosward.domain.values import Const, External, Ref
+from rosward.domain.compound import External
+from rosward.domain.values import Const, Ref
 from rosward.effects.sent import SentEffect
 from rosward.ros.distro import Distro
 

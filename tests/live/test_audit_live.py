@@ -26,8 +26,8 @@ from rosward.audit.accepted import Accepted
 from rosward.audit.compare import audit
 from rosward.audit.document import read_snapshot
 from rosward.audit.result import Audit
-from rosward.findings import Severity
 from rosward.pipeline import extract
+from rosward.rules import Severity
 
 SCRIPT: Final = Path(snapshot.__file__)
 PATIENCE: Final = 300.0

@@ -24,8 +24,9 @@ from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.read import SourcesRead, read_sources
 from rosward.analysis.systems import Outset, systems_of
 from rosward.deployment.request import LaunchRequest, Request
+from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.entry import Entry
 from rosward.ros.distro import Distro

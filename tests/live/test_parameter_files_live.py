@@ -15,7 +15,8 @@ rclpy = pytest.importorskip("rclpy")
 Node = pytest.importorskip("rclpy.node").Node
 
 from rosward.deployment.parameter_files import read_parameter_file  # noqa: E402
-from rosward.domain.values import Const, Tuple, Value  # noqa: E402
+from rosward.domain.compound import Tuple  # noqa: E402
+from rosward.domain.values import Const, Value  # noqa: E402
 from rosward.effects.configuration import Given  # noqa: E402
 from rosward.naming.command_line import given_to  # noqa: E402
 from rosward.ros.arguments import parse_parameter_rule  # noqa: E402

@@ -8,24 +8,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from models.fake_process import FakeProcess
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Native, Range, Tuple
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series
 from rosward.domain.text import make, matches
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Class,
-    Const,
-    Hole,
-    Native,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import UNBOUND, Class, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Items, NativeCall, NativeFunction, ResumptionKind, perform
 from rosward.models.python.builtins import attributes as builtin_attributes
 from rosward.models.python.builtins import constructors as builtin_constructors

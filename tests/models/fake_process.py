@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
 from rosward.domain.state import NOTHING_DONE, State
-from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
 from rosward.effects.log import EffectLog
 from rosward.models.file_paths import Files, NoFiles
 from rosward.source.definitions import Definition

@@ -8,26 +8,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from models.fake_process import FakeProcess
 from rosward.domain.choice import options
+from rosward.domain.compound import Native, Partial, Range, Tuple
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import (
-    FALSE,
-    NONE,
-    TRUE,
-    UNBOUND,
-    Class,
-    Const,
-    Function,
-    Native,
-    Partial,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.models.python.std import arguments as std_arguments
 from rosward.models.python.std import data as std_data

@@ -8,8 +8,9 @@ import sys
 import pytest
 
 from models.fake import FakeMachine
+from rosward.domain.compound import MAX_PARTS, TooManyPartsError, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import MAX_PARTS, Const, TooManyPartsError, Tuple, Unknown
+from rosward.domain.values import Const, Unknown
 from rosward.models.python.cost import MAX_WORK, too_much, work
 from rosward.models.python.operators import operators
 

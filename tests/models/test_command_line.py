@@ -6,10 +6,11 @@ from __future__ import annotations
 
 import pytest
 
+from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause, Origin, Reason
-from rosward.domain.values import Const, Hole, Text, Tuple, Unknown, Value
+from rosward.domain.values import Const, Hole, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.naming.command_line import CommandLine, behind, given_to, read_words
 from rosward.source.location import Place

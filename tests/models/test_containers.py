@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 
 from models.fake import REASON, FakeMachine, abstract, covers
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Slice, Tuple
 from rosward.domain.text import make
 from rosward.domain.unknown import Origin
-from rosward.domain.values import NONE, UNBOUND, Const, Hole, Ref, Slice, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Hole, Ref, Unknown, Value
 from rosward.models.python.containers.tables import key_of
 
 texts = st.sampled_from(["a", "b", "ab", "c"])

@@ -18,8 +18,9 @@ from typing import Any
 import pytest
 
 from rosward.analysis.source_tree import SourceTree
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
-from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Tuple, Unknown
+from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown
 from rosward.engine.library import Library
 from rosward.engine.model_units import units
 from rosward.engine.stub_files import STUBS, StubFiles

@@ -15,24 +15,9 @@ from hypothesis import strategies as st
 from models.fake import NATIVES, REASON, FakeMachine, abstract, covers, text
 from models.test_strings import fillings, outcome
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Descriptor, External, Native, Range, Slice, Tuple
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import (
-    FALSE,
-    NONE,
-    TRUE,
-    UNBOUND,
-    Const,
-    Descriptor,
-    External,
-    Native,
-    Range,
-    Ref,
-    Slice,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Items
 from rosward.models.python.operators.operators import unary
 

@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 
 from models.fake import REASON, FakeMachine, abstract, covers, series_covers
 from rosward.domain.choice import join
+from rosward.domain.compound import Native, Slice
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.state import join_objects
-from rosward.domain.values import NONE, Const, Native, Ref, Slice, Unknown, Value
+from rosward.domain.values import NONE, Const, Ref, Unknown, Value
 from rosward.models.python.operators import operators
 
 numbers = st.lists(st.integers(0, 3), max_size=3)

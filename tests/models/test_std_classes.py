@@ -6,9 +6,10 @@ from __future__ import annotations
 import pytest
 
 from models.fake_std import FakeMachine
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Value
 
 
 @pytest.fixture

@@ -9,10 +9,11 @@ import pytest
 
 from models.fake_std import TABLES, FakeMachine
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import Native, Partial, Range, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.text import concat
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import NONE, UNBOUND, Const, Native, Partial, Range, Text, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Text, Value
 from rosward.models.native import Machine
 from rosward.models.python.std.pattern_cost import work
 from rosward.models.python.std.support import from_plain, to_plain

@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 
 from models.fake import REASON, FakeMachine, abstract, covers, text
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Slice, Tuple
 from rosward.domain.text import concat, make, pattern
 from rosward.domain.unknown import Origin
-from rosward.domain.values import EMPTY, UNBOUND, Choice, Const, Hole, Ref, Slice, Tuple, Unknown, Value
+from rosward.domain.values import EMPTY, UNBOUND, Choice, Const, Hole, Ref, Unknown, Value
 from rosward.models.native import Machine
 from rosward.models.python.operators.operators import percent
 from rosward.models.python.strings.methods import format_value

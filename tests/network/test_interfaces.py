@@ -50,7 +50,7 @@ def nodes() -> dict[str, Node]:
     request = Request((LaunchRequest("a.launch.xml", "demo"),))
     network = rosward.extract(".", models=["models"], request=request).network
     Path("network.json").write_text(network_json(network))
-    return {node.shown: node for node in network.nodes}
+    return {node.display_name: node for node in network.nodes}
 
 
 def test_each_node_says_what_is_known_of_it() -> None:
@@ -75,7 +75,7 @@ def test_the_summary_counts_them(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_it_comes_back_from_the_file() -> None:
     found = nodes()
-    again = {node.shown: node for node in read_network("network.json").nodes}
+    again = {node.display_name: node for node in read_network("network.json").nodes}
     assert [(n, v.interface, v.lacks, v.label) for n, v in again.items()] == [
         (n, v.interface, v.lacks, v.label) for n, v in found.items()
     ]

@@ -12,9 +12,10 @@ from xml.etree import ElementTree
 import jsonschema
 import pytest
 
-from rosward.findings import RULES, Finding
+from rosward.findings import Finding
 from rosward.outputs.documents.junit import junit_xml
 from rosward.outputs.documents.sarif import sarif_json
+from rosward.rules import RULES
 from rosward.source.location import Place
 from rosward.suppression.judge import Judged
 

@@ -105,7 +105,7 @@ def test_nor_have_the_permissions(network: Network, unknown: UnknownNames) -> No
 @given(systems())
 def test_who_is_not_known_is_nobody_else(network: Network) -> None:
     unknown = [n for n in network.nodes if n.interface is Interface.UNKNOWN and "*" in n.fqn]
-    assert len({n.shown for n in unknown}) == len(unknown)
+    assert len({n.display_name for n in unknown}) == len(unknown)
     profiles = [p for e in enclaves(network) for p in e.profiles if any(n in p.nodes for n in unknown)]
     assert len(profiles) == len(unknown)
     assert all(len(p.nodes) == 1 for p in profiles)

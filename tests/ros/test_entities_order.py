@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from rosward.findings import Severity
 from rosward.ros.entities import Resolution, least_sure, surest
+from rosward.rules import Severity
 
 
 def test_of_several_ways_the_surest_counts() -> None:

@@ -32,7 +32,7 @@ from rosward.effects.entry import Entry
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables, not_given
 from rosward.engine.budget import Budget
-from rosward.findings import INTERNAL_ERROR, Finding, Findings
+from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.naming.collect import Process, collect
 from rosward.naming.command_line import read_words
@@ -40,6 +40,7 @@ from rosward.naming.doubts import unknown_arguments
 from rosward.network.launch_tree import LaunchSystem
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.ros.entities import Interface, Node
+from rosward.rules import INTERNAL_ERROR
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.workspace import Workspace

@@ -11,10 +11,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
+from rosward.domain.compound import External
 from rosward.domain.state import join_states
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Class, External, Function, Hole, ModuleValue, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, Function, Hole, ModuleValue, Unknown, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect

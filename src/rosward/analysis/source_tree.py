@@ -127,9 +127,9 @@ class SourceTree:
         found = self._resolver.resolve(name, level, source)
         if found is None:
             return self._launch_file(name, source) if importer in self._launch and level == 0 else None
-        return self._found(found)
+        return self._found_module(found)
 
-    def _found(self, found: ImportTarget) -> FoundModule | None:
+    def _found_module(self, found: ImportTarget) -> FoundModule | None:
         """A file that is imported under another name than its own is a module apart from that of its own name.
 
         A module that the build makes is there only if what it is made of is understood.
@@ -146,11 +146,11 @@ class SourceTree:
     def in_folder(self, folder: str, name: str) -> FoundModule | None:
         """The module of a name, imported from a folder below that of all sources."""
         found = self._resolver.in_folder(folder, name)
-        return None if found is None else self._found(found)
+        return None if found is None else self._found_module(found)
 
     def named(self, name: str) -> tuple[tuple[str, FoundModule], ...]:
         """All files that a name may mean, each with the folder from which it would be imported."""
-        named = [(folder, self._found(found)) for folder, found in self._resolver.named(name)]
+        named = [(folder, self._found_module(found)) for folder, found in self._resolver.named(name)]
         return tuple((folder, found) for folder, found in named if found is not None)
 
     def is_of(self, file: str, package: str) -> bool:

@@ -18,10 +18,11 @@ from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
 from rosward.effects.configuration import Configuration
 from rosward.effects.variables import Variables, not_given
-from rosward.findings import Finding, Findings, Severity
+from rosward.findings import Finding, Findings
 from rosward.guard import guarded
 from rosward.naming.collect import Process, collect
 from rosward.ros.entities import Node
+from rosward.rules import Severity
 from rosward.source.location import Place
 
 __all__ = ["Gathered", "of_sources"]

@@ -36,11 +36,12 @@ from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
-from rosward.findings import UNREAD_ARGUMENT, Finding, Findings
+from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.ros.distro import Distro
+from rosward.rules import UNREAD_ARGUMENT
 from rosward.source.location import Place
 from rosward.source.workspace import SourceFile, Workspace
 

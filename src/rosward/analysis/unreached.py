@@ -16,7 +16,8 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import final
 
 from rosward.analysis.process import Run
-from rosward.domain.values import Class, External, Unknown, Value
+from rosward.domain.compound import External
+from rosward.domain.values import Class, Unknown, Value
 from rosward.engine.escape import name_of
 from rosward.findings import Finding, Findings
 from rosward.ir import ops

@@ -31,7 +31,7 @@ from rosward.cli import (
 )
 from rosward.cli.configuration import apply, leave_open
 from rosward.cli.parser import CommandParser
-from rosward.cli.shared import COMPLETE, INTERNAL, INTERRUPTED, told
+from rosward.cli.shared import COMPLETE, INTERNAL, INTERRUPTED, with_exit_status
 from rosward.guard import where
 
 __all__ = ["command_line", "main"]
@@ -49,7 +49,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(stream, io.TextIOWrapper):  # a terminal that cannot show a character shows its escape
             stream.reconfigure(errors="backslashreplace")
     try:
-        status: int = told(_run)(options)
+        status: int = with_exit_status(_run)(options)
     except BrokenPipeError:  # the reader of our output has gone: that is no failure of ours
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return COMPLETE

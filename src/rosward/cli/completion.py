@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Final
 
 from rosward.cli.shared import MODES
-from rosward.findings import RULES
+from rosward.rules import RULES
 from rosward.source.discover import discover
 from rosward.source.text import read_bytes
 from rosward.source.workspace import SourceFile, Workspace

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from rosward.cli.shared import MODES
-from rosward.findings import RULES
 from rosward.ros.distro import DISTROS
+from rosward.rules import RULES
 from rosward.source.exclude import Exclusion, PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, checked_variable
 from rosward.suppression.ignore_in import IgnoreIn

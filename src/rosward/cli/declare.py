@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import COMPLETE, WrongUseError, told
+from rosward.cli.shared import COMPLETE, WrongUseError, with_exit_status
 from rosward.safe import printable
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "or as a skeleton to fill in. Review the file, delete the line `open`, and pass the folder with --models DIR. Nothing is executed.",
         epilog="Exit status: 0 written; 2 usage error, or already declared.",
     )
-    parser.set_defaults(run=told(_run))
+    parser.set_defaults(run=with_exit_status(_run))
     parser.add_argument("program", metavar="PKG/EXE", help="the executable, or PKG/namespace::Class for a component")
     parser.add_argument(
         "--from",

@@ -15,7 +15,7 @@ from rosward.cli.shared import (
     add_format,
     add_sources,
     note_failures,
-    told,
+    with_exit_status,
 )
 from rosward.cli.sides import differences
 from rosward.guard import Steps
@@ -35,7 +35,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         epilog="Exit status: 0 compared; 1 new permissions and --fail-on new-rights; 2 usage error or unreadable input; "
         "3 internal error.",
     )
-    parser.set_defaults(run=told(_run))
+    parser.set_defaults(run=with_exit_status(_run))
     parser.add_argument(
         "--git",
         metavar="REV..REV",

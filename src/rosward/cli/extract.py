@@ -101,7 +101,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.findings import Severity
+    from rosward.rules import Severity
     from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)

@@ -30,7 +30,7 @@ from rosward.cli.shared import (
     check_paths,
     extracted,
     request_of,
-    told,
+    with_exit_status,
 )
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.source.text import read_bytes
@@ -86,7 +86,7 @@ def _as_sourced(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Extract and write; returns the exit status."""
-    return told(_run)(options)
+    return with_exit_status(_run)(options)
 
 
 def _run(options: argparse.Namespace) -> int:

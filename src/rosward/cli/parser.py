@@ -24,7 +24,7 @@ __all__ = ["CommandParser"]
 class CommandParser(argparse.ArgumentParser):
     """A parser whose PATHs may stand anywhere, and which says shortly what is wrong."""
 
-    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> tuple[Any, list[str]]:  # type: ignore[override]
+    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> tuple[Any, list[str]]:  # type: ignore[override]  # the stubs have overloads for the namespace
         """The options; nothing is left over."""
         options, rest = super().parse_known_args(args, namespace)
         if rest and (not self._takes_paths() or any(word.startswith("-") and word != "--" for word in rest)):

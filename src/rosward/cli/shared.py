@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
-from rosward.findings import INTERNAL_ERROR, UNREAD_ARGUMENT
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
+from rosward.rules import INTERNAL_ERROR, UNREAD_ARGUMENT
 from rosward.safe import printable
 from rosward.source.exclude import PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, parse_variable, surroundings
@@ -320,10 +320,10 @@ def refusing(
         check_paths(options)
         return run(options)
 
-    return told(checked)
+    return with_exit_status(checked)
 
 
-def told(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespace], int]:
+def with_exit_status(run: Callable[[argparse.Namespace], int]) -> Callable[[argparse.Namespace], int]:
     """The same, and wrong use is told and is status 2; where rosward itself failed, it is status 3, whatever else there is to say."""
 
     def refused(options: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ import sys
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
-from rosward.cli.shared import COMPLETE, WrongUseError, told
+from rosward.cli.shared import COMPLETE, WrongUseError, with_exit_status
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
@@ -22,7 +22,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         description="Observe the graph of the running ROS 2 system for a few seconds and write a snapshot for `rosward audit`. Needs rclpy.",
         epilog="Exit status: 0 written; 2 usage error, or rclpy is not available.",
     )
-    parser.set_defaults(run=told(_run))
+    parser.set_defaults(run=with_exit_status(_run))
     parser.add_argument("-o", "--output", metavar="FILE", help="output file; - writes to standard output")
     add_looks(parser)
     parser.add_argument(

@@ -76,7 +76,7 @@ def sketch_of_source(texts: Mapping[str, str]) -> Sketch:
         text = (_PY_COMMENT if in_python else _CPP_COMMENT).sub(_without_comment, raw)
         types = _python_types(text) if in_python else _cpp_types(text)
         for call in _calls(text, in_python=in_python):
-            seen = _seen(call, types, f"{file}:{call.line}")
+            seen = _endpoint(call, types, f"{file}:{call.line}")
             if isinstance(seen, SeenEndpoint):
                 entities.append(seen)
             else:
@@ -116,7 +116,7 @@ def _calls(text: str, *, in_python: bool) -> Iterator[_Call]:
         yield _Call(kind, found["type"], found["rest"], line)
 
 
-def _seen(call: _Call, types: Mapping[str, str], at: str) -> SeenEndpoint | str:
+def _endpoint(call: _Call, types: Mapping[str, str], at: str) -> SeenEndpoint | str:
     """The endpoint, or why it is none."""
     part = _PARTS.get(call.kind, "action" if call.kind.startswith("action") else "srv")
     written = call.type.replace("::", ".").strip(".").split(".")

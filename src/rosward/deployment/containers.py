@@ -10,7 +10,7 @@ service (a program in Python, a declared one without it) is no container.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
@@ -135,10 +135,10 @@ def _absolute(target: Value) -> Value:
 
 def _may_be(name: Value, target: Value) -> bool:
     """Whether two names, of which parts are not known, may be the same."""
-    known: Sequence[Value] = [v for v in (name, target) if isinstance(v, Const)]
+    known = [v for v in (name, target) if isinstance(v, Const)]
     if len(known) == 2:
         return False
     if len(known) == 1:
         other = target if known[0] is name else name
-        return matches(other, str(known[0].value))  # type: ignore[attr-defined]
+        return matches(other, str(known[0].value))
     return True

@@ -56,7 +56,7 @@ class WorkspaceFiles:
         """A path for people: `$(find-pkg-share p)/x.yaml`, `*` for what is not known of it."""
         if isinstance(path, Choice):
             return " | ".join(self.show(option) for option in path.options)
-        return "".join(part if isinstance(part, str) else _shown(part) for part in parts_of(path))
+        return "".join(part if isinstance(part, str) else _hole_text(part) for part in parts_of(path))
 
     def place_value(self, file: str) -> Value:
         """The path under which a file is installed: the inverse of `find`; that in the sources for a file outside of packages."""
@@ -74,7 +74,7 @@ class WorkspaceFiles:
         return self._installed.source(location.relative)
 
 
-def _shown(hole: Hole) -> str:
+def _hole_text(hole: Hole) -> str:
     folders = {(reason.cause, reason.subject) for reason in hole.reasons}
     if len(folders) == 1:
         cause, package = folders.pop()

@@ -24,8 +24,9 @@ from typing import Final, final
 
 import yaml
 
+from rosward.domain.compound import Tuple
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Tuple, Unknown
+from rosward.domain.values import Const, Unknown
 from rosward.effects.configuration import Given
 from rosward.findings import Finding
 from rosward.holes import literal

@@ -125,7 +125,7 @@ class Programs:
         for each in components:
             wanted.setdefault(target_of(each), []).append(each)
         for target, members in wanted.items():
-            first = f"component {_shown(members[0].plugin)}"
+            first = f"component {_readable(members[0].plugin)}"
             several = f"{first} and {len(members) - 1} more are loaded" if len(members) > 1 else f"{first} is loaded"
             message = f"{several} into {target}, which nothing starts"
             self.findings.add(Finding("RW318", message, members[0].place, (f"container {target}",)))
@@ -169,7 +169,7 @@ class Programs:
         return f"the package {package} is neither among the sources nor declared"
 
     def _component(self, made: Launched) -> Launched:
-        plugin = _shown(made.started.plugin)
+        plugin = _readable(made.started.plugin)
         made = made._replace(process=f"{made.package or 'unknown'}/{plugin}", executable=plugin)
         program = self._declared.component(made.package or "", plugin)
         if program is not None:
@@ -187,7 +187,7 @@ class Programs:
     def _nameless(self, made: Launched) -> Launched:
         value = made.started.executable
         return made._replace(
-            process=f"{made.package}/{_shown(value)}", unknown=f"its executable is unknown{_because(value)}"
+            process=f"{made.package}/{_readable(value)}", unknown=f"its executable is unknown{_because(value)}"
         )
 
     def _command(self, made: Launched) -> Launched | None:
@@ -200,7 +200,7 @@ class Programs:
                 entry = Entry(file, "__main__", "", (), None, None, file)
                 return made._replace(process=file, executable=stem, entry=entry)
         if made.started.kind is not StartKind.PROCESS:
-            shown = _shown(made.started.executable)
+            shown = _readable(made.started.executable)
             if made.started.package is not None:
                 return made._replace(process=shown, unknown=f"its package is unknown{_because(made.started.package)}")
             return made._replace(
@@ -247,7 +247,7 @@ def _because(value: Value | None) -> str:
     return f": {reasons}" if reasons else ""
 
 
-def _shown(value: Value | None) -> str:
+def _readable(value: Value | None) -> str:
     return readable(value) if value is not None else "unknown"
 
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import origins_of, parts_of
-from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import Const, Value
 from rosward.network.launch_tree import GivenParameter, LaunchEntry, Shown
 
 if TYPE_CHECKING:
@@ -39,11 +40,11 @@ def _text(value: Value) -> str:
     return "".join(p if isinstance(p, str) else _folder(p.reasons) for p in parts_of(value))
 
 
-def _folder(reasons: tuple[object, ...]) -> str:
+def _folder(reasons: tuple[Reason, ...]) -> str:
     for reason in reasons:
-        word = _FOLDERS.get(reason.cause)  # type: ignore[attr-defined]
+        word = _FOLDERS.get(reason.cause)
         if word is not None:
-            return f"$({word} {reason.subject})"  # type: ignore[attr-defined]
+            return f"$({word} {reason.subject})"
     return "*"
 
 

@@ -31,12 +31,12 @@ def snapshot_of(nodes: Iterable[Node], source: str) -> ComparedState:
     rules: dict[str, dict[tuple[str, str], PolicyRule]] = {}
     place = Place(source)
     for node in nodes:
-        names.add(node.shown)
+        names.add(node.display_name)
         granted = rules.setdefault(node.enclave, {})
         for entity in node.entities:
             _check(node, entity, source)
             rule = _rule(entity, place)
-            lines.add(EntityLine(node.shown, entity.kind.value, entity.name, entity.type or ""))
+            lines.add(EntityLine(node.display_name, entity.kind.value, entity.name, entity.type or ""))
             granted.setdefault((rule.words, rule.name), rule)
     for enclave, granted in rules.items():
         if sum(is_pattern(name) for _, name in granted) > _MOST_PATTERNS:

@@ -10,26 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
 from rosward.domain.text import common
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    Native,
-    Partial,
-    Range,
-    Slice,
-    Text,
-    Tuple,
-    Unbound,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Text, Unbound, Unknown, Value
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64

@@ -154,7 +154,7 @@ _MOST_ALTERNATIVES: Final = 200
 
 def _alternatives(left: Obj, right: Obj) -> Alternatives | None:
     """Which elements two lists of objects have in common, and which may be there; None where that is not known or not worth it."""
-    ours, theirs = _told(left), _told(right)
+    ours, theirs = _elements_apart(left), _elements_apart(right)
     if ours is None or theirs is None:
         return None
     found = dict(ours)
@@ -165,7 +165,7 @@ def _alternatives(left: Obj, right: Obj) -> Alternatives | None:
     return Alternatives(tuple(found.items())) if len(found) <= _MOST_ALTERNATIVES else None
 
 
-def _told(obj: Obj) -> dict[Value, bool] | None:
+def _elements_apart(obj: Obj) -> dict[Value, bool] | None:
     """The elements of a list that are told apart, and whether each is surely there."""
     if obj.kind != "list" or not (obj.payload is None or isinstance(obj.payload, (Alternatives, str))):
         return None

@@ -15,7 +15,8 @@ from collections.abc import Callable
 from typing import Final, NamedTuple, final
 
 from rosward.domain.choice import join, join_all, options
-from rosward.domain.values import UNBOUND, Function, Tuple, Value
+from rosward.domain.compound import Tuple
+from rosward.domain.values import UNBOUND, Function, Value
 
 Merge = Callable[[Value, Value], Value]
 

@@ -48,7 +48,7 @@ class Table(Mapping[str, V]):
         return self._pages[slot >> _SHIFT][slot & _MASK]
 
     def __contains__(self, name: object) -> bool:
-        return self._slots.get(name, self._size) < self._size  # type: ignore[call-overload, no-any-return]
+        return self._slots.get(name, self._size) < self._size  # type: ignore[call-overload, no-any-return]  # any object may be asked for
 
     def __iter__(self) -> Iterator[str]:
         return islice(self._names, self._size)
@@ -134,7 +134,7 @@ class Marks(Set[str]):
         self.table = table
 
     def __contains__(self, name: object) -> bool:
-        return self.table.get(name, False)  # type: ignore[call-overload, no-any-return]
+        return self.table.get(name, False)  # type: ignore[call-overload, no-any-return]  # any object may be asked for
 
     def __iter__(self) -> Iterator[str]:
         return (name for name, there in self.table.items() if there)

@@ -11,8 +11,9 @@ import os
 from collections.abc import Iterable, Sequence
 from typing import Final
 
+from rosward.domain.compound import External
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
-from rosward.domain.values import Choice, Const, External, Hole, Text, Unknown, Value
+from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import Holed, holed
 from rosward.source.location import Place
 

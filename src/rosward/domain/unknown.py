@@ -11,7 +11,7 @@ import enum
 from collections.abc import Iterable
 from typing import Final, NamedTuple
 
-from rosward.findings import MADE_ANEW
+from rosward.rules import MADE_ANEW
 from rosward.source.location import Place
 
 

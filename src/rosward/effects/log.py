@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Container, Iterable
 from typing import TYPE_CHECKING, NamedTuple, Protocol, final
 
+from rosward.domain.compound import External
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, External, Ref, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
 from rosward.effects.sent import SentEffect
 from rosward.effects.variables import Variables
 from rosward.findings import Finding, Findings
@@ -189,7 +190,7 @@ class EffectLog:
         if not cls.stub:
             self.classes[cls] = None
 
-    def seen(self, code: Code, *, stub: bool) -> None:
+    def add_function(self, code: Code, *, stub: bool) -> None:
         """A function was made."""
         if not stub:
             self.functions[code.key] = code

@@ -51,14 +51,14 @@ def compact(nodes: Sequence[Node], unknown: UnknownNames = "deny", largest: int 
         chosen = fitting.fit()
         if chosen:
             widened[path] = chosen
-            findings += (_told(path, each, members) for each in chosen)
+            findings += (_finding(path, each, members) for each in chosen)
         else:
             more = f"; patterns reduce them only to {-(-fitting.least // 1024)} KB, so none was written"
             findings.append(too_large(path, fitting.size(), members[0], more))
     return Compaction(widened, tuple(findings))
 
 
-def _told(path: str, widened: Widened, nodes: Sequence[Node]) -> Finding:
+def _finding(path: str, widened: Widened, nodes: Sequence[Node]) -> Finding:
     kind = widened.kind.value
     message = (
         f"enclave {path}: {kind} {widened.name} replaces {len(widened.members)} names; it {widened.also(_MOST_SHOWN)}"

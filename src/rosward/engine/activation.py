@@ -171,7 +171,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
     context = machine.context("summary", function.code.key)
     try:
         for _ in range(machine.budget.fixpoint):
-            reads, seen = machine.summaries.provisional, summary.seen
+            reads, seen = machine.summaries.provisional, summary.versions
             machine.state = summary.before.copy()
             value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:
@@ -183,7 +183,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
                 )
             if machine.summaries.provisional == reads:
                 break  # nothing inside asked for the summary: this turn was exact
-            if seen == summary.seen:
+            if seen == summary.versions:
                 break
         else:
             machine.report("RW201", f"the recursion of {function.code.name} did not converge")

@@ -15,8 +15,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
+from rosward.domain.compound import Tuple
 from rosward.domain.unknown import Cause, Origin, Reason
-from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Function, Ref, Unknown, Value
 from rosward.engine import declared
 from rosward.engine.arguments import ANY, MAYBE
 from rosward.findings import Finding

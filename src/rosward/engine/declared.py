@@ -9,22 +9,10 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    Native,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Text, Unknown, Value
 from rosward.engine.havoc import change
 from rosward.models.ros.marks import perform
 

@@ -15,7 +15,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.values import BoundMethod, Class, Const, Function, Partial, Ref, Tuple, Unknown, Value
+from rosward.domain.compound import BoundMethod, Partial, Tuple
+from rosward.domain.values import Class, Const, Function, Ref, Unknown, Value
 from rosward.engine import declared, named
 from rosward.engine.havoc import change, contents, holds_node
 from rosward.models.python.contents import CONTENTS

@@ -13,7 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
+from rosward.domain.compound import BoundMethod, Descriptor
+from rosward.domain.values import Class, Function, Ref, Value
 from rosward.engine import named
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
 from rosward.source.location import Place

@@ -13,10 +13,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.state import element
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Class, Const, External, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.ros import message_fields
 
 if TYPE_CHECKING:

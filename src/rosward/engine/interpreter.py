@@ -6,30 +6,19 @@ A handler returns None where control goes on, and False where it does not (the p
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all
+from rosward.domain.compound import Native, TooManyPartsError
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.domain.suspended import Suspension
-from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Class,
-    Function,
-    ModuleValue,
-    Native,
-    Ref,
-    TooManyPartsError,
-    Unknown,
-    Value,
-)
-from rosward.engine import escape, schedule, throwing
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Class, ModuleValue, Ref, Value
+from rosward.engine.answers import Answers
 from rosward.engine.budget import Budget
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot
@@ -37,7 +26,6 @@ from rosward.engine.precision import Precision
 from rosward.engine.scheduled import Schedule
 from rosward.engine.summaries import Summaries
 from rosward.engine.trace import Trace
-from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.models.python.containers.sets import each_once
 from rosward.models.python.operators.compare import compares
@@ -46,19 +34,14 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.effects.log import EffectLog
     from rosward.engine.machine import Language, SharedLanguages
-    from rosward.engine.stepped import Resumption, Running, Stepped
+    from rosward.engine.stepped import Running
     from rosward.engine.ways import Way
-    from rosward.ir.program import Code
-    from rosward.models.file_paths import Files
-    from rosward.models.native import Items, ResumptionKind
-    from rosward.source.definitions import Definition
 
 _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one step, about
-_LONGEST_PATH: Final = 12
 
 
 @final
-class Interpreter:
+class Interpreter(Answers):
     """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
     def __init__(self, library: SharedLanguages, budget: Budget, log: EffectLog) -> None:
@@ -266,247 +249,3 @@ class Interpreter:
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         """A new dict."""
         return self.allocate(Obj("dict", Native("builtins.dict"), entries=dict(entries), rest=rest))
-
-    # What natives ask for
-
-    def call(self, function: Value, args: Sequence[Value], keywords: Mapping[str, Value] | None = None) -> Value:
-        """Call a value."""
-        return self.language.call(self, function, tuple(args), dict(keywords) if keywords else {})
-
-    def call_method(self, value: Value, name: str, args: tuple[Value, ...]) -> Value:
-        """value.name(*args)."""
-        return self.language.call_method(self, value, name, args)
-
-    def wait_for(self, value: Value) -> Value:
-        """`await value`."""
-        return self.language.wait_for(self, value)
-
-    def make_generator(self, function: Function, registers: list[Value]) -> Ref:
-        """What a call of a generator function or coroutine gives."""
-        return self.language.make_generator(self, function, registers)
-
-    def advance(self, ref: Ref, action: Resumption) -> Stepped:
-        """Resume a suspended generator."""
-        return self.language.advance(self, ref, action)
-
-    def run_out(self, ref: Ref) -> tuple[Items, Value]:
-        """Run a generator or coroutine to its end: what it yields, what it returns."""
-        return self.language.run_out(self, ref)
-
-    def close_generator(self, ref: Ref) -> None:
-        """`generator.close()`."""
-        self.language.close_generator(self, ref)
-
-    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
-        """The next item of an iterator, or the default, else StopIteration."""
-        return self.language.next_of(self, iterator, kind, value, default)
-
-    def is_stepped(self, value: Value) -> bool:
-        """Whether a value is followed step by step where it is iterated over."""
-        return self.language.is_stepped(self, value)
-
-    def throw(self, exception: Value) -> None:
-        """An exception is raised here for sure."""
-        throwing.throw(self, self.language.raised(self, exception))
-
-    @contextmanager
-    def handles(self, exception: Value, level: int) -> Iterator[None]:
-        """A handler runs for these exceptions (UNBOUND: none that is known), and where there is a level for others that are not known."""
-        self.handling.append((exception, level))
-        try:
-            yield
-        finally:
-            self.handling.pop()
-
-    @property
-    def handled(self) -> Value:
-        """The exception that is being handled; None where there is none."""
-        if not self.handling:
-            return NONE
-        known, level = self.handling[-1]
-        return known if not level else join(known, throwing.unseen(self))
-
-    def uncaught(self, exception: Value) -> None:
-        """Nothing around catches this exception, which is raised here."""
-        schedule.uncaught(self, exception)
-        if not self.schedule_book.running:
-            cls = self.language.class_of(self, exception)
-            self.ended_at[self.place] = join(self.ended_at.get(self.place, UNBOUND), cls)
-
-    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
-        """What an action gives, and whether it may raise a builtin exception, which goes no further."""
-        return self.language.guarded(self, action, error, unseen=unseen)
-
-    def unwind(self, exits: Sequence[Value], exception: Value) -> Value:
-        """Call the exits of a stack of context managers."""
-        return self.language.unwind(self, exits, exception)
-
-    def new_cells(self, code: Code, context: int) -> list[int]:
-        """Fresh cells for the captured variables of a code body."""
-        return [self.place_at(("cell", context, code.key, n), Obj("cell", NONE)) for n in range(len(code.cells))]
-
-    def load_attr(self, value: Value, name: str) -> Value:
-        """value.name."""
-        return self.language.load_attr(self, value, name)
-
-    def store_attr(self, target: Value, name: str, value: Value) -> None:
-        """target.name = value."""
-        self.language.store_attr(self, target, name, value)
-
-    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
-        """owner.__dict__[name] = value; UNBOUND: `del` of that."""
-        self.language.keep_attr(self, owner, name, value, weak=weak)
-
-    def delete_attr(self, target: Value, name: str) -> None:
-        """del target.name."""
-        self.language.delete_attr(self, target, name)
-
-    def load_item(self, value: Value, index: Value) -> Value:
-        """value[index]."""
-        return self.language.load_item(self, value, index)
-
-    def store_item(self, target: Value, index: Value, value: Value) -> None:
-        """target[index] = value."""
-        self.language.store_item(self, target, index, value)
-
-    def binary(self, operator: str, left: Value, right: Value) -> Value:
-        """left operator right."""
-        return self.language.binary(self, operator, left, right, inplace=False)
-
-    def compare(self, operator: str, left: Value, right: Value) -> Value:
-        """left operator right."""
-        return self.language.compare(self, operator, left, right)
-
-    def iterate(self, value: Value) -> Items:
-        """What iterating yields."""
-        return self.language.iterate(self, value)
-
-    def series(self, value: Value) -> Series:
-        """What iterating yields, as far as the order is known."""
-        return self.language.series(self, value)
-
-    def truth(self, value: Value) -> bool | None:
-        """The truth of a value, None for both."""
-        return self.language.truth(self, value)
-
-    def is_instance(self, value: Value, wanted: Value) -> bool | None:
-        """isinstance(value, wanted)."""
-        return self.language.is_instance(self, value, wanted)
-
-    def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
-        """issubclass(cls, wanted)."""
-        return self.language.is_subclass(self, cls, wanted)
-
-    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
-        """An unknown that arises here."""
-        return Unknown((Reason(cause, subject, self.place),), hint)
-
-    def may_call(self, values: Iterable[Value]) -> None:
-        """A described library may call those that are functions."""
-        escape.may_call(self, values)
-
-    def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:
-        """Values reach unknown code."""
-        escape.escape(self, values, library, callee)
-
-    def schedule(
-        self,
-        callback: Value,
-        args: Sequence[Value] | None,
-        event: str,
-        place: Place | None = None,
-        *,
-        answered: Value | None = None,
-    ) -> None:
-        """A callback may run from now on, with these arguments, or (None) with anything; registered here, unless another place is given."""
-        schedule.add(self, callback, None if args is None else tuple(args), event, place, answered)
-
-    def spin(self) -> None:
-        """Everything scheduled may run here."""
-        schedule.spin(self)
-
-    def variables(self, *, local: bool) -> Value:
-        """What `locals()` or `globals()` gives here."""
-        found = self.language.variables(self, local=local)
-        return self.unknown(Cause.LIVE, "variables", "dict") if found is None else found
-
-    def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:
-        """A finding at the current place."""
-        self.log.findings.add(Finding(code, message, self.place, causes))
-
-    def die(
-        self, error: str, message: str, args: Sequence[Value] | None = None, *, sure: bool = False, plain: bool = False
-    ) -> Value:
-        """This path raises here: it ends where that is what the program wants (SystemExit), or waits for. Any other failure of a builtin
-        is taken as a value that is not known: what fails for the values that we see (a default list too short) may go well for others."""
-        if error not in ("SystemExit", "StopIteration"):
-            return self.language.fail(self, error, f"{error}: {message}", args, sure=sure, plain=plain)
-        throwing.throw(self, self.language.builtin_error(self, error, args))
-        return UNBOUND
-
-    @property
-    def place(self) -> Place:
-        """The innermost place in the user's code."""
-        for frame in reversed(self.frames):
-            if not frame.stub:
-                return frame.place
-        return Place("", 0)
-
-    @property
-    def path(self) -> tuple[Place, ...]:
-        """The calls in the user's code that lead here, outermost first; of a longer chain the innermost."""
-        own = [frame for frame in self.frames if not frame.stub][-_LONGEST_PATH:]
-        return tuple(frame.place for frame in own)
-
-    @property
-    def in_callback(self) -> bool:
-        """Whether something that was scheduled is running, not the main body."""
-        return self.schedule_book.running
-
-    @property
-    def is_tried(self) -> bool:
-        """Whether a `try` or `with` is running around."""
-        return bool(self.catchers)
-
-    @property
-    def is_sure(self) -> bool:
-        """Whether no branch around leaves open whether this runs."""
-        return not any(f.uncertain for f in self.frames)
-
-    @property
-    def environment(self) -> Mapping[str, Value | None]:
-        """What is known of the environment of every process that is not given another."""
-        return self.library.environment
-
-    def function_record(self, function: Function) -> Obj | None:
-        """The heap record of a function that was given attributes."""
-        return self.state.heap.get(self.library.function_address(function))
-
-    def interface_definition(self, dotted: str) -> Definition | None:
-        """The fields of a message by the dotted name of its class."""
-        return self.library.interface_definition(dotted)
-
-    @property
-    def asked(self) -> set[tuple[str, str, str]]:
-        """What may be called without being seen."""
-        return self.trace.asked
-
-    @property
-    def files(self) -> Files:
-        """The files of the analysed packages."""
-        return self.library.sources.files
-
-    @property
-    def via(self) -> str | None:
-        """The library function that the user's code called, where the current code is a library's."""
-        name: str | None = None
-        for frame in reversed(self.frames):
-            if not frame.stub:
-                break
-            name = f"{frame.module.name}.{frame.code.qualname}"
-        return name.removesuffix(".__init__") if name else None
-
-    def load_module(self, name: str, level: int = 0, *, asked: bool = False) -> Value:
-        """The module (or external thing) of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
-        frame = next((f for f in reversed(self.frames) if not f.stub), None)
-        return (self.language.load_asked if asked else self.language.load_module)(self, name, frame, level)

@@ -11,10 +11,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final, final
 
+from rosward.domain.compound import External
 from rosward.domain.heap import Obj
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Class, Const, External, Function, Hole, ModuleValue, Value
+from rosward.domain.values import Class, Const, Function, Hole, ModuleValue, Value
 from rosward.effects.log import EffectLog
 from rosward.effects.shell import Shell, usual_shell
 from rosward.engine.budget import Budget, LimitReachedError

@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Descriptor, Tuple
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Descriptor, Function, Ref, Tuple, Unknown, Value
+from rosward.domain.values import Const, Function, Ref, Unknown, Value
 from rosward.ir import ops
 from rosward.models.python.operators.operators import is_default
 from rosward.models.python.plain import int_of

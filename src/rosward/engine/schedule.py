@@ -11,9 +11,10 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options, reasons_of, widen
+from rosward.domain.compound import BoundMethod, Partial
 from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, BoundMethod, Class, Function, Partial, Ref, Unknown, Value
+from rosward.domain.values import UNBOUND, Class, Function, Ref, Unknown, Value
 from rosward.engine.arguments import ANY
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON

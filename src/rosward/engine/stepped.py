@@ -41,7 +41,7 @@ class Running:
         self.state: State | None = None  # behind the item
 
     @property
-    def seen(self) -> tuple[object, ...]:
+    def versions(self) -> tuple[object, ...]:
         """What must not change any more."""
         item, ended, value = self.stepped
         states = [s.version if s is not None else -1 for s in (self.before, self.state, ended)]

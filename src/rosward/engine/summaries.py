@@ -26,7 +26,7 @@ class Summary:
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
 
     @property
-    def seen(self) -> tuple[object, ...]:
+    def versions(self) -> tuple[object, ...]:
         """What must not change any more."""
         after = self.after.version if self.after is not None else -1
         return (tuple(self.registers), self.before.version, self.value, after)

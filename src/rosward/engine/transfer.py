@@ -122,7 +122,7 @@ def _make_function(machine: Engine, op: ops.MakeFunction, frame: Frame) -> None:
         tuple([registers[r] for r in op.defaults]),
         tuple([(name, registers[r]) for name, r in op.kwdefaults]),
     )
-    machine.log.seen(op.code, stub=frame.stub)
+    machine.log.add_function(op.code, stub=frame.stub)
 
 
 def _assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:

@@ -14,25 +14,11 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import SHIFT
 from rosward.domain.suspended import Suspension
-from rosward.domain.values import (
-    BoundMethod,
-    Choice,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Super,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
 
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
@@ -118,8 +104,8 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
         cls = value.__class__
         if cls in _LEAVES:
             continue
-        if cls is Ref:
-            yield value  # type: ignore[misc]
+        if value.__class__ is Ref:
+            yield value
         elif isinstance(value, Choice):
             yield from _refs(value.options)
         elif isinstance(value, Tuple):

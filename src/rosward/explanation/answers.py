@@ -21,12 +21,13 @@ from rosward.explanation.provenance import (
     sources,
 )
 from rosward.explanation.subjects import MeetingPoint, Subjects, close_matches, is_at, subjects
-from rosward.findings import RULES, Finding, Severity
+from rosward.findings import Finding
 from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchSystem
 from rosward.ros.entities import Entity, Interface, Node, Qos, Resolution
+from rosward.rules import RULES, Severity
 from rosward.source.location import Place
 
 __all__ = [
@@ -235,7 +236,7 @@ class _Teller:
             kind=entity.kind.value,
             name=entity.name,
             type=entity.type,
-            node=node.shown,
+            node=node.display_name,
             node_at=node.defined_at,
             system=entity.system,
             conditional=entity.conditional,
@@ -258,7 +259,7 @@ class _Teller:
         places |= {node.launched_by} if node.launched_by else set()
         at = {(place.file, place.line) for place in places}
         return NodeTold(
-            name=node.shown,
+            name=node.display_name,
             interface=node.interface.value,
             lacks=node.lacks,
             resolution=node.resolution.value,
@@ -280,7 +281,7 @@ class _Teller:
 
     def _enclave(self, path: str) -> EnclaveTold:
         paths = enclave_paths(self._network.nodes)
-        nodes = tuple(sorted({n.shown for n in self._network.nodes if paths[n.enclave] == path}))
+        nodes = tuple(sorted({n.display_name for n in self._network.nodes if paths[n.enclave] == path}))
         return EnclaveTold(path, nodes, tuple(self._rights.by_enclave.get(path, ())))
 
     def _doubts(self, findings: list[Finding]) -> tuple[DoubtTold, ...]:

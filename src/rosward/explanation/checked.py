@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding
 from rosward.policies.compare import Discrepancy, Related
 from rosward.policies.records import Policy
+from rosward.rules import Severity
 from rosward.suppression.judge import Judged, RelatedPlace, Reviewed
 
 __all__ = ["Checked", "ShownDiscrepancy", "checked"]

@@ -6,8 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from rosward.findings import RULES, Finding, Rule
+from rosward.findings import Finding
 from rosward.one_cause import OneCause, by_cause
+from rosward.rules import RULES, Rule
 
 __all__ = ["Doubts", "doubts"]
 

@@ -17,11 +17,11 @@ import re
 from collections.abc import Callable, Iterable
 from typing import Final, NamedTuple
 
-from rosward.findings import RULES
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.holes import may_be
 from rosward.ros.entities import Entity, Node
+from rosward.rules import RULES
 
 __all__ = ["MeetingPoint", "Subjects", "close_matches", "is_at", "subjects"]
 
@@ -82,7 +82,7 @@ def close_matches(network: Network, query: str) -> tuple[str, ...]:
 
 def _all_names(network: Network) -> list[str]:
     own = {e.name for n in network.nodes for e in n.entities if not e.system}
-    return sorted(own | {n.shown for n in network.nodes} | {n.enclave for n in network.nodes})[:20_000]
+    return sorted(own | {n.display_name for n in network.nodes} | {n.enclave for n in network.nodes})[:20_000]
 
 
 def _named(network: Network, fits: Callable[[str], bool]) -> Subjects:

@@ -121,7 +121,7 @@ def _place(folder: str, path: str) -> str:
 
 def _write(folder: str, path: str, data: bytes, size: int) -> None:
     place = _place(folder, path)
-    with _told(path):
+    with _os_errors_named(path):
         make_folders(os.path.dirname(place))  # noqa: PTH120
         with open(place, "xb") as file:  # noqa: PTH123
             file.write(data)
@@ -130,7 +130,7 @@ def _write(folder: str, path: str, data: bytes, size: int) -> None:
 
 
 @contextlib.contextmanager
-def _told(path: str) -> Iterator[None]:
+def _os_errors_named(path: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
@@ -143,10 +143,10 @@ def _link(folder: str, links: Iterable[_Link]) -> list[str]:
     made: list[tuple[str, str]] = []
     wanted = [(link, _place(folder, link.path)) for link in links if link.target and "\0" not in link.target]
     for link, place in wanted:  # all folders before any link: none is made through a link
-        with _told(link.path):
+        with _os_errors_named(link.path):
             make_folders(os.path.dirname(place))  # noqa: PTH120
     for link, place in wanted:
-        with _told(link.path):
+        with _os_errors_named(link.path):
             os.symlink(link.target, place)  # noqa: PTH211
         made.append((link.path, place))
     inside = os.path.join(os.path.realpath(folder), "")  # noqa: PTH118

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from typing import Final
 
+from rosward.domain.compound import External, Native
 from rosward.domain.unknown import Cause
-from rosward.domain.values import External, Native, Unknown, Value
+from rosward.domain.values import Unknown, Value
 
 _WINDOWS: Final = {
     "PyQt4", "PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "tkinter", "Tkinter", "customtkinter", "pygame",

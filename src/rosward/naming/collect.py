@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Final, NamedTuple
 
+from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern
 from rosward.domain.unknown import causes_of
-from rosward.domain.values import Const, Tuple, Value
+from rosward.domain.values import Const, Value
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings
 from rosward.holes import HOLE, Holed

@@ -13,12 +13,13 @@ from collections.abc import Iterable, Mapping
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import lift, options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
 from rosward.domain.text import make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Choice, Const, Text, Tuple, Unknown, Value
+from rosward.domain.values import Choice, Const, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
-from rosward.holes import HOLE, Holed, shown
+from rosward.holes import HOLE, Holed, with_stars
 from rosward.ros import arguments, names
 from rosward.ros.parameter_values import ParameterValue, effective_value
 from rosward.source.location import Place
@@ -172,7 +173,7 @@ def _rule_value(value: ParameterValue, word: Value) -> Value:
     """The value of `-p name:=text`: typed, with the origins of the word; with its holes where it has any."""
     text = behind(word, ":=")
     if isinstance(text, Const):
-        return from_plain(shown(value.value) if isinstance(value.value, str) else value.value, text)
+        return from_plain(with_stars(value.value) if isinstance(value.value, str) else value.value, text)
     if value.type == "string" and isinstance(text, Text):
         return text
     reasons = tuple(r for p in parts_of(text) if not isinstance(p, str) for r in p.reasons)

@@ -8,11 +8,12 @@ from typing import Final
 from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause, Reason, causes_of
 from rosward.domain.values import Value
-from rosward.findings import MADE_ANEW, Finding
-from rosward.holes import shown
+from rosward.findings import Finding
+from rosward.holes import with_stars
 from rosward.naming.command_line import UNKNOWN_ARGUMENTS
 from rosward.naming.options import NameOption
 from rosward.ros.entities import Entity, Resolution
+from rosward.rules import MADE_ANEW
 from rosward.source.location import Place
 
 _REMEDY: Final = {
@@ -48,8 +49,8 @@ def unknown_node(option: NameOption, place: Place, part: str = "name") -> Findin
     if option.resolution is Resolution.UNKNOWN:
         return _doubt("RW105", f"the {part} of this node is unknown", option.reasons, place)
     if _made_anew(option):
-        return _name_made_anew("this node", shown(option.text), place)
-    return _doubt("RW102", f"the {part} of this node is known only as {shown(option.text)}", option.reasons, place)
+        return _name_made_anew("this node", with_stars(option.text), place)
+    return _doubt("RW102", f"the {part} of this node is known only as {with_stars(option.text)}", option.reasons, place)
 
 
 def _made_anew(option: NameOption) -> bool:
@@ -66,7 +67,7 @@ def _name_made_anew(what: str, text: str, place: Place) -> Finding:
 def invalid_name(kind: str, text: str, why: str, place: Place, depends_on: tuple[str, ...] = ()) -> Finding:
     """A name that rcl rejects; `depends_on`: whose default it is, so that another value may be valid."""
     default = f" (the default of {', '.join(depends_on)})" if depends_on else ""
-    return Finding("RW103", f"{shown(text)!r} is not a valid name for a {kind}: {why}{default}", place)
+    return Finding("RW103", f"{with_stars(text)!r} is not a valid name for a {kind}: {why}{default}", place)
 
 
 def unknown_arguments(reasons: tuple[Reason, ...], place: Place) -> Finding:

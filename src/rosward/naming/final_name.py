@@ -10,7 +10,7 @@ from rosward.domain.choice import join_all, lift, options
 from rosward.domain.text import make, pattern
 from rosward.domain.values import NONE, UNBOUND, Const, Text, Value
 from rosward.effects.log import EffectLog, NodeEffect
-from rosward.holes import Holed, literal, shown
+from rosward.holes import Holed, literal, with_stars
 from rosward.naming.command_line import CommandLine, ValueRule, read_words
 from rosward.ros import names
 
@@ -67,7 +67,7 @@ def _full_namespace(value: Value) -> Value:
 
 
 def _full(value: Const) -> Const:
-    return Const(shown(names.full_namespace(literal(str(value.value)))), value.origins)
+    return Const(with_stars(names.full_namespace(literal(str(value.value)))), value.origins)
 
 
 def remapped_by(

@@ -12,20 +12,10 @@ from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.compound import BoundMethod, Descriptor, External, Partial
 from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import Cause, Origins, Reason
-from rosward.domain.values import (
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Partial,
-    Text,
-    Value,
-)
+from rosward.domain.values import Choice, Class, Const, Function, Text, Value
 from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Resolution
 from rosward.source.location import Place
@@ -121,19 +111,18 @@ def interface_types(value: Value) -> tuple[str | None, ...]:
 def callback_name(value: Value | None) -> str | None:
     """The qualified name of a function; None where it is not known."""
     while value is not None:
-        kind = value.__class__
-        if kind is Function and value.code.file.startswith("models:"):  # type: ignore[attr-defined]
+        if value.__class__ is Function and value.code.file.startswith("models:"):
             return None  # a method of the library itself
-        if kind is Function:
-            return value.code.qualname  # type: ignore[attr-defined,no-any-return]
-        if kind in (BoundMethod, Partial):
-            value = value.function  # type: ignore[attr-defined]
-        elif kind is Descriptor:
-            value = value.getter  # type: ignore[attr-defined]
-        elif kind is Choice:
-            value = next((o for o in value.options if callback_name(o)), None)  # type: ignore[attr-defined]
-        elif kind is Class:
-            return value.qualname  # type: ignore[attr-defined,no-any-return]
+        if value.__class__ is Function:
+            return value.code.qualname
+        if value.__class__ in (BoundMethod, Partial):
+            value = value.function
+        elif value.__class__ is Descriptor:
+            value = value.getter
+        elif value.__class__ is Choice:
+            value = next((o for o in value.options if callback_name(o)), None)
+        elif value.__class__ is Class:
+            return value.qualname
         else:
             return None
     return None

@@ -159,8 +159,8 @@ def _meetings(nodes: tuple[Node, ...], sender: EntityKind, receiver: EntityKind)
         _Joined(
             name,
             tuple(sorted({e.type for _, e in ends[name] if e.type is not None})),
-            tuple(sorted({node.shown for node, e in ends[name] if e.kind is sender})),
-            tuple(sorted({node.shown for node, e in ends[name] if e.kind is receiver})),
+            tuple(sorted({node.display_name for node, e in ends[name] if e.kind is sender})),
+            tuple(sorted({node.display_name for node, e in ends[name] if e.kind is receiver})),
             all(e.system for _, e in ends[name]),
         )
         for name in sorted(ends)

@@ -18,7 +18,7 @@ from dataclasses import replace
 from typing import Final
 
 from rosward.findings import Finding
-from rosward.holes import Holed, literal, shown
+from rosward.holes import Holed, literal, with_stars
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.free import free
 from rosward.network.launch_tree import CONTAINER
@@ -108,8 +108,8 @@ def _own_name(members: list[Node], nameless: Mapping[str, str]) -> str | None:
     label = members[0].process.partition("#")[0]
     if label.startswith(CONTAINER):
         return label.removeprefix(CONTAINER)
-    names = {n.shown: nameless.get(n.label or "", n.fqn) for n in members}
-    own = {names[n.shown] for n in members if f"{n.package}/{n.executable}" == label}
+    names = {n.display_name: nameless.get(n.label or "", n.fqn) for n in members}
+    own = {names[n.display_name] for n in members if f"{n.package}/{n.executable}" == label}
     several = len({(n.package, n.executable) for n in members}) > 1
     for found in (set(names.values()), own if several else set()):
         if len(found) == 1:
@@ -133,13 +133,13 @@ def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list
     place = members[0].launched_by or members[0].defined_at
     process = members[0].process
     found = [
-        Finding("RW308", f"process {process}: enclave {shown(enclave)!r} is rejected by rcl:  {reason}", place)
+        Finding("RW308", f"process {process}: enclave {with_stars(enclave)!r} is rejected by rcl:  {reason}", place)
         for enclave in given
         if (reason := validate_enclave(Holed(enclave))) is not None
     ]
     if len(given) > 1:
         found.append(Finding("RW308", f"process {process} is started with several enclaves: {', '.join(given)}", place))
-    if given and mode is EnclaveMode.NODE and len({n.shown for n in members}) > 1:
+    if given and mode is EnclaveMode.NODE and len({n.display_name for n in members}) > 1:
         found.append(
             Finding("RW308", f"process {process} runs in {given[-1]}, which its {len(members)} nodes must share", place)
         )

@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node
 from rosward.source.location import Place
 
-__all__ = ["End", "Meeting", "meetings", "told"]
+__all__ = ["End", "Meeting", "listed_names", "meetings"]
 
 _MOST_TOLD: Final = 3
 
@@ -65,7 +65,7 @@ def _of_kind(nodes: Iterable[Node], word: str, source: EntityKind, sink: EntityK
         yield Meeting(word, key[0], tuple(sources), tuple(sinks))
 
 
-def told(names: Iterable[str]) -> str:
+def listed_names(names: Iterable[str]) -> str:
     """`/a, /b, /c and 2 more`."""
     unique = sorted(set(names))
     more = f" and {len(unique) - _MOST_TOLD} more" if len(unique) > _MOST_TOLD else ""

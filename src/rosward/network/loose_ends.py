@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
 from rosward.findings import Finding
-from rosward.network.ends import End, Meeting, meetings, told
+from rosward.network.ends import End, Meeting, listed_names, meetings
 from rosward.network.graph import Network
 from rosward.network.holes import NameIndex
 from rosward.ros.entities import Node, Resolution
@@ -80,9 +80,9 @@ def _finding(
     types = {e.entity.type for e in own}
     nameless = [e.node.fqn for e in side.nameless if None in types or e.entity.type is None or e.entity.type in types]
     kind = own[0].entity.kind.value
-    message = f"{meeting.word} {meeting.name}: {kind} in {told(e.node.fqn for e in own)}, but no {other}"
-    maybe = [f"one of unknown name in {told(nameless)} may match"] if nameless else []
-    maybe += [f"{told(n.fqn for n in unknown)}, whose interface is unknown, may have it"] if unknown else []
+    message = f"{meeting.word} {meeting.name}: {kind} in {listed_names(e.node.fqn for e in own)}, but no {other}"
+    maybe = [f"one of unknown name in {listed_names(nameless)} may match"] if nameless else []
+    maybe += [f"{listed_names(n.fqn for n in unknown)}, whose interface is unknown, may have it"] if unknown else []
     message += f" that is known; {'; '.join(maybe)}" if maybe else ""
     yield Finding(code, message, own[0].place)
 

@@ -15,9 +15,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Final, NamedTuple
 
-from rosward.findings import RULES, Finding
+from rosward.findings import Finding
 from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked
 from rosward.ros.entities import ENTITY_LISTS, Entity, Interface, Node, Qos, Resolution, is_assumed_label
+from rosward.rules import RULES
 from rosward.source.json_fields import Fields, UnreadableError, json_document
 from rosward.source.location import Place
 

@@ -15,7 +15,7 @@ from itertools import chain
 from typing import Final
 
 from rosward.findings import Finding
-from rosward.network.ends import End, Meeting, meetings, told
+from rosward.network.ends import End, Meeting, listed_names, meetings
 from rosward.ros.entities import Node, Qos
 
 __all__ = ["incompatible_qos"]
@@ -38,8 +38,8 @@ def _clash(topic: Meeting, policy: str, offered: str, requested: str) -> Iterato
     offering, requesting = _that_would_talk(publishers, subscriptions), _that_would_talk(subscriptions, publishers)
     if offering:
         message = (
-            f"topic {topic.name}: subscription in {told(end.node.fqn for end in requesting)} requests {requested}, "
-            f"publisher in {told(end.node.fqn for end in offering)} offers {offered}: they exchange no messages"
+            f"topic {topic.name}: subscription in {listed_names(end.node.fqn for end in requesting)} requests {requested}, "
+            f"publisher in {listed_names(end.node.fqn for end in offering)} offers {offered}: they exchange no messages"
         )
         yield Finding("RW309", message, requesting[0].place)
 

@@ -89,9 +89,7 @@ def _candidates(wanted: EnclaveNeeds, by_path: dict[str, EnclavePolicy]) -> list
 def _without_enclave(wanted: EnclaveNeeds) -> Discrepancy:
     node = wanted.nodes[0]
     processes = ", ".join(sorted({n.process for n in wanted.nodes}))
-    message = (
-        f"the policy has no enclave {wanted.path}, where {processes} runs ({_several(n.shown for n in wanted.nodes)})"
-    )
+    message = f"the policy has no enclave {wanted.path}, where {processes} runs ({_several(n.display_name for n in wanted.nodes)})"
     return Discrepancy(wanted.path, "", Finding("RW405", message, node.launched_by or node.defined_at))
 
 
@@ -103,7 +101,7 @@ def _lacking(enclave: EnclavePolicy, wanted: EnclaveNeeds) -> Iterator[Discrepan
         judged = [(right, judge(right)) for right in need.rights]
         short = [(right, said) for right, said in judged if said.verdict is not Verdict.ALLOWED]
         if short:
-            message = _told(need, short)
+            message = _message(need, short)
             related = [Related(f"enclave {enclave.path} of the policy", enclave.place, in_policy=True)]
             related += (Related(f"denied by {r}", r.place, in_policy=True) for r in _denials(short))
             related += (
@@ -123,7 +121,7 @@ def _has_a_rule(need: Need) -> bool:
     return any(right.name.startswith(_ROS_PREFIXES) for right in need.rights)
 
 
-def _told(need: Need, short: list[tuple[Right, Judgement]]) -> str:
+def _message(need: Need, short: list[tuple[Right, Judgement]]) -> str:
     refused = any(said.verdict is Verdict.REFUSED for _, said in short)
     open_ = "*" in need.name
     verb = "is not allowed" if refused else "may be missing: no rule allows everything that the name may stand for"
@@ -144,7 +142,7 @@ def _denials(short: list[tuple[Right, Judgement]]) -> list[PolicyRule]:
 def _nodes(wanted: EnclaveNeeds) -> list[Related]:
     """Where the nodes of an enclave are in the sources."""
     return [
-        Related(f"node {node.shown} runs in this enclave", node.defined_at, in_policy=False)
+        Related(f"node {node.display_name} runs in this enclave", node.defined_at, in_policy=False)
         for node in wanted.nodes[:_MOST_PLACES]
     ]
 

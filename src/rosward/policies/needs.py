@@ -76,7 +76,7 @@ def _need(kind: EntityKind, name: str, prefixed: bool, users: list[tuple[Node, E
         kind,
         name,
         rights_of(kind, name) if prefixed else (Right(direction, name),),
-        tuple(sorted({node.shown for node, _ in users})),
+        tuple(sorted({node.display_name for node, _ in users})),
         tuple(sorted({place for node, e in users for place in (e.created_at or (node.defined_at,))})),
         all(e.conditional for _, e in users),
         any(e.resolution is not Resolution.UNKNOWN for _, e in users) and _NAME.fullmatch(name) is not None,

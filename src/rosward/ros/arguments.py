@@ -19,7 +19,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
-from rosward.holes import HOLE, Holed, shown
+from rosward.holes import HOLE, Holed, with_stars
 from rosward.ros.names import RemapKind, RemapRule, may_be_equal, validate_enclave
 from rosward.ros.parameter_values import InvalidArgument, ParameterValue, effective_value, parse_value, scalar_value
 
@@ -161,9 +161,9 @@ def parse_arguments(words: Sequence[Holed]) -> RosArguments:
                 rule = _flag_value(_FLAGS_WITH_VALUE[word], value)
             except InvalidArgument as error:
                 if HOLE in value:
-                    unknown.append(shown(f"{word} {value}"))
+                    unknown.append(with_stars(f"{word} {value}"))
                 else:
-                    errors.append(shown(f"{word} {value}: {error}"))
+                    errors.append(with_stars(f"{word} {value}: {error}"))
                 continue
             if isinstance(rule, RemapRule):
                 remaps.append(rule)
@@ -175,12 +175,12 @@ def parse_arguments(words: Sequence[Holed]) -> RosArguments:
                 overrides_at.append(value_at)
         elif word not in _FLAGS:
             if HOLE in word:
-                unknown.append(shown(word))
+                unknown.append(with_stars(word))
             else:
-                errors.append(shown(f"{word}: unknown ROS argument"))
+                errors.append(with_stars(f"{word}: unknown ROS argument"))
     reason = None if enclave is None else validate_enclave(enclave)
     if reason is not None:
-        errors.append(shown(f"--enclave {enclave}: {reason}"))
+        errors.append(with_stars(f"--enclave {enclave}: {reason}"))
     return RosArguments(
         tuple(remaps),
         tuple(overrides),
@@ -205,7 +205,7 @@ def _flag_value(what: str, value: Holed) -> RemapRule | ParameterRule | ParamsFi
     if what == "parameter":
         return parse_parameter_rule(value)
     if what == "params file":
-        return ParamsFile(shown(value))
+        return ParamsFile(with_stars(value))
     if what == "enclave":
         return _Enclave(value)
     if what == "log level" and HOLE not in value and not _LOG_LEVEL.fullmatch(value):

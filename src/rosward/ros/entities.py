@@ -188,7 +188,7 @@ class Node:
     label: str | None = None
 
     @property
-    def shown(self) -> str:
+    def display_name(self) -> str:
         """What the node is called where people read it: its full name, or its label where nobody knows its name. No two nodes share a label."""
         return self.label or self.fqn
 

@@ -17,7 +17,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
-from rosward.holes import HOLE, Holed, shown
+from rosward.holes import HOLE, Holed, with_stars
 from rosward.ros.validation import (
     collapse,
     validate_enclave,
@@ -135,7 +135,7 @@ def _expand(name: Holed, node_name: Holed, namespace: Holed) -> Holed:
             return node_name
         if found[1] in ("ns", "namespace"):
             return namespace
-        raise InvalidName(f"unknown substitution {shown(found[0])}")
+        raise InvalidName(f"unknown substitution {with_stars(found[0])}")
 
     before = name
     name = Holed(_SUBSTITUTION.sub(substitute, name))

@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
-from rosward.holes import HOLE, Holed, shown
+from rosward.holes import HOLE, Holed, with_stars
 
 _TRUE: Final = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
 _FALSE: Final = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
@@ -141,7 +141,7 @@ def _parse_value(text: Holed) -> ParameterValue:
     found: list[ParameterValue] = []
     array: list[ParameterValue] | None = None
     try:
-        for event in yaml.parse(text if HOLE in text else shown(text), Loader=yaml.SafeLoader):
+        for event in yaml.parse(text if HOLE in text else with_stars(text), Loader=yaml.SafeLoader):
             if isinstance(event, yaml.SequenceStartEvent):
                 array = []
             elif isinstance(event, yaml.SequenceEndEvent):

@@ -26,7 +26,6 @@ from rich.console import Console
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.diff.compare import compare, read_snapshot
 from rosward.enclaves.grants import enclaves
-from rosward.findings import Severity
 from rosward.network.connect import with_findings
 from rosward.network.counts import counts_of
 from rosward.network.graph import Network
@@ -39,6 +38,7 @@ from rosward.outputs.terminal.summary import summary
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import Material, Scan, of_enclave
 from rosward.pipeline import extract
+from rosward.rules import Severity
 from rosward.server.job import Job
 from rosward.server.launch_files import launch_files
 from rosward.server.places import LeftOut, read_left_out, write_left_out

@@ -78,7 +78,7 @@ def _read(file: SourceFile, library: Library, files: WorkspaceFiles, distro: Dis
     description = Descriptions(files, python, findings).read(file.relative, "any", scene)
     arguments: dict[str, OfferedArgument] = {}
     for declared in _declared(description.actions if description is not None else ()):
-        name = _shown(declared.name, scene)
+        name = _text_of(declared.name, scene)
         if name and "*" not in name and len(arguments) < _MOST_ARGUMENTS:
             arguments.setdefault(name, _argument(name, declared, scene))
     return LaunchFile(file.relative, file.package.name if file.package is not None else "", tuple(arguments.values()))
@@ -96,11 +96,11 @@ def _declared(actions: Sequence[tree.LaunchAction]) -> Iterator[tree.Declare]:
 
 
 def _argument(name: str, declared: tree.Declare, scene: Scene) -> OfferedArgument:
-    default = None if declared.default is None else _shown(declared.default, scene)
-    choices = tuple(_shown(choice, scene) for choice in declared.choices or ())
-    return OfferedArgument(name, default, choices, _shown(declared.description, scene))
+    default = None if declared.default is None else _text_of(declared.default, scene)
+    choices = tuple(_text_of(choice, scene) for choice in declared.choices or ())
+    return OfferedArgument(name, default, choices, _text_of(declared.description, scene))
 
 
-def _shown(template: tree.Template, scene: Scene) -> str:
+def _text_of(template: tree.Template, scene: Scene) -> str:
     """The text of a template without the context of a launch."""
     return readable(scene.text(template))[:_LONGEST]

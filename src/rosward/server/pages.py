@@ -65,7 +65,7 @@ class Pages:
         self._environment = Environment(
             loader=FunctionLoader(_template),
             autoescape=True,
-            finalize=_shown,
+            finalize=_harmless,
             undefined=StrictUndefined,
             trim_blocks=True,
             lstrip_blocks=True,
@@ -112,7 +112,7 @@ def _template(name: str) -> str:
     return (resources.files("rosward.server") / "templates" / name).read_text(encoding="utf-8")
 
 
-def _shown(value: object) -> object:
+def _harmless(value: object) -> object:
     """What is written for an expression: text without control characters and direction marks."""
     if isinstance(value, Markup):
         return value

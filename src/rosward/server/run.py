@@ -80,7 +80,7 @@ def serve(serving: Serving, tell: Callable[[str], None]) -> None:
 
         def begin() -> None:
             page = _first_page(server, serving)
-            address = f"http://{_shown(serving.host)}:{port}{page}"
+            address = f"http://{_host_in_url(serving.host)}:{port}{page}"
             tell(f"rosward is running at\n\n    {address}?token={access.token}\n")
             tell(_who_can_reach(serving.host, local=local))
             if serving.open:
@@ -190,13 +190,13 @@ def _is_local(host: str) -> bool:
 
 
 def _hosts(host: str, port: int) -> Hosts:
-    names = {"127.0.0.1", "localhost", "[::1]", _shown(host).lower()}
+    names = {"127.0.0.1", "localhost", "[::1]", _host_in_url(host).lower()}
     if host in _ANY:
         names.add(socket.gethostname().lower())
     return Hosts(frozenset(names), port, numbers=not _is_local(host))
 
 
-def _shown(host: str) -> str:
+def _host_in_url(host: str) -> str:
     """The host as it stands in an address."""
     if host in _ANY:
         return "127.0.0.1" if host == "0.0.0.0" else "[::1]"

@@ -13,7 +13,8 @@ from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from rosward.findings import RULES, Finding, Severity
+from rosward.findings import Finding
+from rosward.rules import RULES, Severity
 from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile

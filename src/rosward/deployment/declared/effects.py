@@ -32,10 +32,11 @@ from rosward.deployment.declared.shapes import (
 )
 from rosward.deployment.declared.text import DeclaredParameters, TemplateScope, as_value, expand, joined
 from rosward.domain.choice import lift, options
+from rosward.domain.compound import External
 from rosward.domain.series import Series
 from rosward.domain.text import pattern
 from rosward.domain.unknown import Reason
-from rosward.domain.values import NONE, Const, External, Value
+from rosward.domain.values import NONE, Const, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings

@@ -14,9 +14,10 @@ from typing import Final, final
 from rosward.deployment.declared.shapes import EndpointGroup, Loop
 from rosward.deployment.declared.text import TemplateScope, expand, holds
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.compound import External, Tuple
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, External, Hole, Tuple, Unknown, Value
+from rosward.domain.values import Const, Hole, Unknown, Value
 from rosward.ros.distro import Distro
 from rosward.source.location import Place
 

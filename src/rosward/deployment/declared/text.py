@@ -14,9 +14,10 @@ from typing import Final, NamedTuple
 
 from rosward.deployment.declared.shapes import DeclaredCondition, DeclaredParameter
 from rosward.domain.choice import join, lift, lift2, options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
-from rosward.domain.values import EMPTY, Const, Text, Tuple, Unknown, Value
+from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.models.python.plain import with_origins
 from rosward.naming.command_line import ANY_NAME
 from rosward.source.location import Place

@@ -27,9 +27,10 @@ from rosward.deployment.execution.yaml_values import as_plain_scalar, is_path, p
 from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Hole, Tuple, Unknown, Value
+from rosward.domain.values import Const, Hole, Unknown, Value
 from rosward.effects.configuration import Given
 from rosward.source.location import Place
 

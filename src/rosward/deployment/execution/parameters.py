@@ -36,9 +36,10 @@ from rosward.deployment.tree import (
     Several,
 )
 from rosward.domain.choice import lift, lift2, options, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Tuple, Unknown, Value
+from rosward.domain.values import Const, Unknown, Value
 from rosward.effects.configuration import Given
 from rosward.naming.command_line import type_word
 

@@ -13,9 +13,10 @@ from typing import Final
 
 from rosward.deployment.execution.yaml_values import as_rcl_reads, plain_text
 from rosward.domain.choice import join, lift, options
+from rosward.domain.compound import Tuple
 from rosward.domain.text import matches, readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Tuple, Unknown, Value
+from rosward.domain.values import Const, Unknown, Value
 from rosward.effects.configuration import Given
 from rosward.source.location import Place
 

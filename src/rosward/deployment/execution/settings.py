@@ -7,6 +7,7 @@ arg robot default r1; let ns robot_$(var robot); push_ros_namespace $(var ns)   
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import methodcaller
 from typing import TYPE_CHECKING, Final
 
 from rosward.deployment import tree
@@ -225,4 +226,4 @@ def _set_parameter(action: tree.SetParameter, scene: Scene) -> None:
             name = scene.text(key)
             added.append(GlobalParameter(name, evaluate(data, name, scene, place), place))
     for entry in added:
-        scene.context.change_ros(lambda state, e=entry: state.added(e))  # type: ignore[misc]
+        scene.context.change_ros(methodcaller("added", entry))

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Final, final
 
 from rosward.deployment import tree
@@ -26,9 +27,10 @@ from rosward.deployment.execution.substitutions import SUBSTITUTIONS
 from rosward.deployment.execution.yaml_values import plain_text
 from rosward.deployment.started import Started
 from rosward.domain.choice import options
+from rosward.domain.compound import Partial
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Const, Partial, Unknown, Value
+from rosward.domain.values import Const, Unknown, Value
 from rosward.guard import guarded
 from rosward.network.launch_tree import Inclusion
 from rosward.source.location import Place
@@ -79,7 +81,7 @@ class RunningLaunch:
             self._agenda.see(action)
             verdict = decide(action.condition, self.scene)
             if verdict.true:
-                self._by(verdict, lambda way, a=action: self._execute(a, way), at)  # type: ignore[misc]
+                self._by(verdict, partial(self._execute, action), at)
             else:
                 self._agenda.see_inside(action)
 
@@ -127,7 +129,7 @@ class RunningLaunch:
             )
             self.scene.findings.tell("RW316", message, action.place)
             for each in action.actions:
-                self._by(Truth(why=action.why), lambda way, a=each: self.walk((a,), way), inner)  # type: ignore[misc]
+                self._by(Truth(why=action.why), partial(self.walk, (each,)), inner)
         elif isinstance(action, (tree.Timer, tree.OnEvent)):
             self._wait(action, inner)
         elif isinstance(action, tree.Opaque):
@@ -242,7 +244,7 @@ class RunningLaunch:
         paths = options(self.scene.text(action.path))
         for path in paths:
             verdict = Truth(why="which launch file is included") if len(paths) > 1 else Truth(false=False)
-            self._by(verdict, lambda way, p=path: self._include_file(action, p, way), inner)  # type: ignore[misc]
+            self._by(verdict, partial(self._include_file, action, path), inner)
 
     def _include_file(self, action: tree.Include, path: Value, at: At) -> None:
         """The current launch file changes before the arguments are performed, and does not change back."""
@@ -263,7 +265,7 @@ class RunningLaunch:
     def _loop(self, action: tree.ForEach, at: At) -> None:
         outer = self.scene.turn
         for turn in turns(action, self.scene):
-            self._by(turn.verdict, lambda way, t=turn: self._turn(action, t, way), at)  # type: ignore[misc]
+            self._by(turn.verdict, partial(self._turn, action, turn), at)
         self.scene.turn = outer
 
     def _turn(self, action: tree.ForEach, turn: Turn, at: At) -> None:

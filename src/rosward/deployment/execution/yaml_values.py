@@ -15,9 +15,10 @@ from typing import Final, NamedTuple
 import yaml
 
 from rosward.domain.choice import lift, reasons_of
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins, Reason
-from rosward.domain.values import Choice, Const, Hole, Text, Tuple, Unknown, Value
+from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import literal
 from rosward.ros.parameter_values import InvalidArgument, parse_value
 from rosward.source import limits
@@ -117,7 +118,7 @@ def as_yaml(text: Value, failed: Failed) -> Value:
             return _with_hole(option)
         loaded = load_yaml(plain) if plain else Loaded("")
         if loaded.error or not _is_uniform(loaded.value):
-            failed(loaded.error or f"{_shown(plain)} is neither a scalar nor a list of values of one type")
+            failed(loaded.error or f"{_quoted(plain)} is neither a scalar nor a list of values of one type")
             return unknown(option)
         return value_of(loaded.value, origins_of(option))
 
@@ -136,7 +137,7 @@ def as_type(text: Value, kind: str, failed: Failed) -> Value:
         try:
             return value_of(_coerced(plain, kind), origins_of(option))
         except ValueError:
-            failed(f"{_shown(plain)} is not of type {kind}")
+            failed(f"{_quoted(plain)} is not of type {kind}")
             return unknown(option)
 
     return lift(one, text)
@@ -214,7 +215,7 @@ def _is_word(text: str) -> bool:
     return ":" not in text and (len(text) > len("false") or "/" in text or "_" in text)
 
 
-def _shown(text: str) -> str:
+def _quoted(text: str) -> str:
     return repr(text if len(text) <= 40 else text[:37] + "…")
 
 

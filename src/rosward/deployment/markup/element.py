@@ -128,7 +128,7 @@ class Tag:
             return None
         if self.format is Format.YAML and not isinstance(found.value, str):
             self.refuse(
-                f"{name!r} of <{self.tag}> is {_told(found.value)}, but launch requires a string: quote it.",
+                f"{name!r} of <{self.tag}> is {_kind_of(found.value)}, but launch requires a string: quote it.",
                 found.place,
             )
         return found.text
@@ -173,7 +173,9 @@ class Tag:
         if isinstance(value, bool):
             return value
         if not isinstance(value, str):
-            self.refuse(f"{name!r} of <{self.tag}> is {_told(value)}, but launch requires true or false.", found.place)
+            self.refuse(
+                f"{name!r} of <{self.tag}> is {_kind_of(value)}, but launch requires true or false.", found.place
+            )
         return found.text
 
     def switch(self, name: str) -> bool | Template | None:
@@ -188,7 +190,8 @@ class Tag:
             return None
         if self.format is Format.YAML and not isinstance(found.value, (str, kind)):
             self.refuse(
-                f"{name!r} of <{self.tag}> is {_told(found.value)}, but launch requires {kind.__name__}.", found.place
+                f"{name!r} of <{self.tag}> is {_kind_of(found.value)}, but launch requires {kind.__name__}.",
+                found.place,
             )
         return self._refusals.template(found.text, found.place)
 
@@ -265,7 +268,7 @@ def _is_duration(text: str) -> bool:
         return False
 
 
-def _told(value: Native) -> str:
+def _kind_of(value: Native) -> str:
     if value is None:
         return "empty or a structure"
     return "a list" if isinstance(value, tuple) else f"of type {type(value).__name__}"

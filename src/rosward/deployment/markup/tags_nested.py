@@ -27,11 +27,11 @@ def _group(element: Tag, inner: Inner) -> LaunchAction:
         actions=inner(each for each in element.children() if each.tag != "keep"),
         scoped=scoped is None or bool(scoped),
         forwarding=forwarding is None or bool(forwarding),
-        configurations=_kept(element),
+        configurations=_kept_pairs(element),
     )
 
 
-def _kept(element: Tag) -> tuple[tuple[Template, Template], ...]:
+def _kept_pairs(element: Tag) -> tuple[tuple[Template, Template], ...]:
     return element.pairs("keep", "name", "value")
 
 

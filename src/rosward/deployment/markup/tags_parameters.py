@@ -26,7 +26,8 @@ from rosward.deployment.tree import (
     Template,
     Typed,
 )
-from rosward.domain.values import Const, Tuple
+from rosward.domain.compound import Tuple
+from rosward.domain.values import Const
 
 _SCALARS: Final[dict[str, type[Scalar]]] = {"str": str, "bool": bool, "int": int, "float": float}
 _LIST: Final = "list_of_"

@@ -37,7 +37,8 @@ from rosward.deployment.tree import (
     Unread,
 )
 from rosward.domain.choice import options
-from rosward.domain.values import NONE, Class, Const, External, Ref, Tuple, Value
+from rosward.domain.compound import External, Tuple
+from rosward.domain.values import NONE, Class, Const, Ref, Value
 from rosward.source.location import Place
 
 _DESCRIPTION: Final = "launch.launch_description.LaunchDescription"

@@ -22,23 +22,10 @@ from rosward.deployment.python.expression import Expressions
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.tree import Description, Unread
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import BoundMethod, Partial
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import (
-    NONE,
-    TRUE,
-    UNBOUND,
-    BoundMethod,
-    Const,
-    Function,
-    Hole,
-    ModuleValue,
-    Partial,
-    Ref,
-    Text,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, TRUE, UNBOUND, Const, Function, Hole, ModuleValue, Ref, Text, Unknown, Value
 from rosward.effects.log import EffectLog
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget, LimitReachedError
@@ -169,7 +156,8 @@ class LaunchPython:
                 self._tell("RW320", "perform() raises an exception", self._objects.place(value))
         else:
             found = NONE if value == NONE else self._context.perform(value)
-        return _as_text(found) if _as_text(found) is not None else self._machine.unknown(Cause.CALL, "perform", "str")  # type: ignore[return-value]
+        text = _as_text(found)
+        return self._machine.unknown(Cause.CALL, "perform", "str") if text is None else text
 
     def test(self, condition: Value, performer: Performer) -> Value:
         """`condition.evaluate(context)` of a class of the analysed sources, or a call of a function: a bool."""

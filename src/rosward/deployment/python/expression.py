@@ -13,10 +13,11 @@ import math
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import lift, reasons_of
+from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.text import make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins
-from rosward.domain.values import UNBOUND, Const, ModuleValue, Native, Text, Unknown, Value
+from rosward.domain.values import UNBOUND, Const, ModuleValue, Text, Unknown, Value
 from rosward.engine.frame import Frame
 from rosward.frontends.front_end import FrontendError
 from rosward.frontends.registry import PYTHON

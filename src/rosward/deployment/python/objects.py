@@ -11,23 +11,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.domain.choice import options, reasons_of
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.heap import Alternatives
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import (
-    NONE,
-    BoundMethod,
-    Class,
-    Const,
-    External,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.models.launch.natives import FIELD, REQUIRED, place_of
 from rosward.source.location import Place

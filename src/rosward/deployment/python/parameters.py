@@ -24,7 +24,8 @@ from rosward.deployment.tree import (
     Typed,
 )
 from rosward.domain.choice import join, options
-from rosward.domain.values import NONE, Const, External, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
 from rosward.source.location import Place
 
 _VALUE: Final = "launch_ros.parameter_descriptions.ParameterValue"
@@ -216,5 +217,8 @@ def _plain_array(items: list[Value]) -> ParameterData:
     """A list without substitutions: numbers become float together."""
     kinds = {type(o.value) if isinstance(o, Const) else str for i in items for o in options(i)}
     if kinds == {int, float}:
-        items = [Const(float(i.value), i.origins) if isinstance(i, Const) else i for i in items]  # type: ignore[arg-type]
+        items = [
+            Const(float(i.value), i.origins) if isinstance(i, Const) and isinstance(i.value, (int, float)) else i
+            for i in items
+        ]
     return Literal(Tuple(tuple(items)))

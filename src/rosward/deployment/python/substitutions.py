@@ -12,7 +12,8 @@ from typing import Final, NamedTuple, final
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.choice import options
-from rosward.domain.values import NONE, Const, External, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
 from rosward.source.location import Place
 
 _SUBSTITUTION: Final = "launch.substitution.Substitution"

@@ -11,10 +11,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
+from rosward.domain.compound import Native, Partial, Tuple
 from rosward.domain.memory import Heap
 from rosward.domain.state import join_states
 from rosward.domain.suspended import Suspension
-from rosward.domain.values import Native, Partial, Ref, Tuple, Value
+from rosward.domain.values import Ref, Value
 from rosward.engine.frame import Snapshot
 
 if TYPE_CHECKING:

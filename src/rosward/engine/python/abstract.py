@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import TRUE, UNBOUND, Class, Const, Descriptor, Function, Value
+from rosward.domain.compound import Descriptor
+from rosward.domain.values import TRUE, UNBOUND, Class, Const, Function, Value
 from rosward.engine.python.metaclass_of import metaclass_of
 
 if TYPE_CHECKING:

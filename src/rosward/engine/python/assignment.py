@@ -9,25 +9,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import Descriptor, External, Native
 from rosward.domain.heap import Obj
 from rosward.domain.table import marked
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Ref,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.escape import name_of
-from rosward.engine.python import attributes
+from rosward.engine.python import members
 from rosward.engine.python.attributes import setter_of
 from rosward.engine.python.namespaces import slots_of
 from rosward.engine.python.removal import remove
@@ -86,10 +73,10 @@ def store_past_hook(machine: Engine, ref: Ref, name: str, value: Value, *, weak:
 
 def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: bool, hooked: bool = True) -> bool:
     obj = machine.obj(ref)
-    hook = attributes.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
+    hook = members.lookup(machine, obj.cls, "__setattr__") if hooked and obj.kind == "instance" else None
     if hook is not None and (hook.__class__ is Function or hook == FROZEN):
         return machine.call(hook, (ref, Const(name), value)) is not UNBOUND
-    in_class = attributes.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
+    in_class = members.lookup(machine, obj.cls, name) if obj.kind == "instance" else None
     if in_class.__class__ is Descriptor and in_class.kind == "property":
         if in_class.setter is not None:
             return machine.call(in_class.setter, (ref, value)) is not UNBOUND
@@ -103,7 +90,8 @@ def _store_object(machine: Engine, ref: Ref, name: str, value: Value, *, weak: b
     if setter is not None:
         return machine.call(setter, (in_class or NONE, ref, value)) is not UNBOUND
     if obj.kind == "instance" and _has_no_place(machine, obj.cls, name):
-        said = Const(f"'{obj.cls.name.rpartition('.')[2]}' object has no attribute '{name}'")  # type: ignore[attr-defined]
+        shown = obj.cls.name.rpartition(".")[2] if isinstance(obj.cls, (Class, External)) else ""
+        said = Const(f"'{shown}' object has no attribute '{name}'")
         if machine.die("AttributeError", f"no slot {name}", (said,), sure=True) is UNBOUND:
             return False
     if name == "__class__" and obj.kind == "instance":

@@ -12,36 +12,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Super, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Partial,
-    Range,
-    Ref,
-    Slice,
-    Super,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.engine.python import modules
 from rosward.engine.python.builtin_classes import of_class, of_exception_class
+from rosward.engine.python.members import bind, lookup, of_native_class, type_name
 from rosward.engine.python.metaclass_of import in_metaclass, metaclass_of
 from rosward.engine.python.namespaces import table_of
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.builtins.attributes import ANY_ATTRIBUTE, may_hide
-from rosward.models.python.contents import KINDS
 from rosward.models.python.exceptions import MEMBERS, is_exception, member_of
 from rosward.models.ros import message_fields
 from rosward.models.ros.interfaces import INTERFACE_NAMES, interface_name
@@ -52,40 +32,39 @@ if TYPE_CHECKING:
 
 def load(machine: Engine, value: Value, name: str) -> Value:
     """value.name; UNBOUND where the path ends here."""
-    cls = value.__class__
-    if cls is Ref:
-        return _of_object(machine, value, name)  # type: ignore[arg-type]
-    if cls is ModuleValue:
+    if value.__class__ is Ref:
+        return _of_object(machine, value, name)
+    if value.__class__ is ModuleValue:
         if name == "__dict__":
-            return table_of(machine, value.address)  # type: ignore[attr-defined]
-        return modules.attribute(machine, value, name)  # type: ignore[arg-type]
-    if cls is Class:
-        return _of_class(machine, value, name)  # type: ignore[arg-type]
-    if cls is External:
-        return _of_external(machine, value, name)  # type: ignore[arg-type]
-    if cls is Choice:
-        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))  # type: ignore[attr-defined]
-    if cls is Unknown:
-        return _of_unknown(machine, value, name)  # type: ignore[arg-type]
-    if cls is Super:
-        return _of_super(machine, value, name)  # type: ignore[arg-type]
-    if cls is Function:
-        return _of_function(machine, value, name)  # type: ignore[arg-type]
-    if cls is BoundMethod:
+            return table_of(machine, value.address)
+        return modules.attribute(machine, value, name)
+    if value.__class__ is Class:
+        return _of_class(machine, value, name)
+    if value.__class__ is External:
+        return _of_external(machine, value, name)
+    if value.__class__ is Choice:
+        return join_all(load(machine, o, name) for o in value.options if not (o == NONE and len(value.options) > 1))
+    if value.__class__ is Unknown:
+        return _of_unknown(machine, value, name)
+    if value.__class__ is Super:
+        return _of_super(machine, value, name)
+    if value.__class__ is Function:
+        return _of_function(machine, value, name)
+    if value.__class__ is BoundMethod:
         if name in ("__self__", "__func__"):
-            return value.receiver if name == "__self__" else value.function  # type: ignore[attr-defined,no-any-return]
-        return load(machine, value.function, name)  # type: ignore[attr-defined]
-    if cls is Native:
+            return value.receiver if name == "__self__" else value.function
+        return load(machine, value.function, name)
+    if value.__class__ is Native:
         if name in ("__name__", "__qualname__"):
-            return Const(value.name.rpartition(".")[2])  # type: ignore[attr-defined]
-        base = value.name.removeprefix("builtins.")  # type: ignore[attr-defined]
+            return Const(value.name.rpartition(".")[2])
+        base = value.name.removeprefix("builtins.")
         if is_exception(base):
-            return _of_native_class(machine, base, name) or of_exception_class(machine, base, name)
+            return of_native_class(machine, base, name) or of_exception_class(machine, base, name)
         return of_class(base, name) or Native(f"{base}.{name}")
-    if cls is Descriptor:
+    if value.__class__ is Descriptor:
         return Partial(Native(f"descriptor.{name}"), (value,), ())
-    if cls is Partial and name in ("func", "args"):
-        return value.function if name == "func" else Tuple(value.arguments)  # type: ignore[attr-defined]
+    if value.__class__ is Partial and name in ("func", "args"):
+        return value.function if name == "func" else Tuple(value.arguments)
     return _of_builtin(machine, value, name)
 
 
@@ -104,25 +83,17 @@ _OF_TYPE: Final = frozenset({"__new__", "__init__", "__call__", "__prepare__"})
 _OBJECT: Final = Native("builtins.object")
 _CLASS_METHODS: Final = {"dict.fromkeys": "from_keys"}
 """Class methods of builtins that make what they are asked of, and write to it as the program says."""
-_TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
-
-
-def type_name(value: Value) -> str:
-    """The name of the builtin type of a value that is not an object of the heap."""
-    if value.__class__ is Const:
-        return value.value.__class__.__name__
-    return _TYPE_NAMES.get(value.__class__, "object")
 
 
 def _of_builtin(machine: Engine, value: Value, name: str) -> Value:
     kind = type_name(value)
-    if kind == "slice" and name in ("start", "stop", "step"):
-        return value[("start", "stop", "step").index(name)]  # type: ignore[index,no-any-return]
+    if isinstance(value, Slice) and name in ("start", "stop", "step"):
+        return value[("start", "stop", "step").index(name)]
     if name == "__class__":
         return Native(f"builtins.{kind}")
-    if value == NONE:
+    if isinstance(value, Const) and value == NONE:
         said = Const(f"'NoneType' object has no attribute '{name}'")
-        return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)  # type: ignore[attr-defined]
+        return machine.die("AttributeError", f"attribute {name} of None", (said,), sure=not value.origins)
     if not machine.library.native(f"{kind}.{name}") and not hasattr(getattr(builtins, kind, value), name):
         return machine.unknown(Cause.ERROR, f"no attribute {name} of {kind}")
     return BoundMethod(value, Native(f"{kind}.{name}"))
@@ -154,40 +125,6 @@ def _of_nodes(machine: Engine, receiver: Value, name: str) -> Value | None:
     return join_all(bound) if bound else None
 
 
-def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
-    """The attribute of a class along its mro, as it stands there; None where no known class has it."""
-    if cls.__class__ is not Class:
-        return _of_native_class(machine, cls.name, name) if is_builtin_exception(cls) else None  # type: ignore[attr-defined]
-    perhaps: Value = UNBOUND
-    for base in cls.mro:
-        if base.__class__ is Class:
-            record = machine.at(base.address)
-            found: Value | None = record.attrs.get(name)
-            if found is not None and found is not UNBOUND:
-                if name not in record.partial:
-                    return join(perhaps, found)
-                perhaps = join(perhaps, found)  # where this class has none, that of the next one
-        elif base.__class__ is Native:
-            inherited = _of_native_class(machine, base.name, name)
-            if inherited is not None:
-                return join(perhaps, inherited)
-    return None if perhaps is UNBOUND else perhaps
-
-
-def is_builtin_exception(cls: Value) -> bool:
-    """Whether a class is one of Python's own exceptions."""
-    return cls.__class__ is Native and is_exception(cls.name)
-
-
-def _of_native_class(machine: Engine, cls: str, name: str) -> Native | None:
-    """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
-    short = cls.removeprefix("builtins.")
-    if short in KINDS:
-        short = KINDS[short] if name != "__next__" else ""  # iterators are lists in models only
-    bases = [b.__name__ for b in getattr(builtins, short).__mro__] if is_exception(short) else [short]
-    return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
-
-
 def method(machine: Engine, value: Value, name: str) -> Value | None:
     """A method of an object's class, bound; None where it has none."""
     if value.__class__ is Ref:
@@ -199,29 +136,6 @@ def method(machine: Engine, value: Value, name: str) -> Value | None:
     if value.__class__ in (External, Unknown):
         return None
     return BoundMethod(value, Native(f"{type_name(value)}.{name}"))
-
-
-def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
-    """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
-    kind = found.__class__
-    if kind is Function or kind is Native:
-        return BoundMethod(receiver, found)
-    if kind is Descriptor:
-        if found.kind == "staticmethod":  # type: ignore[attr-defined]
-            return found.getter  # type: ignore[attr-defined,no-any-return]
-        if found.kind == "classmethod":  # type: ignore[attr-defined]
-            return BoundMethod(cls, found.getter)  # type: ignore[attr-defined]
-        return machine.call(found.getter, (receiver,))  # type: ignore[attr-defined]
-    if kind is Choice:
-        return join_all(bind(machine, o, receiver, cls) for o in found.options)  # type: ignore[attr-defined]
-    if kind is Partial and found.function.__class__ is Native:  # type: ignore[attr-defined]
-        return BoundMethod(receiver, found)
-    if kind is Ref:
-        obj = machine.obj(found)  # type: ignore[arg-type]
-        getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
-        if getter is not None:
-            return machine.call(getter, (found, receiver, cls))
-    return found
 
 
 def _of_object(machine: Engine, ref: Ref, name: str) -> Value:
@@ -397,7 +311,7 @@ def _of_super(machine: Engine, value: Super, name: str) -> Value:
             if base.name == "builtins.type" and name in _OF_TYPE:
                 made = Native(f"type.{name}")
                 return made if name == "__new__" else BoundMethod(receiver, made)
-            inherited = _of_native_class(machine, base.name, name)
+            inherited = of_native_class(machine, base.name, name)
             if inherited is not None:
                 return join(perhaps, inherited if name == "__new__" else BoundMethod(receiver, inherited))
     if name == "__new__":

@@ -9,9 +9,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Const, Function, Native, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Const, Function, Unknown, Value
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.source.location import Place
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 import builtins
 from typing import TYPE_CHECKING
 
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Const, Native, Tuple, Value
+from rosward.domain.values import NONE, Const, Value
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

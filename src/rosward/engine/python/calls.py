@@ -10,33 +10,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, lost_behaviour, options, reasons_of
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Super,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine import activation, declared
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.catcher import LIBRARY
 from rosward.engine.escape import escape, name_of
-from rosward.engine.python import assignment, attributes, classes, native_calls, object_methods
+from rosward.engine.python import assignment, attributes, classes, members, native_calls, object_methods
 from rosward.engine.python.binding import BadCallError, bind_arguments
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.throwing import note, note_call
@@ -110,33 +94,32 @@ def _spread(machine: Engine, value: Value, keywords: Keywords) -> list[Value]:
 
 def call(machine: Engine, function: Value, args: Arguments, keywords: Keywords) -> Value:
     """function(*args, **keywords); UNBOUND where it never returns."""
-    cls = function.__class__
-    if cls is Function:
-        language = machine.languages[function.code.language]  # type: ignore[attr-defined]
-        return language.call_function(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is BoundMethod:
-        return call(machine, function.function, (function.receiver, *args), keywords)  # type: ignore[attr-defined]
-    if cls is Class:
-        return classes.instantiate(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is Native:
-        return call_native(machine, function.name, args, keywords)  # type: ignore[attr-defined]
-    if cls is Partial:
-        merged = {**dict(function.keywords), **keywords} if function.keywords else keywords  # type: ignore[attr-defined]
-        return call(machine, function.function, (*function.arguments, *args), merged)  # type: ignore[attr-defined]
-    if cls is Choice:
-        return _call_choice(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is External:
-        return _call_external(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is Ref:
-        return _call_object(machine, function, args, keywords)  # type: ignore[arg-type]
-    if cls is Descriptor:
-        return call(machine, function.getter, args, keywords)  # type: ignore[attr-defined]
-    if cls is Unknown:
+    if function.__class__ is Function:
+        language = machine.languages[function.code.language]
+        return language.call_function(machine, function, args, keywords)
+    if function.__class__ is BoundMethod:
+        return call(machine, function.function, (function.receiver, *args), keywords)
+    if function.__class__ is Class:
+        return classes.instantiate(machine, function, args, keywords)
+    if function.__class__ is Native:
+        return call_native(machine, function.name, args, keywords)
+    if function.__class__ is Partial:
+        merged = {**dict(function.keywords), **keywords} if function.keywords else keywords
+        return call(machine, function.function, (*function.arguments, *args), merged)
+    if function.__class__ is Choice:
+        return _call_choice(machine, function, args, keywords)
+    if function.__class__ is External:
+        return _call_external(machine, function, args, keywords)
+    if function.__class__ is Ref:
+        return _call_object(machine, function, args, keywords)
+    if function.__class__ is Descriptor:
+        return call(machine, function.getter, args, keywords)
+    if function.__class__ is Unknown:
         note_call(machine)
         if lost_behaviour(function):
             machine.report("RW201", "too many alternatives for what is called here: none of them is analysed")
         escape(machine, (*args, *keywords.values()), name_of(function), function)
-        return Unknown(function.reasons)  # type: ignore[attr-defined]
+        return Unknown(function.reasons)
     escape(machine, (*args, *keywords.values()), name_of(function))
     return machine.unknown(Cause.ERROR, "call of something that is not callable")
 
@@ -157,9 +140,9 @@ def _call_choice(machine: Engine, function: Choice, args: Arguments, keywords: K
 
 def _call_object(machine: Engine, ref: Ref, args: Arguments, keywords: Keywords) -> Value:
     obj = machine.obj(ref)
-    method = attributes.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
+    method = members.lookup(machine, obj.cls, "__call__") if obj.kind == "instance" else None
     if method is not None:
-        return call(machine, attributes.bind(machine, method, ref, obj.cls), args, keywords)
+        return call(machine, members.bind(machine, method, ref, obj.cls), args, keywords)
     name = obj.cls.name if isinstance(obj.cls, (Class, External)) else obj.kind
     escape(machine, (*args, *keywords.values()), name)
     return machine.unknown(Cause.CALL, name)

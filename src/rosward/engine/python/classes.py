@@ -7,28 +7,15 @@ from collections import Counter
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Ref,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
 from rosward.engine.handed import own_methods
-from rosward.engine.python import abstract, attributes, contents, metaclasses, subclass_hooks
+from rosward.engine.python import abstract, attributes, contents, members, metaclasses, subclass_hooks
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.python.exceptions import builtin_base, own_class
@@ -254,7 +241,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
     """What `type.__call__` does: `__new__`, then `__init__`."""
     if is_enum(machine, cls) and args:
         return machine.call(Native("enum.lookup"), (cls, args[0]))
-    maker = attributes.lookup(machine, cls, "__new__")
+    maker = members.lookup(machine, cls, "__new__")
     if maker is not None and maker.__class__ in (Function, Descriptor):
         function = maker.getter if maker.__class__ is Descriptor else maker
         made = machine.call(function, (cls, *args), keywords)
@@ -273,7 +260,7 @@ def make_instance(machine: Engine, cls: Class, args: tuple[Value, ...], keywords
     if abstract.refused(machine, cls):
         machine.trace.instantiated.add(cls.place)
         return UNBOUND
-    base, initialiser = builtin_base(cls), attributes.lookup(machine, cls, "__init__")
+    base, initialiser = builtin_base(cls), members.lookup(machine, cls, "__init__")
     # OSError leaves it to an `__init__` to give it its arguments
     own = base is not None and issubclass(base, OSError) and initialiser.__class__ is Function
     ref = new_instance(machine, cls, () if own else args, keywords)
@@ -294,8 +281,8 @@ def _hidden(constructor: Value | None) -> bool:
     )
 
 
-def _has(machine: Engine, ref: Value, cls: Class) -> bool:
-    found = machine.obj(ref).cls  # type: ignore[arg-type]
+def _has(machine: Engine, ref: Ref, cls: Class) -> bool:
+    found = machine.obj(ref).cls
     return found.__class__ is Class and cls in found.mro
 
 

@@ -10,10 +10,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join
+from rosward.domain.compound import BoundMethod, Native
 from rosward.domain.heap import Obj, ObjKind
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, BoundMethod, Class, Native, Ref, Value
-from rosward.engine.python import attributes
+from rosward.domain.values import UNBOUND, Class, Ref, Value
+from rosward.engine.python import members
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import CONTENTS, KINDS, builtin_of, contents
 
@@ -60,11 +61,11 @@ def iterated(machine: Engine, value: Value, method: Value | None) -> Value | Non
 def missing(machine: Engine, receiver: Value, held: Value, index: Value) -> Value | None:
     """`dict[index]` where a subclass has `__missing__`; None where it has none."""
     cls = machine.obj(receiver).cls if receiver.__class__ is Ref else receiver
-    hook = attributes.lookup(machine, cls, "__missing__")
+    hook = members.lookup(machine, cls, "__missing__")
     if hook is None or held.__class__ is not Ref:
         return None
     found = dicts.look_up(machine, machine.obj(held), index)
     if found.missing is False:
         return found.value
-    made = machine.call(attributes.bind(machine, hook, receiver, cls), (index,))
+    made = machine.call(members.bind(machine, hook, receiver, cls), (index,))
     return join(found.value, made)

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.exceptions import APART, Rest, leave_unseen
@@ -114,7 +115,7 @@ def _leave_raising(
     for exception, snapshot in catcher.few(machine, APART).items():
         machine.resume(frame, snapshot)
         with machine.handles(exception, 0):
-            answer = _exit(machine, op, frame, context, told(machine, exception))
+            answer = _exit(machine, op, frame, context, exit_arguments(machine, exception))
         if answer is UNBOUND:
             continue
         swallows = machine.truth(answer)
@@ -127,7 +128,7 @@ def _leave_raising(
     machine.resume(frame, catcher.snapshot)
     exception = unseen(machine)
     with machine.handles(UNBOUND, catcher.level):
-        answer = _exit(machine, op, frame, context, told(machine, exception))
+        answer = _exit(machine, op, frame, context, exit_arguments(machine, exception))
     if answer is UNBOUND:
         return after
     swallows = machine.truth(answer)
@@ -151,7 +152,7 @@ def _unknown(context: Value) -> bool:
     return any(o.__class__ in (Unknown, External) for o in options(context))
 
 
-def told(machine: Engine, exception: Value) -> tuple[Value, Value, Value]:
+def exit_arguments(machine: Engine, exception: Value) -> tuple[Value, Value, Value]:
     """What `__exit__` is called with."""
     return (class_of(machine, exception), exception, machine.unknown(Cause.LIVE, "traceback"))
 
@@ -192,7 +193,7 @@ def _one_exit(machine: Engine, pair: Value, exception: Value) -> list[tuple[Valu
     machine.catchers = [*catchers, catcher]
     try:
         with machine.handles(exception, 0):
-            answer = machine.call(exit_, _NOTHING if exception == NONE else told(machine, exception))
+            answer = machine.call(exit_, _NOTHING if exception == NONE else exit_arguments(machine, exception))
             if awaited == Const(True) and answer is not UNBOUND:
                 answer = machine.wait_for(answer)
     finally:

@@ -6,29 +6,25 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import (
     FALSE,
     TRUE,
     UNBOUND,
-    BoundMethod,
     Choice,
     Class,
     Const,
-    External,
     Function,
     ModuleValue,
-    Native,
-    Partial,
     Ref,
     Text,
-    Tuple,
     Unknown,
     Value,
 )
 from rosward.engine.alternatives import each_apart
-from rosward.engine.python import attributes, specials
+from rosward.engine.python import attributes, members, specials
 from rosward.engine.python.specials import special
 from rosward.models.python.contents import bare, contents
 from rosward.models.python.operators import operators
@@ -170,7 +166,7 @@ def _by_identity(machine: Engine, value: Value) -> bool:
     return (
         cls.__class__ is Class
         and not any(b.__class__ is not Class or (b.stub and not _is_enum(b)) for b in cls.mro)
-        and attributes.lookup(machine, cls, "__eq__") is None
+        and members.lookup(machine, cls, "__eq__") is None
     )
 
 
@@ -230,16 +226,15 @@ def unary(machine: Engine, operator: str, value: Value) -> Value:
 
 def truth(machine: Engine, value: Value) -> bool | None:
     """The truth of a value; None where both are possible."""
-    cls = value.__class__
-    if cls is Const:
-        return bool(value.value) if _settled(value) else None  # type: ignore[attr-defined]
-    if cls in _CALLABLE:
+    if value.__class__ is Const:
+        return bool(value.value) if _settled(value) else None
+    if value.__class__ in _CALLABLE:
         return True
-    if cls is Choice:
-        answers = {truth(machine, o) for o in value.options}  # type: ignore[attr-defined]
+    if value.__class__ is Choice:
+        answers = {truth(machine, o) for o in value.options}
         return answers.pop() if len(answers) == 1 else None
-    if cls is Ref:
-        obj: Obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj: Obj = machine.obj(value)
         if obj.kind == "instance":
             for name in ("__bool__", "__len__"):
                 method = special(machine, value, name)
@@ -255,8 +250,8 @@ def truth(machine: Engine, value: Value) -> bool | None:
     return operators.truth(machine, value)
 
 
-def _settled(value: Value) -> bool:
-    return all(o.settled for o in value.origins)  # type: ignore[attr-defined]
+def _settled(value: Const) -> bool:
+    return all(o.settled for o in value.origins)
 
 
 def has_unknown_base(cls: Class) -> bool:
@@ -281,12 +276,10 @@ def may(machine: Engine, value: Value, test: str, other: Value | None, sense: bo
     return answer is None or answer is sense
 
 
-def _equal_constants(left: Value, right: Value) -> bool | None:
+def _equal_constants(left: Const, right: Const) -> bool | None:
     if not (_settled(left) and _settled(right)):
         return None
-    return bool(left.value == right.value) and (  # type: ignore[attr-defined]
-        left.value is not None or right.value is None  # type: ignore[attr-defined]
-    )
+    return bool(left.value == right.value) and (left.value is not None or right.value is None)
 
 
 def either(left: Value, right: Value) -> Value:

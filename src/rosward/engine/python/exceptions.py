@@ -13,7 +13,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.values import UNBOUND, Class, External, Native, Tuple, Unknown, Value
+from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.values import UNBOUND, Class, Unknown, Value
 from rosward.engine.catcher import ANYTHING, LIBRARY, Catcher, join_snapshots
 from rosward.engine.frame import Exits, Frame, Snapshot, join_into
 from rosward.engine.python.groups import handle_groups

@@ -15,25 +15,9 @@ import builtins
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    TooManyPartsError,
-    Tuple,
-    Value,
-)
-from rosward.engine.python import attributes
+from rosward.domain.compound import BoundMethod, External, Native, Partial, TooManyPartsError, Tuple
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Value
+from rosward.engine.python import members
 from rosward.engine.throwing import note
 from rosward.ir import ops
 from rosward.models.python.exceptions import member_of
@@ -188,25 +172,24 @@ def _load_attr(machine: Engine, op: ops.LoadAttr, frame: Frame) -> bool:
 
 def _has(machine: Engine, value: Value, name: str) -> bool:
     """Whether a value surely has an attribute."""
-    cls = value.__class__
-    if cls is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         if obj.kind != "instance":
             return True
         own = obj.attrs.get(name, UNBOUND)
         if own is not UNBOUND and not obj.many and name not in obj.partial:
             return True
-        return attributes.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
-    if cls is ModuleValue:
-        record = machine.at(value.address)  # type: ignore[attr-defined]
+        return members.lookup(machine, obj.cls, name) is not None or member_of(machine, obj, name) is not None
+    if value.__class__ is ModuleValue:
+        record = machine.at(value.address)
         return record.attrs.get(name, UNBOUND) is not UNBOUND and name not in record.partial
-    if cls is Class:
-        return attributes.lookup(machine, value, name) is not None or name.startswith("__")
-    if cls is Choice:
-        return all(_has(machine, o, name) for o in value.options)  # type: ignore[attr-defined]
-    if cls is Const:
-        return hasattr(value.value, name)  # type: ignore[attr-defined]
-    return cls in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
+    if value.__class__ is Class:
+        return members.lookup(machine, value, name) is not None or name.startswith("__")
+    if value.__class__ is Choice:
+        return all(_has(machine, o, name) for o in value.options)
+    if value.__class__ is Const:
+        return hasattr(value.value, name)
+    return value.__class__ in (Text, Tuple, Native, Function, BoundMethod) or value.__class__.__name__ == "Super"
 
 
 def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
@@ -217,10 +200,8 @@ def _store_attr(machine: Engine, op: ops.StoreAttr, frame: Frame) -> bool:
         return True
     cls = machine.obj(target).cls
     if cls.__class__ is not Class:
-        return not attributes.is_builtin_exception(cls)
-    return (
-        attributes.lookup(machine, cls, "__slots__") is not None or attributes.lookup(machine, cls, op.name) is not None
-    )
+        return not members.is_builtin_exception(cls)
+    return members.lookup(machine, cls, "__slots__") is not None or members.lookup(machine, cls, op.name) is not None
 
 
 def _load_item(machine: Engine, op: ops.LoadItem, frame: Frame) -> bool:
@@ -311,34 +292,35 @@ def _call(machine: Engine, op: ops.Call, frame: Frame) -> bool:
 
 
 def _elements(machine: Engine, value: Value) -> list[Value]:
-    obj = machine.obj(value)  # type: ignore[arg-type]
+    if not isinstance(value, Ref):
+        return []
+    obj = machine.obj(value)
     return [*(obj.items or ()), *obj.entries.values()]
 
 
 def _callee(machine: Engine, function: Value, arguments: list[Value]) -> bool:
     """Whether a call may fail by itself. A function of the program says so where it is interpreted."""
-    cls = function.__class__
-    if cls is BoundMethod:
-        return _callee(machine, function.function, [function.receiver, *arguments])  # type: ignore[attr-defined]
-    if cls is Partial:
-        return _callee(machine, function.function, [*function.arguments, *arguments])  # type: ignore[attr-defined]
-    if cls is Function:
+    if function.__class__ is BoundMethod:
+        return _callee(machine, function.function, [function.receiver, *arguments])
+    if function.__class__ is Partial:
+        return _callee(machine, function.function, [*function.arguments, *arguments])
+    if function.__class__ is Function:
         return False
-    if cls is Class:
-        return any(b.__class__ not in (Class, Native) for b in function.mro)  # type: ignore[attr-defined]
-    if cls is Choice:
-        return any(_callee(machine, o, arguments) for o in function.options)  # type: ignore[attr-defined]
-    if cls is Native:
-        return _native(machine, function.name, arguments)  # type: ignore[attr-defined]
-    if cls is External:
-        return not function.name.startswith("_rosward.")  # type: ignore[attr-defined]
-    return cls is not Ref or attributes.lookup(machine, machine.obj(function).cls, "__call__") is None  # type: ignore[arg-type]
+    if function.__class__ is Class:
+        return any(b.__class__ not in (Class, Native) for b in function.mro)
+    if function.__class__ is Choice:
+        return any(_callee(machine, o, arguments) for o in function.options)
+    if function.__class__ is Native:
+        return _native(machine, function.name, arguments)
+    if function.__class__ is External:
+        return not function.name.startswith("_rosward.")
+    return function.__class__ is not Ref or members.lookup(machine, machine.obj(function).cls, "__call__") is None
 
 
-def _known(machine: Engine, value: Value) -> bool:
+def _is_known(machine: Engine, value: Value) -> bool:
     """Whether all that a builtin asks of a value is known."""
     if value.__class__ is Tuple:
-        return all(_known(machine, v) for v in value.items)
+        return all(_is_known(machine, v) for v in value.items)
     return _is_exact(machine, value) if value.__class__ is Ref else value.__class__ is Const
 
 
@@ -364,10 +346,10 @@ def _native(machine: Engine, name: str, arguments: list[Value]) -> bool:
     if (
         head in _EVALUATED
         and (method in _NUMBERS or head not in ("", "builtins"))
-        and all(_known(machine, a) for a in arguments)
+        and all(_is_known(machine, a) for a in arguments)
     ):
         return False  # where it fails, it says so
-    if head in ("", "builtins") and attributes.is_builtin_exception(Native(f"builtins.{method}")):
+    if head in ("", "builtins") and members.is_builtin_exception(Native(f"builtins.{method}")):
         return False
     if head in ("", "builtins"):
         safe = method in _SAFE_BUILTINS

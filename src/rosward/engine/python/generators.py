@@ -12,11 +12,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, widen
+from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.state import Merge, State, join_states
 from rosward.domain.suspended import Point, Suspension, add_points
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, UNBOUND, Function, Native, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
 from rosward.engine import activation, declared
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher
@@ -93,7 +94,7 @@ def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Runnin
     """One step. Of generators that are nested too deep to be told apart it may ask for itself: solved by iteration from below."""
     for number in range(machine.budget.fixpoint * 2):
         merge = join if number < machine.budget.widen_after else _widening(machine)
-        seen, running.asked = running.seen, False
+        seen, running.asked = running.versions, False
         item, ended, value = stepped = _once(machine, ref, action)
         before = running.stepped
         if not running.asked and before.item is UNBOUND and before.ended is None:
@@ -112,7 +113,7 @@ def _until_stable(machine: Engine, ref: Ref, action: Resumption, running: Runnin
             before.ended if ended is None else ended,
             value if before.value is UNBOUND else merge(before.value, value),
         )
-        if not running.asked or seen == running.seen:
+        if not running.asked or seen == running.versions:
             break
         machine.state = running.before.copy()
     else:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, NamedTuple
 
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Native, Ref, Tuple, Value
+from rosward.domain.values import UNBOUND, Ref, Value
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.throwing import throw

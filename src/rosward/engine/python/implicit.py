@@ -17,7 +17,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all
-from rosward.domain.values import BoundMethod, Class, Descriptor, Function, Ref, Value
+from rosward.domain.compound import BoundMethod, Descriptor
+from rosward.domain.values import Class, Function, Ref, Value
 from rosward.engine.declared import is_model
 from rosward.engine.python.metaclass_of import metaclass_of
 

@@ -17,27 +17,10 @@ import os
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
-from rosward.engine.python import attributes, metaclasses
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
+from rosward.engine.python import members, metaclasses
 from rosward.engine.python.metaclass_of import metaclass_of
 from rosward.engine.python.specials import NOT_IMPLEMENTED
 from rosward.models.python.asked import REGISTERED
@@ -76,23 +59,22 @@ _KINDS: Final[dict[type, tuple[str, ...]]] = {
 
 def type_of(machine: Engine, value: Value) -> Value | None:
     """The class of a value; None where it is not known."""
-    kind = value.__class__
-    if kind is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         # a generator, a coroutine, what `iter` gives, a view of a dict
         return None if obj.kind == "generator" or obj.payload in (ITERATOR, VIEW) else obj.cls
-    if kind in (Const, Text, Tuple):
-        return Native(f"builtins.{attributes.type_name(value)}")
-    if kind is Unknown and value.hint and value.hint not in LOOSE_HINTS:  # type: ignore[attr-defined]
-        return Native(f"builtins.{value.hint}")  # type: ignore[attr-defined]
-    if kind is Class:
+    if value.__class__ in (Const, Text, Tuple):
+        return Native(f"builtins.{members.type_name(value)}")
+    if value.__class__ is Unknown and value.hint and value.hint not in LOOSE_HINTS:
+        return Native(f"builtins.{value.hint}")
+    if value.__class__ is Class:
         return metaclass_of(machine, value)
-    if kind is Native:
-        found = getattr(builtins, value.name.removeprefix("builtins."), None)  # type: ignore[attr-defined]
+    if value.__class__ is Native:
+        found = getattr(builtins, value.name.removeprefix("builtins."), None)
         return Native("builtins.type") if isinstance(found, type) else None
-    if kind in (Function, BoundMethod, Partial):
+    if value.__class__ in (Function, BoundMethod, Partial):
         return Native("builtins.function")
-    if kind is ModuleValue:
+    if value.__class__ is ModuleValue:
         return Native("builtins.module")
     return None
 
@@ -172,9 +154,9 @@ def _any(answers: list[bool | None]) -> bool | None:
 
 def _nominal(cls: Value, wanted: Value) -> bool | None:
     """By the bases that are written."""
-    if cls.__class__ is Native:
+    if cls.__class__ is not Class:
         return False  # of a class of Python only another one is a base
-    mro: tuple[Value, ...] = cls.mro  # type: ignore[attr-defined]
+    mro = cls.mro
     if wanted in mro:
         return True
     theirs = _python_class(wanted.name) if wanted.__class__ is Native else None
@@ -232,9 +214,9 @@ def _has_methods(machine: Engine, cls: Class, methods: tuple[str, ...]) -> bool 
     """Whether a class has each method, and None in the place of none (`__hash__ = None`)."""
     answers: list[bool | None] = []
     for name in methods:
-        found = attributes.lookup(machine, cls, name)
+        found = members.lookup(machine, cls, name)
         if found is None:
-            answers.append(name == "__hash__" and attributes.lookup(machine, cls, "__eq__") is None)
+            answers.append(name == "__hash__" and members.lookup(machine, cls, "__eq__") is None)
         else:
             answers.append(None if found.__class__ in (Unknown, Choice) else found != NONE)
     return False if False in answers else (None if None in answers else True)
@@ -248,7 +230,7 @@ def _by_metaclass(machine: Engine, wanted: Value, name: str, value: Value) -> Va
 
 def _by_hook(machine: Engine, wanted: Class, cls: Value) -> Value:
     """What `__subclasshook__` says; UNBOUND where there is none, or it leaves the answer to the rules."""
-    hook = attributes.lookup(machine, wanted, "__subclasshook__")
+    hook = members.lookup(machine, wanted, "__subclasshook__")
     if hook.__class__ is not Descriptor:
         return UNBOUND
     found = machine.call(BoundMethod(wanted, hook.getter), (cls,))

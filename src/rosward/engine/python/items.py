@@ -6,24 +6,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    Native,
-    Ref,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
-from rosward.engine.python import attributes, calls, classes, matching, metaclasses
+from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
 from rosward.ir import ops
 from rosward.models.python.containers.lists import new_tuple
 from rosward.models.python.containers.sets import each_once
@@ -69,30 +59,27 @@ def _build_dict(machine: Engine, op: ops.Build, registers: list[Value]) -> Value
 
 def load(machine: Engine, value: Value, index: Value) -> Value:
     """value[index]."""
-    cls = value.__class__
-    if cls is Choice:
-        several = [o for o in value.options if o != NONE] or list(value.options)  # type: ignore[attr-defined]
+    if value.__class__ is Choice:
+        several = [o for o in value.options if o != NONE] or list(value.options)
         return each_apart(machine, several, lambda option: load(machine, option, index))
-    if cls is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         if obj.kind == "instance":
             method = attributes.method(machine, value, "__getitem__")
             if method is not None:
                 return calls.call(machine, method, (index,), {})
             return machine.unknown(Cause.OPERATION, "[]")
-    if cls is Class:
-        if classes.is_enum(machine, value):  # type: ignore[arg-type]
+    if value.__class__ is Class:
+        if classes.is_enum(machine, value):
             return machine.call(Native("enum.item"), (value, index))
         of_class = metaclasses.method(machine, value, "__getitem__")
         if of_class is not None:
             return calls.call(machine, of_class, (index,), {})
-        method = attributes.lookup(machine, value, "__class_getitem__")
+        method = members.lookup(machine, value, "__class_getitem__")
         return (
-            value
-            if method is None
-            else calls.call(machine, attributes.bind(machine, method, value, value), (index,), {})
+            value if method is None else calls.call(machine, members.bind(machine, method, value, value), (index,), {})
         )
-    if cls in (External, Native, Function):
+    if value.__class__ in (External, Native, Function):
         return value  # a generic alias such as list[int]
     return operators.load_item(machine, value, index)
 

@@ -12,23 +12,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.series import Series
 from rosward.domain.state import element, join_states
 from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    External,
-    Function,
-    Native,
-    Ref,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.control import behind, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
@@ -256,21 +245,20 @@ def _over_iterator(
 
 def iterate(machine: Engine, value: Value) -> Items:
     """What `for x in value` sees."""
-    cls = value.__class__
-    if cls is Choice:
-        return _iterate_choice(machine, value)  # type: ignore[arg-type]
-    if cls is Ref:
-        obj = machine.obj(value)  # type: ignore[arg-type]
+    if value.__class__ is Choice:
+        return _iterate_choice(machine, value)
+    if value.__class__ is Ref:
+        obj = machine.obj(value)
         if obj.kind == "generator":
-            return machine.run_out(value)[0]  # type: ignore[arg-type]
+            return machine.run_out(value)[0]
         if obj.kind == "instance":
             return _iterate_instance(machine, value)
-    if cls is Class and classes.is_enum(machine, value):  # type: ignore[arg-type]
+    if value.__class__ is Class and classes.is_enum(machine, value):
         return machine.iterate(machine.call(Native("enum.iterate"), (value,)))
-    of_class = metaclasses.method(machine, value, "__iter__") if cls is Class else None
+    of_class = metaclasses.method(machine, value, "__iter__") if value.__class__ is Class else None
     if of_class is not None:
         return machine.iterate(machine.call(of_class, ()))
-    if cls in (External, Native, Function, Class):
+    if value.__class__ in (External, Native, Function, Class):
         return Items((), machine.unknown(Cause.CALL, getattr(value, "name", "")))
     return operators.iterate(machine, value)
 

@@ -7,9 +7,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, TRUE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
-from rosward.engine.python import attributes
+from rosward.domain.values import FALSE, TRUE, UNBOUND, Class, Const, Ref, Unknown, Value
+from rosward.engine.python import members
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import bare
 from rosward.models.python.plain import unknown_from
@@ -75,7 +76,7 @@ def _length(machine: Engine, name: str, arguments: list[Value]) -> Value:
 
 def _match_args(machine: Engine, _name: str, arguments: list[Value]) -> Value:
     cls = arguments[0]
-    found = attributes.lookup(machine, cls, "__match_args__") if isinstance(cls, Class) else None
+    found = members.lookup(machine, cls, "__match_args__") if isinstance(cls, Class) else None
     if found is None and _derives(cls, frozenset({"_NamedTuple"})):
         found = machine.call(Native("collections._keys"), (cls,))
     return found if isinstance(found, Tuple) else machine.unknown(Cause.OPERATION, "match")

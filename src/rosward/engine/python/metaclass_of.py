@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import UNBOUND, Class, Native, Value
+from rosward.domain.compound import Native
+from rosward.domain.values import UNBOUND, Class, Value
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

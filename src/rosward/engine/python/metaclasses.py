@@ -12,17 +12,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.values import (
-    UNBOUND,
-    BoundMethod,
-    Class,
-    Const,
-    Descriptor,
-    Function,
-    Ref,
-    Value,
-)
-from rosward.engine.python import attributes
+from rosward.domain.compound import BoundMethod, Descriptor
+from rosward.domain.values import UNBOUND, Class, Const, Function, Ref, Value
+from rosward.engine.python import members
 from rosward.engine.python.metaclass_of import TYPE, in_metaclass, metaclass_of
 
 if TYPE_CHECKING:
@@ -42,12 +34,12 @@ def chosen(machine: Engine, written: Value | None, bases: tuple[Value, ...]) -> 
 def method(machine: Engine, cls: Value, name: str) -> Value | None:
     """What the program's metaclass of a class has under a name, bound to the class; None where it has no such thing."""
     found = in_metaclass(machine, cls, name)
-    return None if found is None else attributes.bind(machine, found, cls, metaclass_of(machine, cls))
+    return None if found is None else members.bind(machine, found, cls, metaclass_of(machine, cls))
 
 
 def prepare(machine: Engine, meta: Value, name: str, bases: Value, keywords: dict[str, Value]) -> dict[str, Value]:
     """What `__prepare__` puts into a class body before its first line."""
-    hook = attributes.lookup(machine, meta, "__prepare__")
+    hook = members.lookup(machine, meta, "__prepare__")
     if hook is None or hook.__class__ not in (Function, Descriptor):
         return {}
     function = hook.getter if isinstance(hook, Descriptor) else hook
@@ -55,7 +47,8 @@ def prepare(machine: Engine, meta: Value, name: str, bases: Value, keywords: dic
     found: dict[str, Value] = {}
     for option in options(made):
         if isinstance(option, Ref) and machine.obj(option).kind == "dict":
-            found.update({k.value: v for k, v in machine.obj(option).entries.items() if isinstance(k, Const)})  # type: ignore[misc]
+            entries = machine.obj(option).entries.items()
+            found.update({k.value: v for k, v in entries if isinstance(k, Const) and isinstance(k.value, str)})
     return found
 
 
@@ -68,7 +61,7 @@ def finish(
     """Run `__new__` and `__init__` of the metaclass over a class whose body has been run; what becomes of it."""
     record = machine.at(cls.address)
     machine.put(cls.address, record.replace(cls=meta))
-    maker, starter = (attributes.lookup(machine, meta, n) for n in ("__new__", "__init__"))
+    maker, starter = (members.lookup(machine, meta, n) for n in ("__new__", "__init__"))
     maker = maker.getter if isinstance(maker, Descriptor) else maker
     if maker.__class__ is not Function:
         complete(machine, cls, {} if starter.__class__ is Function else keywords)

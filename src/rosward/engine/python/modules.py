@@ -10,9 +10,10 @@ import builtins
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import UNBOUND, Const, External, ModuleValue, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Const, ModuleValue, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.found import FoundModule
 from rosward.engine.frame import Frame

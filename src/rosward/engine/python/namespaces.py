@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
-from rosward.domain.values import UNBOUND, Class, Const, Native, Ref, Value
+from rosward.domain.values import UNBOUND, Class, Const, Ref, Value
 from rosward.ir.program import CodeKind
 from rosward.models.native import Items
 

@@ -11,9 +11,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Native, Ref, Value
+from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Value
 from rosward.engine.escape import escape
 from rosward.engine.python import assignment, attributes, classes, removal
 from rosward.engine.python.specials import NOT_IMPLEMENTED

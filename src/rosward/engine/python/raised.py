@@ -13,10 +13,11 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.engine.catcher import LIBRARY, OPERATION, Catcher
 from rosward.engine.python.classes import exception_object
 from rosward.engine.python.instances import is_subclass, type_of
@@ -40,11 +41,11 @@ def made(machine: Engine, value: Value) -> Value:
         elif option.__class__ in (Ref, Unknown):
             found.append(option)
         else:
-            found.append(exception_object(machine, Native("builtins.TypeError"), (_told(machine),)))
+            found.append(exception_object(machine, Native("builtins.TypeError"), (_unknown_message(machine),)))
     return join_all(found)
 
 
-def _told(machine: Engine) -> Value:
+def _unknown_message(machine: Engine) -> Value:
     """A message that Python writes, and that is not followed."""
     return machine.unknown(Cause.LIVE, "message of an exception", "str")
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import options
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Descriptor, Function, ModuleValue, Ref, Value
+from rosward.domain.compound import Descriptor
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.python import attributes
+from rosward.engine.python import members
 from rosward.models.python.attribute_tables import remove_from_table
 
 if TYPE_CHECKING:
@@ -21,14 +22,14 @@ def delete(machine: Engine, target: Value, name: str) -> None:
     def one(option: Value) -> Value:
         if option.__class__ is Ref and machine.obj(option).kind == "instance":
             cls = machine.obj(option).cls
-            hook = attributes.lookup(machine, cls, "__delattr__")
+            hook = members.lookup(machine, cls, "__delattr__")
             if hook.__class__ is Function:
                 return machine.call(hook, (option, Const(name)))
-            found = attributes.lookup(machine, cls, name)
+            found = members.lookup(machine, cls, name)
             if found.__class__ is Descriptor and found.deleter is not None:
                 return machine.call(found.deleter, (option,))
             if found.__class__ is Ref and machine.obj(found).kind == "instance":
-                deleter = attributes.lookup(machine, machine.obj(found).cls, "__delete__")
+                deleter = members.lookup(machine, machine.obj(found).cls, "__delete__")
                 if deleter is not None:
                     return machine.call(deleter, (found, option))
         remove(machine, option, name)

@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.values import Class, Native, Ref, Value
-from rosward.engine.python import attributes, metaclasses
+from rosward.domain.compound import Native
+from rosward.domain.values import Class, Ref, Value
+from rosward.engine.python import members, metaclasses
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -29,9 +30,9 @@ def special(machine: Engine, value: Value, name: str) -> Value | None:
     if value.__class__ is Ref:
         obj = machine.obj(value)
         if obj.kind == "instance" and obj.cls.__class__ is Class:
-            found = attributes.lookup(machine, obj.cls, name)
+            found = members.lookup(machine, obj.cls, name)
             if found is not None:
-                return attributes.bind(machine, found, value, obj.cls)
+                return members.bind(machine, found, value, obj.cls)
     return None
 
 
@@ -42,7 +43,7 @@ def goes_first(machine: Engine, left: Value, right: Value, name: str) -> bool:
     ours, theirs = machine.obj(left).cls, machine.obj(right).cls
     if not isinstance(ours, Class) or not isinstance(theirs, Class) or ours == theirs or ours not in theirs.mro:
         return False
-    return attributes.lookup(machine, theirs, name) != attributes.lookup(machine, ours, name)
+    return members.lookup(machine, theirs, name) != members.lookup(machine, ours, name)
 
 
 def first_of(machine: Engine, tries: list[Try]) -> Value | None:

@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all, widen
+from rosward.domain.compound import Native
 from rosward.domain.state import State, join_states
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, UNBOUND, Choice, Class, Native, Ref, Unknown, Value
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Ref, Unknown, Value
 from rosward.engine.catcher import Catcher
 from rosward.engine.python import attributes, calls, contents
 from rosward.engine.python.raised import may_catch

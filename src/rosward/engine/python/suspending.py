@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.domain.choice import join
+from rosward.domain.compound import Tuple
 from rosward.domain.state import join_states
 from rosward.domain.suspended import ANY_TURN, EACH, NO_TURN, Path, PathStep, Point, join_values
-from rosward.domain.values import NONE, UNBOUND, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Value
 from rosward.engine.frame import Frame
 from rosward.engine.python import stepping
 from rosward.engine.stepped import NEXT, Resumption

@@ -10,8 +10,9 @@ import builtins
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join
+from rosward.domain.compound import Slice
 from rosward.domain.heap import Obj
-from rosward.domain.values import NONE, UNBOUND, Const, Slice, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
 from rosward.engine.python import (

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join, join_all, lift, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, External, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.source.location import Place
 
@@ -125,7 +126,7 @@ def place_of(obj: Obj) -> Place:
     found = options(obj.attrs.get(PLACE, NONE))[0]
     if isinstance(found, Tuple):
         file, line, column = (i.value if isinstance(i, Const) else 0 for i in found.items)
-        return Place(str(file), int(line or 0), int(column or 0))  # type: ignore[arg-type]
+        return Place(str(file), *(number if isinstance(number, int) else 0 for number in (line, column)))
     return Place("", 0)
 
 

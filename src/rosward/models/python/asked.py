@@ -13,22 +13,8 @@ from typing import Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
-from rosward.domain.values import (
-    FALSE,
-    NONE,
-    TRUE,
-    BoundMethod,
-    Class,
-    Const,
-    Descriptor,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Value,
-)
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Tuple
+from rosward.domain.values import FALSE, NONE, TRUE, Class, Const, Function, Ref, Text, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import spread
 

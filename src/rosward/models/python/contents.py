@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
-from rosward.domain.values import Choice, Class, Native, Ref, Value
+from rosward.domain.compound import Native
+from rosward.domain.values import Choice, Class, Ref, Value
 from rosward.models.native import Machine
 
 CONTENTS: Final = "()"

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Native, Ref, Tuple, Value
+from rosward.domain.values import NONE, Class, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.exceptions import GROUP, arguments, builtin_base, member_of
 

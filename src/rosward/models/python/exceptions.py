@@ -14,8 +14,9 @@ import builtins
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, External, Native, Ref, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import NativeCall, NativeFunction
 
 if TYPE_CHECKING:

@@ -15,11 +15,12 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, join_all, options, reasons_of
+from rosward.domain.compound import Native, Range, Slice, Tuple
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.series import Series, joined
 from rosward.domain.text import MAX_LENGTH, make
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
-from rosward.domain.values import UNBOUND, Choice, Const, Hole, Native, Range, Ref, Slice, Text, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Arguments, Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.cost import A_STEP, MAX_WORK, work
 

@@ -9,18 +9,11 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import (
-    NONE,
-    Const,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
 from rosward.models.failures import fail
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros.given_words import keep_line, words_of_process

@@ -7,17 +7,9 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import is_true, text_of
 from rosward.domain.choice import lift, options
+from rosward.domain.compound import External
 from rosward.domain.series import Series
-from rosward.domain.values import (
-    NONE,
-    Class,
-    Const,
-    External,
-    Ref,
-    Text,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.log import EntityEffect, NodeEffect
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data
@@ -94,11 +86,13 @@ def _why(value: Value) -> str:
 
 def _used_as_node(machine: Machine, ref: Value) -> bool:
     """An instance of a class with a base that is not known may be a node; then it is taken to be one."""
-    obj = machine.obj(ref)  # type: ignore[arg-type]
+    if not isinstance(ref, Ref):
+        return False
+    obj = machine.obj(ref)
     cls = obj.cls
     outside = [b for b in cls.mro if isinstance(b, (External, Unknown))] if isinstance(cls, Class) else []
     if obj.kind == "instance" and outside:
-        machine.log.assumed_node(machine, ref, outside[0])  # type: ignore[arg-type]
+        machine.log.assumed_node(machine, ref, outside[0])
         return True
     return False
 

@@ -11,17 +11,9 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import lift
+from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    Const,
-    External,
-    Function,
-    Native,
-    Partial,
-    Tuple,
-    Value,
-)
+from rosward.domain.values import NONE, Const, Function, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros.entities import create
 from rosward.models.ros.messages import message_of, send
@@ -75,14 +67,15 @@ def perform(machine: Machine, spec: Tuple, named: dict[str, Value]) -> None:
     if kind == "spins":
         machine.spin()
     elif kind == "creates":
-        wanted = {text_of(p.items[0]): text_of(p.items[1]) for p in spec.items[2].items}  # type: ignore[attr-defined]
+        pairs = (_items(pair) for pair in _items(spec.items[2]))
+        wanted = {text_of(role): text_of(parameter) for role, parameter in pairs}
         given = {role: named.get(wanted.get(role, "")) for role in ("name", "type", "qos", "callback")}
         node = named.get(wanted.get("node", "self"))
         create(machine, text_of(spec.items[1]), node, given["name"], given["type"], given["callback"], given["qos"])
     elif kind == "calls":
         callback = named.get(text_of(spec.items[1]))
         if callback is not None and callback != NONE:
-            args = tuple(_argument(machine, text_of(a), named) for a in spec.items[3].items)  # type: ignore[attr-defined]
+            args = tuple(_argument(machine, text_of(a), named) for a in _items(spec.items[3]))
             machine.schedule(callback, args, text_of(spec.items[2]), answered=_answered(spec.items[4], named))
     elif kind == "sends":
         owner = named["self"]
@@ -108,6 +101,10 @@ def _answered(spec: Value, named: dict[str, Value]) -> Value | None:
 
 def _response(type_: Value) -> Value:
     return lift(lambda option: External(f"{option.name}.Response") if isinstance(option, External) else NONE, type_)
+
+
+def _items(value: Value) -> tuple[Value, ...]:
+    return value.items if isinstance(value, Tuple) else ()
 
 
 def _argument(machine: Machine, wanted: str, named: dict[str, Value]) -> Value:

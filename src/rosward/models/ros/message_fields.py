@@ -15,10 +15,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Native
 from rosward.domain.heap import Obj
 from rosward.domain.table import marked
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, External, Native, Ref, Unknown, Value
+from rosward.domain.values import Const, Ref, Unknown, Value
 from rosward.models.ros.interfaces import message_name
 from rosward.source.definitions import FLOATS, INTEGERS, TEXTS, Definition, Field
 
@@ -93,7 +94,7 @@ def missing(machine: Machine, obj: Obj, name: str) -> Value:
     """What a message holds under a name of which nothing is known: not a field, or one of an interface without a definition."""
     if isinstance(obj.payload, Unknown):
         return about(obj.payload, name)
-    return machine.unknown(Cause.MESSAGE, f"{obj.cls.name}.{name}")  # type: ignore[attr-defined]
+    return machine.unknown(Cause.MESSAGE, f"{_name(obj)}.{name}")
 
 
 def about(message: Unknown, name: str, hint: str = "") -> Unknown:
@@ -158,7 +159,7 @@ def opened(machine: Machine, obj: Obj) -> Obj:
     """A message that code which is not known has had in its hands: any field may hold something else."""
     if isinstance(obj.payload, Unknown) or definition_of(machine, obj.cls) is None:
         return obj
-    return obj.replace(payload=machine.unknown(Cause.MESSAGE, obj.cls.name))  # type: ignore[attr-defined]
+    return obj.replace(payload=machine.unknown(Cause.MESSAGE, _name(obj)))
 
 
 def made_all(machine: Machine, ref: Ref) -> None:
@@ -175,3 +176,9 @@ def arrived(machine: Machine, cls: External, unknown: Unknown, site: str, *, man
     if named is None or definition_of(machine, cls) is None:
         return unknown
     return machine.allocate(Obj("instance", External(named.dotted), many=many, payload=unknown), site)
+
+
+def _name(obj: Obj) -> str:
+    """The dotted name of the class of a message."""
+    assert isinstance(obj.cls, External)
+    return obj.cls.name

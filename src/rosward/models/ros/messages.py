@@ -7,22 +7,10 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import lift, options
+from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Class,
-    Const,
-    External,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.sent import SentEffect
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.ros.interfaces import MessageName, message_name
@@ -69,7 +57,7 @@ def _get_message(call: NativeCall) -> Value:
 
 def send(machine: Machine, kind: str, node: Value, name: Value, type_: Value, value: Value) -> None:
     """Record that a value is sent, where a message of that type belongs."""
-    effect = SentEffect(kind, node, name, type_, value, machine.place, machine.via)  # type: ignore[arg-type]
+    effect = SentEffect(kind, node, name, type_, value, machine.place, machine.via)  # type: ignore[arg-type]  # the kind is a word of a stub
     machine.log.sent.setdefault(effect, machine.path)
     wanted = message_name(type_.name) if isinstance(type_, External) else None
     if wanted is None or value is UNBOUND or kind not in _TAKES:
@@ -78,7 +66,9 @@ def send(machine: Machine, kind: str, node: Value, name: Value, type_: Value, va
         return  # a message that is serialised already
     others = [_other(machine, option, wanted) for option in options(value)]
     if all(others) and not machine.choosing:  # one of several publishers may take it
-        machine.report("RW213", f"{_TAKES[kind]} {_shown(wanted)}, not {' or '.join(dict.fromkeys(others))}: TypeError")
+        machine.report(
+            "RW213", f"{_TAKES[kind]} {_full_name(wanted)}, not {' or '.join(dict.fromkeys(others))}: TypeError"
+        )
 
 
 _TAKES: Final = {
@@ -90,7 +80,7 @@ _TAKES: Final = {
 """What rclpy checks. It looks neither at feedback nor at results."""
 
 
-def _shown(name: MessageName) -> str:
+def _full_name(name: MessageName) -> str:
     part = f".{name.part}" if name.part else ""
     return f"{name.package}/{name.kind}/{name.name}{part}"
 
@@ -112,7 +102,7 @@ def _other(machine: Machine, value: Value, wanted: MessageName) -> str:
     cls = obj.cls
     if isinstance(cls, External):
         found = message_name(cls.name)
-        return "" if found is None or found == wanted else _shown(found)
+        return "" if found is None or found == wanted else _full_name(found)
     if not isinstance(cls, Class) or cls.stub or any(isinstance(b, (External, Unknown)) for b in cls.mro):
         return ""
     return cls.name

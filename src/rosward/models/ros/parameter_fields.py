@@ -11,8 +11,9 @@ from typing import Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Const, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.naming.command_line import type_word
 

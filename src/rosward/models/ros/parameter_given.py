@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Tuple
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Origin, Reason
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Tuple, Unknown, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.effects.log import NodeEffect
 from rosward.models.ros import parameter_table as table
 from rosward.models.ros.effects import mark

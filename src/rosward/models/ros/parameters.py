@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import is_true, text_of
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.text import pattern, readable
 from rosward.domain.unknown import Cause, Origins
-from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Native, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Text, Unknown, Value
 from rosward.effects.log import ParameterEffect
 from rosward.models.failures import fail
 from rosward.models.native import NativeCall, NativeFunction

@@ -35,8 +35,8 @@ def qos_of(machine: Machine, value: Value | None) -> tuple[Qos | None, bool]:
     return Qos(words[0], words[1], words[2], known), prefix
 
 
-def _attr(machine: Machine, value: Value, name: str) -> Value | None:
-    attrs = machine.obj(value).attrs  # type: ignore[arg-type]
+def _attr(machine: Machine, value: Ref, name: str) -> Value | None:
+    attrs = machine.obj(value).attrs
     found = attrs.get(name, attrs.get(f"_{name}"))
     return found if found is not None else machine.load_attr(value, name)
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import lift
+from rosward.domain.compound import External
 from rosward.domain.unknown import Cause
-from rosward.domain.values import Const, External, Value
+from rosward.domain.values import Const, Value
 from rosward.holes import literal
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import native, origins, spread, text_of, unknown_from

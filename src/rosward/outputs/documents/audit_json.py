@@ -11,8 +11,9 @@ from typing import Final
 
 from rosward._version import __version__
 from rosward.audit.result import Audit, AuditCounts
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding
 from rosward.outputs.documents.json_text import json_text
+from rosward.rules import Severity
 from rosward.source.location import Place
 
 __all__ = ["audit_json"]

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
-from rosward.findings import Severity
 from rosward.one_cause import OneCause, alike, more_of
 from rosward.outputs.writing import Scan
+from rosward.rules import Severity
 from rosward.safe import printable
 from rosward.suppression.judge import Judged
 

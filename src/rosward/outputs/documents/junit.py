@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rosward.findings import RULES, Severity
 from rosward.outputs.writing import Scan
+from rosward.rules import RULES, Severity
 from rosward.safe import printable, xml_attribute, xml_text
 from rosward.suppression.judge import Judged
 

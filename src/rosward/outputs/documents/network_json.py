@@ -63,7 +63,7 @@ def _asked(asked: Asked) -> dict[str, object]:
 def _node(node: Node) -> dict[str, object]:
     return {
         "fqn": node.fqn,
-        "label": node.shown,
+        "label": node.display_name,
         "namespace": node.namespace,
         "name": node.name,
         "resolution": node.resolution.value,

@@ -16,10 +16,10 @@ from typing import Final
 from urllib.parse import quote
 
 from rosward._version import __version__
-from rosward.findings import RULES, Rule
 from rosward.one_cause import OneCause, alike, more_of
 from rosward.outputs.documents.json_text import json_text
 from rosward.outputs.writing import Scan
+from rosward.rules import RULES, Rule
 from rosward.safe import encodable
 from rosward.suppression.judge import Judged, RelatedPlace
 

@@ -90,12 +90,12 @@ def _ends(network: Network, system: bool) -> list[_DrawnEnd]:
     shown = [(node, entity) for node in network.nodes for entity in node.entities if system or not entity.system]
     users: dict[str, set[str]] = {}
     for node, entity in shown:
-        users.setdefault(_meeting_key(node, entity), set()).add(node.shown)
+        users.setdefault(_meeting_key(node, entity), set()).add(node.display_name)
     ends = []
     for node, entity in shown:
         key = _meeting_key(node, entity)
         hub = len(users[key]) > _HUB
-        ends.append(_DrawnEnd(node, entity, f"{key} at {node.shown}" if hub else key, hub))
+        ends.append(_DrawnEnd(node, entity, f"{key} at {node.display_name}" if hub else key, hub))
     return ends
 
 
@@ -103,7 +103,7 @@ def _vertices(network: Network, ends: Iterable[_DrawnEnd], links: bool) -> list[
     drawn: dict[str, _Vertex] = {}
     for number, node in enumerate(network.nodes):
         link = f"#node-{number}" if links else None
-        tooltip = _tooltip(node.shown, node.lacks if node.interface is Interface.UNKNOWN else node.reasons)
+        tooltip = _tooltip(node.display_name, node.lacks if node.interface is Interface.UNKNOWN else node.reasons)
         key = _node_key(node)
         if node.assumed:
             tooltip += " (assumed: nothing starts it)"
@@ -111,10 +111,11 @@ def _vertices(network: Network, ends: Iterable[_DrawnEnd], links: bool) -> list[
         if known is None or (
             known.assumed and not node.assumed
         ):  # where something starts a node of the name, that counts
-            wild = "*" in node.shown
+            wild = "*" in node.display_name
             unknown = _unknown(node)
             drawn[key] = _Vertex(
-                *(key, "node", node.shown, node.fqn, (), wild, False, tooltip, link, node.assumed), unknown=unknown
+                *(key, "node", node.display_name, node.fqn, (), wild, False, tooltip, link, node.assumed),
+                unknown=unknown,
             )
     types: dict[str, set[str]] = {}
     for node, entity, key, hub in ends:
@@ -143,14 +144,16 @@ def _edges(ends: Iterable[_DrawnEnd]) -> dict[tuple[str, str], tuple[str, bool]]
 
 
 def _node_key(node: Node) -> str:
-    return f"node {node.shown}"
+    return f"node {node.display_name}"
 
 
 def _meeting_key(node: Node, entity: Entity) -> str:
     """Two names of which nothing is known are not one name, so each node has its own."""
     word = entity.kind.meeting
     return (
-        f"{word} {entity.name} of {node.shown}" if entity.resolution is Resolution.UNKNOWN else f"{word} {entity.name}"
+        f"{word} {entity.name} of {node.display_name}"
+        if entity.resolution is Resolution.UNKNOWN
+        else f"{word} {entity.name}"
     )
 
 

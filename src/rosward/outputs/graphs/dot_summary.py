@@ -46,12 +46,12 @@ def _views(network: Network) -> Iterator[tuple[str, Callable[[Node], str]]]:
 
 
 def _one_each(node: Node) -> str:
-    return node.shown
+    return node.display_name
 
 
 def _namespace(node: Node, depth: int) -> str:
     """The first parts of its namespace; what is in none stands for itself."""
-    return node.shown if node.namespace == "/" else "/".join(node.namespace.split("/")[: depth + 1]) + "/"
+    return node.display_name if node.namespace == "/" else "/".join(node.namespace.split("/")[: depth + 1]) + "/"
 
 
 def _drawing(network: Network, group_of: Callable[[Node], str], how: str, direction: str, system: bool) -> Drawing:
@@ -96,7 +96,7 @@ def _shape(group: str, number: int, alone: Mapping[str, Node]) -> str:
         known = node.interface is not Interface.UNKNOWN
         look = LOOKS["node"] if known else UNKNOWN
         looks = f'shape={look.shape}, fillcolor="{look.fill}", color="{look.line}", class="ros-node"'
-        label = [_shortened(node.shown), *([] if known else ["unknown"])]
+        label = [_shortened(node.display_name), *([] if known else ["unknown"])]
         return f"{quoted(group)} [label={label_of(label)}, {looks}]"
     looks = f'shape=box, style="rounded,filled", peripheries=2, fillcolor="#e8ebef", color="{_GREY}", class="ros-group"'
     return f"{quoted(group)} [label={label_of([_shortened(group), f'{number} nodes'])}, {looks}]"

@@ -79,9 +79,9 @@ def fenced(text: str) -> str:
 
 
 def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) -> str:
-    nodes = {node.shown: node for node in network.nodes}
+    nodes = {node.display_name: node for node in network.nodes}
     chosen = dict(sorted(nodes.items())[:most_nodes])
-    every = _edges((node for node in network.nodes if node.shown in chosen), system=system)
+    every = _edges((node for node in network.nodes if node.display_name in chosen), system=system)
     edges = dict(sorted(every.items())[:most_edges])
     spaces = {node.namespace for node in chosen.values()} | {"/"}
     shapes = {_Key("node", name): _Shape("node", name, node.namespace) for name, node in chosen.items()}
@@ -90,16 +90,16 @@ def _drawn(network: Network, most_nodes: int, most_edges: int, *, system: bool) 
             shapes.setdefault(key, _Shape(key.look, key.name, _innermost(key.name, spaces)))
     ids = {key: f"{key.look[0]}{number}" for number, key in enumerate(sorted(shapes))}
     lines = ["flowchart LR"]
-    lines += _told(len(nodes) - len(chosen), len(every) - len(edges))
+    lines += _size_comment(len(nodes) - len(chosen), len(every) - len(edges))
     lines += _subgraphs("/", shapes, ids, spaces)
     lines += _arrows(edges, ids)
-    started = {node.shown for node in network.nodes if not node.assumed}
+    started = {node.display_name for node in network.nodes if not node.assumed}
     unknown = {name for name, node in chosen.items() if node.interface is Interface.UNKNOWN}
     lines += _styles(shapes, ids, started, unknown)
     return "\n".join(lines) + "\n"
 
 
-def _told(nodes: int, edges: int) -> Iterator[str]:
+def _size_comment(nodes: int, edges: int) -> Iterator[str]:
     if nodes or edges:
         parts = [f"{nodes} nodes"] if nodes else []
         parts += [f"{edges} edges"] if edges else []
@@ -112,14 +112,14 @@ def _edges(nodes: Iterable[Node], *, system: bool) -> dict[tuple[_Key, _Key], bo
     for node in nodes:
         for entity in node.entities:
             if system or not entity.system:
-                own, other = _Key("node", node.shown), _meeting(node, entity)
+                own, other = _Key("node", node.display_name), _meeting(node, entity)
                 pair = (other, own) if entity.kind in _TOWARDS_NODE else (own, other)
                 edges[pair] = edges.get(pair, True) and entity.conditional
     return edges
 
 
 def _meeting(node: Node, entity: Entity) -> _Key:
-    apart = node.shown if entity.resolution is Resolution.UNKNOWN else ""
+    apart = node.display_name if entity.resolution is Resolution.UNKNOWN else ""
     return _Key(entity.kind.meeting, entity.name, apart)
 
 

@@ -102,10 +102,10 @@ def _program() -> str | None:
     Never one of the current folder: that may be the folder that is analysed.
     """
     beside = (str(Path(sys.executable).parent), sysconfig.get_path("scripts"))
-    return _found(_PROGRAM, beside) or _found(_INSTEAD)
+    return _path_of(_PROGRAM, beside) or _path_of(_INSTEAD)
 
 
-def _found(name: str, folders: Iterable[str] = ()) -> str | None:
+def _path_of(name: str, folders: Iterable[str] = ()) -> str | None:
     here = Path.cwd()
     for folder in (*folders, *os.environ.get("PATH", "").split(os.pathsep)):
         for ending in _ENDINGS:

@@ -40,7 +40,7 @@ def starts_text(network: Network) -> str:
 
 
 def _nodes(members: list[Node], enclave: str) -> str:
-    names = sorted({node.shown for node in members})
+    names = sorted({node.display_name for node in members})
     return "" if names in ([enclave], [members[0].process]) else f" (nodes {printable(', '.join(names))})"
 
 

@@ -17,7 +17,7 @@ from rosward._version import __version__
 from rosward.enclaves.grants import NOT_WIDENED
 from rosward.enclaves.widened import Widenings
 from rosward.explanation.provenance import Start, Starts
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import with_findings
 from rosward.network.counts import Count, counts_of
@@ -29,9 +29,10 @@ from rosward.outputs.report.belongs import Belongings
 from rosward.outputs.report.endpoints import endpoint_rows
 from rosward.outputs.report.members import entity_rows, node_row
 from rosward.outputs.report.numbered import Member, Numbered, numbered
-from rosward.outputs.report.plain import place_row, shown
+from rosward.outputs.report.plain import harmless, place_row
 from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
+from rosward.rules import Severity
 from rosward.source.location import Place
 
 __all__ = ["VERSION", "Background", "report_document"]
@@ -76,15 +77,15 @@ def report_document(
     return {
         "version": VERSION,
         "summary": _summary(network, code.left_out),
-        "nodes": shown([node_row(m, launched[m.id].start, granted, findings_of) for m in numbers.members]),
-        "endpoints": shown(endpoint_rows(numbers.endpoints, findings_of)),
-        "entities": shown(
+        "nodes": harmless([node_row(m, launched[m.id].start, granted, findings_of) for m in numbers.members]),
+        "endpoints": harmless(endpoint_rows(numbers.endpoints, findings_of)),
+        "entities": harmless(
             [row for m in numbers.members for row in entity_rows(m, launched[m.id].entries, granted, findings_of)]
         ),
         "enclaves": granted.enclaves,
         "rules": granted.rules,
-        "findings": shown(_findings(network.findings, subjects)),
-        "code": shown(code.lines),
+        "findings": harmless(_findings(network.findings, subjects)),
+        "code": harmless(code.lines),
     }
 
 

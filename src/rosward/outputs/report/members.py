@@ -26,7 +26,7 @@ def node_row(
     node = member.node
     return {
         "id": member.id,
-        "fqn": node.shown,
+        "fqn": node.display_name,
         "namespace": node.namespace,
         "name": node.name,
         "package": node.package,

@@ -48,7 +48,7 @@ def report_html(network: Network, background: Background = _NOTHING, unknown: Un
     environment = Environment(
         loader=FunctionLoader(_asset),
         autoescape=True,
-        finalize=_shown,
+        finalize=_harmless,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -85,7 +85,7 @@ def _fallback(network: Network) -> str:
     return drawing if len(drawing) <= _LARGEST_FALLBACK else ""
 
 
-def _shown(value: object) -> object:
+def _harmless(value: object) -> object:
     """What Jinja writes for an expression: text without control characters and direction marks, nothing for None."""
     if isinstance(value, Markup):
         return value

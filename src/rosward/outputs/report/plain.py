@@ -16,7 +16,7 @@ from typing import Final
 from rosward.safe import printable
 from rosward.source.location import Place
 
-__all__ = ["place_row", "place_rows", "shown", "value_row"]
+__all__ = ["harmless", "place_row", "place_rows", "value_row"]
 
 _LONGEST: Final = 2000
 _MOST_ITEMS: Final = 100
@@ -48,14 +48,14 @@ def value_row(value: object) -> object:
     return None
 
 
-def shown(value: object) -> object:
+def harmless(value: object) -> object:
     """A piece of the document with every text in it, keys too, made harmless to show."""
     if isinstance(value, str):
         return printable(value if len(value) <= _LONGEST else _cut(value))
     if isinstance(value, dict):
-        return {shown(key): shown(item) for key, item in value.items()}
+        return {harmless(key): harmless(item) for key, item in value.items()}
     if isinstance(value, list):
-        return [shown(item) for item in value]
+        return [harmless(item) for item in value]
     return value
 
 

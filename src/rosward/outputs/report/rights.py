@@ -16,7 +16,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.policies.policy import policy_lines
 from rosward.outputs.report.numbered import Numbered
-from rosward.outputs.report.plain import shown
+from rosward.outputs.report.plain import harmless
 from rosward.policies.elements import ELEMENTS
 
 __all__ = ["NONE", "DocumentRights", "EntityRight", "rights"]
@@ -57,7 +57,7 @@ def rights(
         found.enclaves.append(
             {
                 "id": enclave_id,
-                "path": shown(enclave.path),
+                "path": harmless(enclave.path),
                 "nodes": sorted(nodes, key=lambda node: int(node[1:])),
                 "policy": _lines(enclave, enclave_id, numbers, found),
             }
@@ -88,7 +88,7 @@ def _lines(enclave: Enclave, enclave_id: str, numbers: Numbered, found: Document
 def _rule(grant: Grant, enclave_id: str, numbers: Numbered, found: DocumentRights) -> str:
     rule = f"r{len(found.rules)}"
     entities = [numbers.entity_ids[id(entity)] for entity in grant.entities]
-    text = shown(f"{ELEMENTS[grant.kind].verb} {grant.name}")
+    text = harmless(f"{ELEMENTS[grant.kind].verb} {grant.name}")
     found.rules.append({"id": rule, "enclave": enclave_id, "text": text, "entities": entities})
     for entity in entities:
         found.right_of.setdefault(entity, EntityRight(rule, ""))

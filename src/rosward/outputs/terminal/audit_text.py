@@ -13,8 +13,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from rosward.audit.result import Audit, AuditCounts, Difference
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding
 from rosward.network.counts import several, some
+from rosward.rules import Severity
 from rosward.safe import printable
 
 __all__ = ["audit_text"]

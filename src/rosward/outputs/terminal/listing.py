@@ -63,7 +63,7 @@ def _nodes(network: Network, system: bool) -> list[Row]:
     paths = enclave_paths(network.nodes)
     return [
         {
-            "node": node.shown,
+            "node": node.display_name,
             "package": node.package,
             "executable": node.executable,
             "interface": node.interface.value,
@@ -72,14 +72,14 @@ def _nodes(network: Network, system: bool) -> list[Row]:
             "entities": sum(system or not e.system for e in node.entities),
             "defined": str(node.defined_at),
         }
-        for node in sorted(network.nodes, key=lambda n: (n.shown, n.package or "", n.process))
+        for node in sorted(network.nodes, key=lambda n: (n.display_name, n.package or "", n.process))
     ]
 
 
 def _topics(network: Network, system: bool) -> list[Row]:
     return [
         {"topic": t.name, "types": t.types, "publishers": t.publishers, "subscriptions": t.subscriptions}
-        for t in _shown(network.topics, system)
+        for t in _listed(network.topics, system)
         if isinstance(t, Topic)
     ]
 
@@ -87,12 +87,12 @@ def _topics(network: Network, system: bool) -> list[Row]:
 def _offers(word: str, offers: Sequence[Service | Action], system: bool) -> list[Row]:
     return [
         {word: o.name, "types": o.types, "servers": o.servers, "clients": o.clients}
-        for o in _shown(offers, system)
+        for o in _listed(offers, system)
         if not isinstance(o, Topic)
     ]
 
 
-def _shown(meetings: Iterable[Topic | Service | Action], system: bool) -> list[Topic | Service | Action]:
+def _listed(meetings: Iterable[Topic | Service | Action], system: bool) -> list[Topic | Service | Action]:
     return sorted((m for m in meetings if system or not m.system), key=lambda m: m.name)
 
 
@@ -112,7 +112,7 @@ def _packages(network: Network, system: bool) -> list[Row]:
 
 def _parameters(network: Network, _system: bool) -> list[Row]:
     return [
-        {"parameter": p.name, "node": n.shown, "type": p.type, "value": _plain(p), "declared": _declared(p)}
+        {"parameter": p.name, "node": n.display_name, "type": p.type, "value": _plain(p), "declared": _declared(p)}
         for n in sorted(network.nodes, key=lambda n: n.fqn)
         for p in sorted(n.parameters, key=lambda p: p.name)
     ]

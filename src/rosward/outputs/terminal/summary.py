@@ -19,11 +19,12 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.explanation.doubts import Doubts, doubts
-from rosward.findings import Finding, Severity
+from rosward.findings import Finding
 from rosward.network.counts import Count, Counts, counts_of
 from rosward.network.graph import Network
 from rosward.one_cause import by_cause, more_of
 from rosward.ros.entities import Interface, Resolution
+from rosward.rules import Severity
 from rosward.safe import printable
 from rosward.suppression.judge import Reviewed
 

@@ -5,7 +5,7 @@
     install(TARGETS talker DESTINATION lib/demo)                                ->  executable talker
     rclcpp_components_register_node(arms PLUGIN "demo::Arm" EXECUTABLE arm)     ->  component demo::Arm of arms, executable arm
 
-`source/cmake/interpreter.py` interprets the commands; here is what those say that are about targets and destinations.
+`interpreter.py` interprets the commands; here is what those say that are about targets and destinations.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ class Targets:
         if program:
             self._registered.append(CMakeTarget(program, TargetKind.EXECUTABLE, place, plugin))
 
-    def found(self) -> tuple[CMakeTarget, ...]:
+    def startable(self) -> tuple[CMakeTarget, ...]:
         """What can be started or loaded."""
         programs = [
             CMakeTarget(name, TargetKind.EXECUTABLE, place)

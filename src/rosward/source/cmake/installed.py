@@ -71,7 +71,7 @@ def read_cmake(folder: str, package: str, root: Path, boundary: Boundary = EVERY
         tuple(findings),
         tuple(dict.fromkeys(reader.shared)),
         reader.all_shared and not findings,
-        reader.targets.found(),
+        reader.targets.startable(),
         tuple(dict.fromkeys(reader.entry_points)),
         tuple(dict.fromkeys(reader.generated)),
     )

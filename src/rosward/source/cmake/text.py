@@ -3,9 +3,9 @@
 
     install(PROGRAMS "a b.py" ${X}  # comment
             DESTINATION lib)
-    ->  Command("install", (CMakeArgument("PROGRAMS"), CMakeArgument("a b.py", quoted=True), CMakeArgument("${X}"), …), line=1)
+    ->  Command("install", (Argument("PROGRAMS"), Argument("a b.py", quoted=True), Argument("${X}"), …), line=1)
 
-Only the text: comments, quotes, brackets and nesting. What the commands mean is told by `source/cmake/interpreter.py`.
+Only the text: comments, quotes, brackets and nesting. What the commands mean is told by `interpreter.py`.
 """
 
 from __future__ import annotations

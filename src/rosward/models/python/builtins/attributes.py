@@ -11,23 +11,9 @@ import builtins
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Range, Tuple
 from rosward.domain.text import matches
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Class,
-    Const,
-    Descriptor,
-    Function,
-    ModuleValue,
-    Native,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Text, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.attribute_tables import TABLE, own_attribute
 from rosward.models.python.operators.compare import kind_of
@@ -116,7 +102,7 @@ def is_computed(machine: Machine, value: Value, name: str) -> bool:
         return attrs.get(name, UNBOUND) is UNBOUND and _is_own(attrs.get("__getattr__"))
     if isinstance(value, Class):
         above = machine.obj(Ref(value.address)).cls
-        own = _found(machine, value, name)
+        own = _class_attribute(machine, value, name)
         there = own is not None
         if there and _gives(machine, own):
             return True
@@ -125,15 +111,15 @@ def is_computed(machine: Machine, value: Value, name: str) -> bool:
         there = machine.obj(value).attrs.get(name, UNBOUND) is not UNBOUND
     else:
         return False
-    found = _found(machine, above, name)
+    found = _class_attribute(machine, above, name)
     if isinstance(found, Descriptor):
         return _is_own(found.getter) and (found.kind == "property" or (found.kind == "cached_property" and not there))
-    if _gives(machine, found) or _is_own(_found(machine, above, "__getattribute__")):
+    if _gives(machine, found) or _is_own(_class_attribute(machine, above, "__getattribute__")):
         return True
-    return not there and found is None and _is_own(_found(machine, above, "__getattr__"))
+    return not there and found is None and _is_own(_class_attribute(machine, above, "__getattr__"))
 
 
-def _found(machine: Machine, cls: Value, name: str) -> Value | None:
+def _class_attribute(machine: Machine, cls: Value, name: str) -> Value | None:
     """What the classes that are read have under a name."""
     for base in cls.mro if isinstance(cls, Class) else ():
         found = machine.obj(Ref(base.address)).attrs.get(name, UNBOUND) if isinstance(base, Class) else UNBOUND
@@ -146,7 +132,7 @@ def _gives(machine: Machine, value: Value | None) -> bool:
     """Whether a value is a descriptor: an object with `__get__`."""
     if not isinstance(value, Ref) or machine.obj(value).kind != "instance":
         return False
-    return _found(machine, machine.obj(value).cls, "__get__") is not None
+    return _class_attribute(machine, machine.obj(value).cls, "__get__") is not None
 
 
 def _is_own(value: Value | None) -> bool:

@@ -7,33 +7,27 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Slice, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
 from rosward.domain.values import (
     EMPTY,
     FALSE,
     NONE,
-    BoundMethod,
     Choice,
     Class,
     Const,
-    Descriptor,
-    External,
     Function,
     ModuleValue,
-    Native,
-    Partial,
     Ref,
-    Slice,
     Text,
-    Tuple,
     Unknown,
     Value,
 )
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import has_attribute
 from rosward.models.python.containers import dicts
-from rosward.models.python.containers.list_alternatives import keep_told, told
+from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.lists import new_tuple
 from rosward.models.python.containers.sets import new_set
 from rosward.models.python.operators.compare import kind_of
@@ -110,7 +104,7 @@ def _series(call: NativeCall) -> Series:
 
 def _list(call: NativeCall) -> Value:
     made = listed(call.machine, call.name, *_series(call))
-    keep_told(call.machine, made, (told(call.machine, a) for a in call.args[:1]))
+    keep_told(call.machine, made, (elements_apart(call.machine, a) for a in call.args[:1]))
     return made
 
 

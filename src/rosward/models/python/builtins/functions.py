@@ -11,8 +11,9 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, BoundMethod, Class, Const, Function, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import NONE, Class, Const, Function, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.builtins.attributes import attribute_names, has_attribute
 from rosward.models.python.builtins.constructors import is_callable

@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.values import NONE, UNBOUND, Class, Native, Ref, Tuple, Value
+from rosward.domain.compound import Native, Tuple
+from rosward.domain.values import NONE, UNBOUND, Class, Ref, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.exceptions import builtin_base
 from rosward.models.python.plain import native, spread

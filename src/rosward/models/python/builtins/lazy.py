@@ -8,7 +8,8 @@ zip(words(), ['a', 'b'])     `words` is advanced twice, and no further than its 
 from __future__ import annotations
 
 from rosward.domain.choice import options
-from rosward.domain.values import BoundMethod, Class, Function, Partial, Ref, Value
+from rosward.domain.compound import BoundMethod, Partial
+from rosward.domain.values import Class, Function, Ref, Value
 from rosward.models.native import Machine, NativeCall
 
 

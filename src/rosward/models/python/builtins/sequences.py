@@ -6,12 +6,13 @@ sorted(names), zip(a, b), enumerate(x, 1), sum(parts, ''), any(flags), next(iter
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import Native, Range, Tuple
 from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Native, Range, Ref, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.builtins.lazy import acts, lazily, stepped
 from rosward.models.python.containers.lists import ITERATOR, order, write_series
@@ -200,12 +201,12 @@ def _extreme(call: NativeCall) -> Value:
     return with_origins(items.known[chosen], origins(*keys))
 
 
-def _least(numbers: range, ranks: list[object]) -> int:
-    return min(numbers, key=lambda n: ranks[n])  # type: ignore[arg-type,return-value]
+def _least(numbers: range, ranks: list[Any]) -> int:
+    return min(numbers, key=lambda n: ranks[n])
 
 
-def _greatest(numbers: range, ranks: list[object]) -> int:
-    return max(numbers, key=lambda n: ranks[n])  # type: ignore[arg-type,return-value]
+def _greatest(numbers: range, ranks: list[Any]) -> int:
+    return max(numbers, key=lambda n: ranks[n])
 
 
 _BEST: Final = {"min": _least, "max": _greatest}

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward.domain.values import NONE, Native, Ref, Value
+from rosward.domain.compound import Native
+from rosward.domain.values import NONE, Ref, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import bare
 from rosward.models.python.plain import native, unknown_from

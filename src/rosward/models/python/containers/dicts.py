@@ -11,24 +11,10 @@ from __future__ import annotations
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import NO_ORIGINS
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    External,
-    Function,
-    ModuleValue,
-    Native,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.lists import VIEW
 from rosward.models.python.contents import bare, plain_data

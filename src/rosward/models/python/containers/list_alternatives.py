@@ -10,15 +10,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Alternatives
-from rosward.domain.values import Ref, Tuple, Value
+from rosward.domain.values import Ref, Value
 from rosward.models.native import Machine
 from rosward.models.python.plain import MAX_ITEMS
 
 Told = tuple[tuple[Value, bool], ...] | None
 
 
-def told(machine: Machine, value: Value) -> Told:
+def elements_apart(machine: Machine, value: Value) -> Told:
     """The elements of a list or tuple of objects in order, and whether each is surely there; None where they are not told apart."""
     items: tuple[Value, ...] | None = None
     if isinstance(value, Tuple):

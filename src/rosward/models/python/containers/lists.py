@@ -8,15 +8,16 @@ names.pop(unknown)                          any of the elements; each place then
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final
+from typing import Any, Final
 
 from rosward.domain.choice import join, join_all
+from rosward.domain.compound import Slice, Tuple
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
 from rosward.domain.unknown import NO_ORIGINS
-from rosward.domain.values import NONE, UNBOUND, Const, Ref, Slice, Tuple, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
-from rosward.models.python.containers.list_alternatives import Told, keep_told, told
+from rosward.models.python.containers.list_alternatives import Told, elements_apart, keep_told
 from rosward.models.python.operators.compare import comparable, compares, equal
 from rosward.models.python.plain import (
     MAX_ITEMS,
@@ -74,13 +75,13 @@ def _lost(call: NativeCall) -> Value:
 def _append(call: NativeCall) -> Value:
     ref, value = _receiver(call), call.args[1]
     if ref is not None:
-        _add(call.machine, ref, Series((value,)), told(call.machine, Tuple((value,))))
+        _add(call.machine, ref, Series((value,)), elements_apart(call.machine, Tuple((value,))))
     return NONE
 
 
 def _add(machine: Machine, ref: Ref, more: Series, apart: Told) -> None:
     """Elements come to the end of a list."""
-    before = told(machine, ref)
+    before = elements_apart(machine, ref)
     write_series(machine, ref, concatenated((machine.obj(ref).series(), more)))
     keep_told(machine, ref, (before, apart))
 
@@ -89,7 +90,7 @@ def _extend(call: NativeCall) -> Value:
     ref = _receiver(call)
     more = call.machine.series(call.args[1])
     if ref is not None:
-        _add(call.machine, ref, more, told(call.machine, call.args[1]))
+        _add(call.machine, ref, more, elements_apart(call.machine, call.args[1]))
     return NONE
 
 
@@ -217,14 +218,14 @@ def order(machine: Machine, items: Items, key: Value | None, reverse: Value | No
     if len(known) < 2:
         return items
     decided = False if reverse is None else machine.truth(reverse)
-    ranks = [comparable(machine, k) for k in keys]
+    ranks: list[Any] = [comparable(machine, k) for k in keys]  # Python says which of them it can order
     if any(k is NOT_PLAIN for k in ranks) or decided is None:
         placed = None if decided is None else _by_asking(machine, keys, reverse=decided)
         if placed is not None:
             return Items(tuple(known[n] for n in placed))
         return Items((join_all(known),) * len(known))
     try:
-        ranked = sorted(range(len(known)), key=lambda n: ranks[n], reverse=decided)  # type: ignore[arg-type,return-value]
+        ranked = sorted(range(len(known)), key=lambda n: ranks[n], reverse=decided)
     except TypeError as error:
         raise Raised("TypeError", str(error)) from error
     source = origins(*keys) if any(origins(k) for k in keys) else NO_ORIGINS

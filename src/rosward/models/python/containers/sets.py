@@ -11,7 +11,8 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all
-from rosward.domain.values import NONE, Const, Native, Ref, Tuple, Value
+from rosward.domain.compound import Native, Tuple
+from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import add_to_rest, element, write

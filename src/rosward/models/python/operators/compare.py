@@ -13,24 +13,11 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
 from rosward.domain.series import Series
 from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
-from rosward.domain.values import (
-    NONE,
-    BoundMethod,
-    Class,
-    Const,
-    External,
-    Native,
-    Partial,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
 from rosward.models.native import Machine
 from rosward.models.python.plain import (

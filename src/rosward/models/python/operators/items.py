@@ -10,10 +10,11 @@ from __future__ import annotations
 import operator
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import External, Range, Slice, Tuple
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import derived
-from rosward.domain.values import NONE, Choice, Const, External, Range, Ref, Slice, Text, Tuple, Unknown, Value
+from rosward.domain.values import NONE, Choice, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Machine
 from rosward.models.python.containers import dicts
 from rosward.models.python.containers.lists import add_to_rest, write, write_series

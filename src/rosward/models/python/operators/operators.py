@@ -14,25 +14,14 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, options
+from rosward.domain.compound import External, Native, Range, Tuple
 from rosward.domain.series import Series, concatenated, joined
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause, Origins
-from rosward.domain.values import (
-    Choice,
-    Class,
-    Const,
-    External,
-    Native,
-    Range,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import Items, Machine
 from rosward.models.python.containers import dicts
-from rosward.models.python.containers.list_alternatives import keep_told, told
+from rosward.models.python.containers.list_alternatives import elements_apart, keep_told
 from rosward.models.python.containers.sets import FROZEN, combine, distinct
 from rosward.models.python.operators.compare import compare, contains, equal, kind_of
 from rosward.models.python.operators.items import load_item, store_item
@@ -94,7 +83,7 @@ def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
         left, right = text_choices.bounded(machine, (left, right))
     result = spread_fresh(machine, ("operator", op), lambda a, b: _binary(machine, op, a, b), left, right)
     if op == "+" and isinstance(result, Ref):
-        keep_told(machine, result, (told(machine, left), told(machine, right)))
+        keep_told(machine, result, (elements_apart(machine, left), elements_apart(machine, right)))
     return result
 
 

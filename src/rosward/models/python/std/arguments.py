@@ -13,9 +13,10 @@ import argparse
 from typing import Any, Final, NoReturn
 
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Const, Ref, Tuple, Value
+from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.support import exact_list, names_of, place_list, text_of
 
@@ -56,7 +57,7 @@ def _dest(call: NativeCall) -> Value:
     return Const(long.lstrip(prefix).replace("-", "_"))
 
 
-def _shown(call: NativeCall) -> Value:
+def _argument_name(call: NativeCall) -> Value:
     """argparse._shown(flags, dest): the name of an argument in reports."""
     return Const(_long(_flags(call, call.args[0])) or text_of(call.args[1]) or "argument")
 
@@ -152,7 +153,7 @@ def _getopt(call: NativeCall) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "argparse._dest": _dest,
-    "argparse._shown": _shown,
+    "argparse._shown": _argument_name,
     "argparse._kind": _kind,
     "argparse._exact": _exact,
     "getopt.getopt": _getopt,

@@ -13,8 +13,9 @@ from collections.abc import Sequence
 from typing import Final
 
 from rosward.domain.choice import join_all, lift
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import TRUE, BoundMethod, Descriptor, Function, Native, Ref, Tuple, Value
+from rosward.domain.values import TRUE, Function, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 
 

@@ -15,65 +15,35 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Descriptor, External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    Choice,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Function,
-    Native,
-    Partial,
-    Ref,
-    Text,
-    Tuple,
-    Unknown,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.std.enum_operations import (
+    COMPARISONS,
+    CONVERSIONS,
+    OPERATORS,
+    attach_operators,
+    derives,
+    member_operation,
+)
 from rosward.models.python.std.support import bare, class_obj, exact_dict, exact_list, int_of, place, text_of
 
 _AUTO: Final = "enum.auto()"
 _SEVERAL: Final = (Choice, Text, Unknown)
 _NO_MEMBER: Final = (Function, Descriptor, Class, Native, Partial)
 _MEMBERS: Final = "__members__"
-_OPERATORS: Final = {
-    "__add__": "+",
-    "__sub__": "-",
-    "__mul__": "*",
-    "__mod__": "%",
-    "__truediv__": "/",
-    "__floordiv__": "//",
-    "__and__": "&",
-    "__or__": "|",
-    "__xor__": "^",
-    "__radd__": "+",
-    "__rsub__": "-",
-    "__rmul__": "*",
-    "__ror__": "|",
-    "__rand__": "&",
-}
-_COMPARISONS: Final = {"__eq__": "==", "__ne__": "!=", "__lt__": "<", "__le__": "<=", "__gt__": ">", "__ge__": ">="}
-_CONVERSIONS: Final = {"__int__": "int", "__float__": "float", "__index__": "int", "__bool__": "bool", "__len__": "len"}
-_FLAG_OPERATORS: Final = ("__or__", "__and__", "__xor__", "__ror__", "__rand__")
 _DATA_TYPES: Final = ("str", "int", "float", "bytes")
-
-
-def _derives(cls: Class, *names: str) -> bool:
-    return any((c.dotted if isinstance(c, Class) else getattr(c, "name", "")) in names for c in cls.mro)
 
 
 def _data_type(cls: Class) -> str:
     for name in _DATA_TYPES:
-        if _derives(cls, f"builtins.{name}"):
+        if derives(cls, f"builtins.{name}"):
             return name
-    if _derives(cls, "enum.IntEnum", "enum.IntFlag"):
+    if derives(cls, "enum.IntEnum", "enum.IntFlag"):
         return "int"
-    return "str" if _derives(cls, "enum.StrEnum") else ""
+    return "str" if derives(cls, "enum.StrEnum") else ""
 
 
 def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) -> Value:
@@ -81,7 +51,7 @@ def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) ->
     if custom is not None:
         function = custom.getter if isinstance(custom, Descriptor) else custom
         return call.machine.call(function, (Const(name), Const(1), Const(len(before)), call.machine.new_list(before)))
-    if _derives(cls, "enum.StrEnum"):
+    if derives(cls, "enum.StrEnum"):
         return Const(name.lower())
     numbers = [n for n in map(int_of, before) if n is not None]
     if any(isinstance(value, _SEVERAL) for value in before):
@@ -89,7 +59,7 @@ def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) ->
     highest: int = max(numbers, default=0)
     if len(numbers) != len(before):  # among others than numbers, the last number counts
         highest = numbers[-1] if numbers else 0
-    if _derives(cls, "enum.Flag", "enum.IntFlag"):
+    if derives(cls, "enum.Flag", "enum.IntFlag"):
         return Const(1 << highest.bit_length())
     return Const(highest + 1 if numbers else 1)
 
@@ -169,7 +139,7 @@ def make_members(call: NativeCall) -> Value:
         machine.store_attr(cls, name, member)
     if members:
         machine.store_attr(cls, _MEMBERS, machine.new_dict(members))
-        _attach_operators(call, cls, data)
+        attach_operators(call, cls, data)
     return NONE
 
 
@@ -196,66 +166,6 @@ def _initialise(call: NativeCall, cls: Class, member: Ref, value: Value) -> None
                 return
 
 
-def _attach_operators(call: NativeCall, cls: Class, data: str) -> None:
-    """What the members do as the str or int that they are, and flags among themselves."""
-    own: set[str] = set()
-    for base in cls.mro:
-        if isinstance(base, Class) and not base.stub:
-            own |= call.machine.obj(class_obj(base)).attrs.keys()
-    flag = _derives(cls, "enum.Flag", "enum.IntFlag")
-    names: tuple[str, ...] = ()
-    if data:
-        names = (*_OPERATORS, *_COMPARISONS, *(_CONVERSIONS if data != "str" else ("__len__",)))
-    elif flag:
-        names = (*_FLAG_OPERATORS, "__bool__")
-    for name in names:
-        if name not in own:
-            call.machine.store_attr(cls, name, Native(f"enum.member.{name}"))
-
-
-def _value_of(call: NativeCall, operand: Value) -> Value:
-    """The value of a member, any other value as it is."""
-    found: list[Value] = []
-    for option in options(operand):
-        if isinstance(option, Ref):
-            obj = call.machine.obj(option)
-            if obj.kind == "instance" and "_value_" in obj.attrs:
-                found.append(obj.attrs["_value_"])
-                continue
-        found.append(option)
-    return join_all(found)
-
-
-def _member_operation(call: NativeCall) -> Value:
-    """enum.member.__add__ and the like: the operation on the values."""
-    name = call.name.rpartition(".")[2]
-    values = [_value_of(call, a) for a in call.args]
-    if name in _CONVERSIONS:
-        return call.machine.call(Native(f"builtins.{_CONVERSIONS[name]}"), values[:1])
-    if len(values) < 2:
-        return call.machine.unknown(Cause.OPERATION, name)
-    if name in _COMPARISONS:
-        return call.machine.compare(_COMPARISONS[name], values[0], values[1])
-    if name.startswith("__r"):
-        values.reverse()
-    made = call.machine.binary(_OPERATORS[name], values[0], values[1])
-    flag = _flag_of(call) if name in _FLAG_OPERATORS else None
-    if flag is None:
-        return made
-    if any(int_of(option) is None for option in options(made)):
-        return call.machine.unknown(Cause.OPERATION, name)
-    return call.machine.call(Native("enum.lookup"), (flag, made))
-
-
-def _flag_of(call: NativeCall) -> Class | None:
-    """The class of flags of which an operand is."""
-    for option in (o for a in call.args for o in options(a)):
-        cls = call.machine.obj(option).cls if isinstance(option, Ref) else None
-        if isinstance(cls, Class) and _derives(cls, "enum.Flag", "enum.IntFlag"):
-            return cls
-    return None
-
-
 def _members(call: NativeCall, cls: Value) -> dict[Value, Value] | None:
     if not isinstance(cls, Class):
         return None
@@ -276,7 +186,7 @@ def iterate(call: NativeCall) -> Value:
 
 def _is_canonical(call: NativeCall, cls: Value, member: Value) -> bool:
     """Whether every Python iterates over a member: of a flag, it has one bit."""
-    if not isinstance(cls, Class) or not _derives(cls, "enum.Flag", "enum.IntFlag") or not isinstance(member, Ref):
+    if not isinstance(cls, Class) or not derives(cls, "enum.Flag", "enum.IntFlag") or not isinstance(member, Ref):
         return True
     number = int_of(bare(call.machine.obj(member).attrs.get("_value_", NONE)))
     return number is not None and number.bit_count() == 1
@@ -325,7 +235,7 @@ def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
                 if hook is not None:
                     function = hook.getter if isinstance(hook, Descriptor) else hook
                     return call.machine.call(function, (cls, value))
-        if _derives(cls, "enum.Flag", "enum.IntFlag"):
+        if derives(cls, "enum.Flag", "enum.IntFlag"):
             number = int_of(value)  # up to Python 3.10, several bits have no name
             name = call.machine.unknown(Cause.LIVE, "name of a flag", "str") if number else NONE
             attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
@@ -368,7 +278,7 @@ def _make_class(call: NativeCall) -> Value:
     else:
         listed = [(i, exact_list(machine, i)) for i in exact_list(machine, names) or ()]
         pairs = [(p[0], p[1]) if p is not None and len(p) == 2 else (i, None) for i, p in listed]
-    numbered = not _derives(base, "enum.Flag", "enum.StrEnum") and _own(call, base, "_generate_next_value_") is None
+    numbered = not derives(base, "enum.Flag", "enum.StrEnum") and _own(call, base, "_generate_next_value_") is None
     members: dict[str, Value] = {}
     for number, (key, value) in enumerate(pairs):
         text = text_of(key)
@@ -430,5 +340,5 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "enum.global_enum": _same,
     "enum.verify": _verify,
     "enum._same": _same,
-    **{f"enum.member.{name}": _member_operation for name in (*_OPERATORS, *_COMPARISONS, *_CONVERSIONS)},
+    **{f"enum.member.{name}": member_operation for name in (*OPERATORS, *COMPARISONS, *CONVERSIONS)},
 }

@@ -13,8 +13,9 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Descriptor, Native, Partial, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Const, Descriptor, Function, Native, Partial, Tuple, Unbound, Value
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Unbound, Value
 from rosward.models.native import Items, NativeCall, NativeFunction
 from rosward.models.python.builtins.lazy import lazily, stepped
 from rosward.models.python.std.support import int_of

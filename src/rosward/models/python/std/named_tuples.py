@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Class, Const, Native, Ref, Tuple, Value
+from rosward.domain.values import NONE, Class, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.records import annotations_of
 from rosward.models.python.std.support import class_obj, exact_dict, exact_list, names_of, text_of

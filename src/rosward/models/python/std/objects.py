@@ -11,20 +11,9 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, lift, options
+from rosward.domain.compound import BoundMethod, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    NONE,
-    UNBOUND,
-    BoundMethod,
-    Class,
-    Const,
-    Function,
-    ModuleValue,
-    Native,
-    Ref,
-    Tuple,
-    Value,
-)
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT

@@ -13,9 +13,10 @@ from collections.abc import Callable, Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all, lift, lift2
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, derived
-from rosward.domain.values import EMPTY, Const, Hole, Text, Tuple, Unknown, Value
+from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.std.support import joined_elements, text_of, unknown_from
 

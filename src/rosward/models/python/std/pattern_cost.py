@@ -18,7 +18,7 @@ from collections.abc import Iterable
 from typing import Any, Final, final
 
 try:
-    from re import _compiler, _parser  # type: ignore[attr-defined]
+    from re import _compiler, _parser  # type: ignore[attr-defined]  # the parser of `re`, which is private
 except ImportError:  # Python 3.10
     import sre_compile as _compiler
     import sre_parse as _parser

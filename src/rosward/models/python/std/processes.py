@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import Final
 
 from rosward.domain.choice import options
+from rosward.domain.compound import Tuple
 from rosward.domain.text import parts_of, readable
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, Const, Ref, Text, Tuple, Value
+from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.std.support import text_of
 

@@ -15,23 +15,10 @@ from __future__ import annotations
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import Descriptor, External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
-from rosward.domain.values import (
-    FALSE,
-    NONE,
-    TRUE,
-    UNBOUND,
-    Class,
-    Const,
-    Descriptor,
-    External,
-    Native,
-    Partial,
-    Ref,
-    Tuple,
-    Value,
-)
+from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.std.support import class_obj, exact_dict, place, place_dict, place_list, text_of
 

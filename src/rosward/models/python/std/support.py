@@ -13,10 +13,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Final, cast
 
 from rosward.domain.choice import join_all, options, reasons_of
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
-from rosward.domain.values import Class, Const, Native, Ref, Tuple, Unknown, Value
+from rosward.domain.values import Class, Const, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall
 from rosward.models.python.contents import bare as bare_value
 from rosward.models.python.cost import A_STEP, MAX_WORK, work

@@ -14,8 +14,9 @@ import csv
 from typing import Any, Final
 
 from rosward.domain.choice import lift
+from rosward.domain.compound import Tuple
 from rosward.domain.text import origins_of
-from rosward.domain.values import NONE, Const, Tuple, Value
+from rosward.domain.values import NONE, Const, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.std.support import NotKnown, from_plain, text_of, to_plain, unknown_from
 
@@ -80,7 +81,7 @@ def _sections(call: NativeCall) -> Value:
         found = [value(parser.default_section, name, held) for name, held in parser.defaults().items()]
         for section in parser.sections():
             found.append(Tuple((Const(section), NONE, NONE)))
-            found += [value(section, name, held) for name, held in parser._sections[section].items()]  # type: ignore[attr-defined]
+            found += [value(section, name, held) for name, held in parser._sections[section].items()]  # type: ignore[attr-defined]  # nothing public leaves out the default section
         return Tuple(tuple(found)) if len(found) <= _MOST else NONE
 
     return lift(one, text)

@@ -15,9 +15,10 @@ from collections.abc import Callable
 from typing import Final, final
 
 from rosward.domain.choice import lift
+from rosward.domain.compound import Range, Tuple
 from rosward.domain.text import concat, make, parts_of
 from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, UNBOUND, Class, Const, Hole, Range, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import EMPTY, UNBOUND, Class, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python import exceptions
 from rosward.models.python.contents import contents

@@ -12,9 +12,10 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join_all
+from rosward.domain.compound import Tuple
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause
-from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Text, Tuple, Unknown, Value
+from rosward.domain.values import EMPTY, FALSE, NONE, TRUE, Const, Hole, Text, Unknown, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import (
     NOT_PLAIN,

@@ -11,8 +11,9 @@ import re
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import lift
+from rosward.domain.compound import Tuple
 from rosward.domain.text import concat, make, parts_of
-from rosward.domain.values import UNBOUND, Const, Hole, Ref, Text, Tuple, Unknown, Value
+from rosward.domain.values import UNBOUND, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Machine
 from rosward.models.python.plain import (
     NOT_PLAIN,

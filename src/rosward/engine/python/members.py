@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What has a class under a name, and what becomes of it when it is read through an object?"""
+
+from __future__ import annotations
+
+import builtins
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join, join_all
+from rosward.domain.compound import BoundMethod, Descriptor, Native, Partial, Range, Slice, Tuple
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Value
+from rosward.models.python.contents import KINDS
+from rosward.models.python.exceptions import is_exception
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+
+_TYPE_NAMES: Final[dict[type, str]] = {Text: "str", Tuple: "tuple", Range: "range", Slice: "slice", Partial: "partial"}
+
+
+def type_name(value: Value) -> str:
+    """The name of the builtin type of a value that is not an object of the heap."""
+    if value.__class__ is Const:
+        return value.value.__class__.__name__
+    return _TYPE_NAMES.get(value.__class__, "object")
+
+
+def lookup(machine: Engine, cls: Value, name: str) -> Value | None:
+    """The attribute of a class along its mro, as it stands there; None where no known class has it."""
+    if cls.__class__ is not Class:
+        return (
+            of_native_class(machine, cls.name, name) if isinstance(cls, Native) and is_builtin_exception(cls) else None
+        )
+    perhaps: Value = UNBOUND
+    for base in cls.mro:
+        if base.__class__ is Class:
+            record = machine.at(base.address)
+            found: Value | None = record.attrs.get(name)
+            if found is not None and found is not UNBOUND:
+                if name not in record.partial:
+                    return join(perhaps, found)
+                perhaps = join(perhaps, found)  # where this class has none, that of the next one
+        elif base.__class__ is Native:
+            inherited = of_native_class(machine, base.name, name)
+            if inherited is not None:
+                return join(perhaps, inherited)
+    return None if perhaps is UNBOUND else perhaps
+
+
+def is_builtin_exception(cls: Value) -> bool:
+    """Whether a class is one of Python's own exceptions."""
+    return cls.__class__ is Native and is_exception(cls.name)
+
+
+def of_native_class(machine: Engine, cls: str, name: str) -> Native | None:
+    """The method of a builtin class that a model in code knows; those of exceptions are inherited as in Python."""
+    short = cls.removeprefix("builtins.")
+    if short in KINDS:
+        short = KINDS[short] if name != "__next__" else ""  # iterators are lists in models only
+    bases = [b.__name__ for b in getattr(builtins, short).__mro__] if is_exception(short) else [short]
+    return next((Native(f"{b}.{name}") for b in bases if machine.library.native(f"{b}.{name}")), None)
+
+
+def bind(machine: Engine, found: Value, receiver: Value, cls: Value) -> Value:
+    """What a class attribute becomes when read through an instance (or, for class methods, the class)."""
+    if found.__class__ is Function or found.__class__ is Native:
+        return BoundMethod(receiver, found)
+    if found.__class__ is Descriptor:
+        if found.kind == "staticmethod":
+            return found.getter
+        if found.kind == "classmethod":
+            return BoundMethod(cls, found.getter)
+        return machine.call(found.getter, (receiver,))
+    if found.__class__ is Choice:
+        return join_all(bind(machine, o, receiver, cls) for o in found.options)
+    if found.__class__ is Partial and found.function.__class__ is Native:
+        return BoundMethod(receiver, found)
+    if found.__class__ is Ref:
+        obj = machine.obj(found)
+        getter = lookup(machine, obj.cls, "__get__") if obj.kind == "instance" else None
+        if getter is not None:
+            return machine.call(getter, (found, receiver, cls))
+    return found
