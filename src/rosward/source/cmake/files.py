@@ -52,6 +52,21 @@ class PackageFiles:
                 inner.clear()
         return found
 
+    def file_glob(self, arguments: list[str], current: str, *, recurse: bool) -> list[str]:
+        """What `file(GLOB name [RELATIVE folder] pattern…)` finds, where `current` is the folder of the description."""
+        relative: str | None = None
+        found: set[str] = set()
+        rest = iter(arguments)
+        for argument in rest:
+            if argument == "RELATIVE":
+                relative = os.path.normpath(os.path.join(current, next(rest, "")))  # noqa: PTH118
+            elif argument == "LIST_DIRECTORIES":
+                next(rest, None)
+            elif argument not in {"CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"}:
+                full = self.inside(argument, current)
+                found.update(self.glob(full, recurse=recurse) if full is not None else ())
+        return [os.path.relpath(path, relative) if relative else path for path in sorted(found)]
+
     def below(
         self, start: str, *, matching: list[str], unwanted: list[str], executable: bool
     ) -> Iterator[tuple[str, str]]:

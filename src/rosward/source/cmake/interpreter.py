@@ -264,7 +264,8 @@ class Interpreter:
                 if not change_list(arguments, self.variables):
                     self._forget(arguments[1:])
             case "file" if len(arguments) >= 2 and arguments[0] in {"GLOB", "GLOB_RECURSE"}:
-                self._glob(arguments[1], arguments[2:], recurse=arguments[0] == "GLOB_RECURSE")
+                found = self.files.file_glob(arguments[2:], self.folder, recurse=arguments[0] == "GLOB_RECURSE")
+                self.variables.set(arguments[1], found)
             case "option" if len(arguments) >= 2:
                 self._option(arguments)
             case name if name in COMPUTATIONS:
@@ -378,25 +379,6 @@ class Interpreter:
     def inside(self, path: str) -> str | None:
         """The absolute form of a path as written, if it is within the package."""
         return self.files.inside(path, self.folder)
-
-    def _glob(self, name: str, arguments: list[str], *, recurse: bool) -> None:
-        relative: str | None = None
-        patterns: list[str] = []
-        rest = iter(arguments)
-        for argument in rest:
-            if argument == "RELATIVE":
-                relative = os.path.normpath(os.path.join(self.folder, next(rest, "")))  # noqa: PTH118
-            elif argument == "LIST_DIRECTORIES":
-                next(rest, None)
-            elif argument not in {"CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"}:
-                patterns.append(argument)
-        found: list[str] = []
-        for pattern in patterns:
-            full = self.inside(pattern)
-            if full is not None:
-                found += self.files.glob(full, recurse=recurse)
-        paths = sorted(set(found))
-        self.variables.set(name, [os.path.relpath(path, relative) if relative else path for path in paths])
 
     def place(self, command: Command) -> Place:
         """Where a command stands."""
