@@ -46,6 +46,7 @@ def sources(tmp_path: Path, build: Build, name: str) -> list[str]:
         "if(WIN32 OR NOT UNIX)\nadd_executable(talker src/main.cpp)\nelseif(1)\nadd_executable(talker src/a.cpp src/b.cpp)\nendif()",
         "set(i 0)\nwhile(i LESS 2)\nlist(GET L ${i} s)\nmath(EXPR i \"${i} + 1\")\nendwhile()\nadd_executable(talker src/a.cpp src/b.cpp)",
         "add_subdirectory(src)",
+        "add_executable(talker src/a src/b)",
         "add_library(core OBJECT src/b.cpp)\nadd_executable(talker src/a.cpp src/b.cpp $<TARGET_OBJECTS:core>)",
         "ament_auto_add_executable(talker src/a.cpp src/b.cpp)",
         "if(BUILD_TESTING)\nadd_executable(talker src/main.cpp)\nendif()\nadd_executable(talker src/a.cpp src/b.cpp)",
@@ -168,6 +169,13 @@ def test_what_a_build_has_left_says_more_than_the_description(tmp_path: Path, wh
 def test_broken_compile_commands_say_nothing(tmp_path: Path, text: str) -> None:
     write(tmp_path, {"compile_commands.json": text})
     assert all(not compiled.definitions for compiled in read_compile_commands([str(tmp_path)]).values())
+
+
+def test_a_program_has_the_name_of_its_file(tmp_path: Path) -> None:
+    text = "add_executable(talker_node src/a.cpp)\nset_target_properties(talker_node PROPERTIES OUTPUT_NAME talker)"
+    files = {**FILES, "package.xml": manifest("demo", "ament_cmake"), "CMakeLists.txt": text}
+    (program,) = Builds.of(read(tmp_path, files)).programs("demo")
+    assert program.name == "talker"
 
 
 def test_libraries_in_a_circle(tmp_path: Path) -> None:

@@ -153,12 +153,20 @@ class TargetCommands:
             objects = objects_of(text)
             if objects is not None:
                 target.objects[objects] = None
-            elif text.endswith(SOURCE_SUFFIXES):
-                path = None if HOLE in text else self._interpreter.inside(text)
-                if path is not None and os.path.isfile(path):  # noqa: PTH113
-                    target.sources[path] = None
-                else:
-                    target.missing[text.replace(HOLE, "*")] = None
+            elif text and text != HOLE:
+                self._source(target, text)
+
+    def _source(self, target: Making, text: str) -> None:
+        """Add one source, which may be named without its suffix."""
+        path = None if HOLE in text else self._interpreter.inside(text)
+        is_named = text.endswith(SOURCE_SUFFIXES)
+        candidates = [path] if is_named else [f"{path}{suffix}" for suffix in SOURCE_SUFFIXES]
+        for candidate in candidates if path is not None and (is_named or "." not in text.rpartition("/")[2]) else ():
+            if candidate is not None and os.path.isfile(candidate):  # noqa: PTH113
+                target.sources[candidate] = None
+                return
+        if is_named:
+            target.missing[text.replace(HOLE, "*")] = None
 
     def _target_sources(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         target = self.find(arguments[0])
@@ -214,6 +222,7 @@ class TargetCommands:
         texts += [flag for flag in pairs.get("COMPILE_FLAGS", "").split() if flag.startswith("-D")]
         for target in map(self.find, arguments[:at]):
             if target is not None:
+                target.output = pairs.get("OUTPUT_NAME", target.output)
                 target.own.definitions |= self.definitions(t for t in texts if t)
 
     # What all targets of a folder use

@@ -109,7 +109,7 @@ class Builds:
             return
         for target in build.targets.values():
             if target.made is Made.PROGRAM:
-                yield self._program(build, target, target.name, target.place)
+                yield self._program(build, target, target.output or target.name, target.place)
         for component in build.components:
             target_of = build.targets.get(component.library)
             if target_of is None:

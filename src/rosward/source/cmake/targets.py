@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.source.cmake.variables import HOLE
 from rosward.source.location import Place
 
 
@@ -46,6 +47,7 @@ class Built(NamedTuple):
     """A target of a package. `sources` are absolute paths; `objects` the targets whose objects are among its own.
 
     `sure`: it is there whatever the conditions are that nobody could decide. `missing` are sources that are not there, as the build makes them.
+    `output` is the name of the file that is made, where that is another.
     """
 
     name: str
@@ -58,6 +60,7 @@ class Built(NamedTuple):
     installed: bool
     sure: bool
     missing: tuple[str, ...] = ()
+    output: str = ""
 
 
 class Component(NamedTuple):
@@ -136,6 +139,7 @@ class Making:
     own: Using = field(default_factory=Using)
     handed: Using = field(default_factory=Using)
     installed: bool = False
+    output: str = ""
 
     def made_up(self) -> Built:
         """The target as it is now."""
@@ -150,4 +154,5 @@ class Making:
             self.installed,
             self.sure,
             tuple(self.missing),
+            "" if HOLE in self.output else self.output,
         )
