@@ -12,7 +12,7 @@ import pytest
 
 from rosward.cli import main
 from rosward.cli.listing import _KINDS
-from rosward.outputs.terminal.listing import KINDS
+from rosward.explanation.listing import KINDS
 
 EXAMPLES = str(Path(__file__).parents[1] / "examples")
 NODE = """\

@@ -329,7 +329,7 @@ def test_a_comparison_tells_the_rest(
 def test_any_other_fault_is_told_in_one_line(
     workspace: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("rosward.outputs.terminal.listing.rows_of", failing)
+    monkeypatch.setattr("rosward.explanation.listing.rows_of", failing)
     assert main(["list", "nodes", str(workspace)]) == 3
     told = capsys.readouterr().err
     assert told.startswith("rosward: internal error (RuntimeError in rosward/cli/listing.py:")

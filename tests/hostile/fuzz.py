@@ -26,9 +26,10 @@ from hostile.mutations import Seed, change, seeds
 from rosward.analysis.launched import launched
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
+from rosward.outputs.documents.launch_tree_json import launch_tree_json
 from rosward.outputs.files import write_outputs
 from rosward.outputs.policies.nodl import nodl_document
-from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
+from rosward.outputs.terminal.launch_tree import launch_tree_text
 from rosward.outputs.writing import Material
 
 SMALL: Final = Budget(steps=20_000, entry_steps=4_000, net=False)

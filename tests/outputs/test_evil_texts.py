@@ -27,6 +27,7 @@ from rosward.network.graph import Network
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.documents.github import github_commands
 from rosward.outputs.documents.junit import junit_xml
+from rosward.outputs.documents.launch_tree_json import launch_tree_json
 from rosward.outputs.documents.network_json import network_json
 from rosward.outputs.documents.sarif import sarif_json
 from rosward.outputs.graphs.dot import graph_dot
@@ -38,7 +39,7 @@ from rosward.outputs.policies.starts import starts_text
 from rosward.outputs.report.document import Background
 from rosward.outputs.report.packed import document_in
 from rosward.outputs.report.page import report_html
-from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
+from rosward.outputs.terminal.launch_tree import launch_tree_text
 from rosward.outputs.terminal.summary import summary
 from rosward.ros.entities import EntityKind, Parameter, Resolution
 from rosward.source.location import Place

@@ -16,7 +16,8 @@ from rosward.explanation.answers import explained
 from rosward.explanation.provenance import remedies
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.terminal.explain import explain_json, explain_text
+from rosward.outputs.documents.explain_json import explain_json
+from rosward.outputs.terminal.explain import explain_text
 from rosward.ros.entities import Resolution
 from rosward.source.location import Place
 

@@ -11,7 +11,7 @@ import pytest
 import rosward
 from rosward.deployment.request import Request
 from rosward.outputs.documents.json_text import json_text
-from rosward.outputs.terminal.launch_tree import launch_tree_json
+from rosward.outputs.documents.launch_tree_json import launch_tree_json
 
 
 @pytest.mark.parametrize("text", ["\ud800", "\udfff\ud800", "\0", "\x1b[31m", "\u2028\u202e\ufffe", "😀"])

@@ -128,7 +128,9 @@ def test_too_little_memory_is_told(tmp_path: Path) -> None:
 
 
 def test_too_little_time_ends_it(tmp_path: Path) -> None:
-    assert run(job_of(tmp_path, limits=Limits(seconds=0.05))) == JobEnd("failed", "The analysis took more than 0.05 seconds.")
+    assert run(job_of(tmp_path, limits=Limits(seconds=0.05))) == JobEnd(
+        "failed", "The analysis took more than 0.05 seconds."
+    )
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")

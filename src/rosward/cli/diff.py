@@ -51,7 +51,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.diff.compare import not_compared
-    from rosward.outputs.terminal.diff_text import diff_json, diff_markdown, diff_text
+    from rosward.outputs.documents.diff_json import diff_json
+    from rosward.outputs.terminal.diff_text import diff_markdown, diff_text
 
     found = differences(options)
     write = {"text": diff_text, "markdown": diff_markdown, "json": diff_json}[options.format]

@@ -47,7 +47,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.explanation.answers import explained, rule_alone
-    from rosward.outputs.terminal.explain import explain_json, explain_text
+    from rosward.outputs.documents.explain_json import explain_json
+    from rosward.outputs.terminal.explain import explain_text
 
     request = request_of(options)
     alone = rule_alone(options.name) if not (options.paths or request.deploys) else None

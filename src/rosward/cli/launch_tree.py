@@ -42,7 +42,8 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from rosward.analysis.launched import launched
-    from rosward.outputs.terminal.launch_tree import launch_tree_json, launch_tree_text
+    from rosward.outputs.documents.launch_tree_json import launch_tree_json
+    from rosward.outputs.terminal.launch_tree import launch_tree_text
     from rosward.pipeline import NothingToReadError, UnknownRequestError
 
     options.all_launch = options.all_launch or not (options.launch or options.node)

@@ -44,7 +44,9 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.outputs.terminal.listing import listing_json, listing_text, rows_of
+    from rosward.explanation.listing import rows_of
+    from rosward.outputs.documents.listing_json import listing_json
+    from rosward.outputs.terminal.listing import listing_text
 
     result = extracted(options, options.paths, request_of(options))
     rows = rows_of(result.network, options.kind, system=options.system)

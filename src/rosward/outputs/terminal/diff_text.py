@@ -12,14 +12,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from rosward._version import __version__
 from rosward.diff.compare import Differences, RightLine
-from rosward.outputs.documents.json_text import json_text
 from rosward.safe import printable
 
-__all__ = ["diff_json", "diff_markdown", "diff_text"]
+__all__ = ["diff_markdown", "diff_text"]
 
-_SCHEMA_VERSION: Final = 1
 _MOST_ROWS: Final = 200
 """Rows of one list in Markdown: a comment on GitHub has 65,536 characters at most."""
 
@@ -74,28 +71,6 @@ def _new_rights(rights: Sequence[RightLine]) -> Iterator[str]:
         ]
         rows += [f"| | … and {len(rights) - _MOST_ROWS} more | |"] if len(rights) > _MOST_ROWS else []
         yield "\n".join(rows)
-
-
-def diff_json(differences: Differences) -> str:
-    """`{"nodes": {"gained": […], "lost": […]}, "entities": …, "rights": …}`."""
-    nodes, entities, rights, notes, _ = differences
-    document = {
-        "schema_version": _SCHEMA_VERSION,
-        "generator": {"name": "rosward", "version": __version__},
-        "nodes": {"gained": nodes.gained, "lost": nodes.lost},
-        "entities": {
-            "gained": [e._asdict() for e in entities.gained],
-            "lost": [e._asdict() for e in entities.lost],
-        },
-        "rights": {"gained": [_right(r) for r in rights.gained], "lost": [_right(r) for r in rights.lost]},
-        "notes": notes,
-    }
-    return json_text(document)
-
-
-def _right(line: RightLine) -> dict[str, object]:
-    place = {"file": line.place.file, "line": line.place.line}
-    return {"enclave": line.enclave, "words": line.words, "name": line.name, **place}
 
 
 def _groups(differences: Differences) -> Iterator[tuple[str, str, Sequence[object]]]:

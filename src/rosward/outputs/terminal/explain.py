@@ -15,20 +15,17 @@ Ends that differ in their node alone, such as those of the robots of a fleet, ar
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, Final
+from typing import Final
 
 from rosward.explanation.answers import Answer, DoubtTold, EnclaveTold, EndTold, MeetingTold, NodeTold, RuleTold
 from rosward.explanation.excerpts import Excerpt
 from rosward.explanation.provenance import NameSource, PolicyLine, Start
-from rosward.outputs.documents.json_text import json_text
 from rosward.ros.entities import KIND_ORDER, EntityKind
 from rosward.safe import encodable, printable
-from rosward.source.location import Place
 
-__all__ = ["explain_json", "explain_text"]
+__all__ = ["explain_text"]
 
 _WHOLE: Final = 3
 """Subjects that are told in full; of more, each gets one line."""
@@ -63,22 +60,6 @@ def explain_text(answer: Answer) -> str:
         while lines and not lines[-1]:
             lines.pop()
     return "\n".join(encodable(printable(line)) for line in lines) + "\n"
-
-
-def explain_json(answer: Answer) -> str:
-    """The same with nothing left out."""
-    document = {"schema_version": 1, **_plain(answer)}
-    return json_text(document, default=str)
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, Place):
-        return {"file": value.file, "line": value.line}
-    if hasattr(value, "_asdict"):
-        return {key: _plain(each) for key, each in value._asdict().items()}
-    if isinstance(value, float) and not math.isfinite(value):
-        return str(value)  # JSON has no such number
-    return [_plain(each) for each in value] if isinstance(value, (tuple, list)) else value
 
 
 def _sections(answer: Answer) -> Iterator[str]:

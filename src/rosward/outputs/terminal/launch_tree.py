@@ -11,13 +11,10 @@ bringup/launch/robot.launch.py
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from rosward.findings import Finding
 from rosward.network.launch_tree import Inclusion, LaunchEntry, LaunchSystem, Shown
-from rosward.outputs.documents.json_text import json_text
 from rosward.safe import printable
-from rosward.source.location import Place
 
 
 def launch_tree_text(systems: Iterable[LaunchSystem], findings: Sequence[Finding]) -> str:
@@ -86,35 +83,3 @@ def _title(each: LaunchEntry) -> str:
 
 def _text(value: Shown | None) -> str:
     return value.text if value is not None else "?"
-
-
-def launch_tree_json(systems: Iterable[LaunchSystem], findings: Sequence[Finding]) -> str:
-    """The same as JSON: a list of systems with their entries in the order of their start, and the findings."""
-    document = {
-        "schema_version": 1,
-        "systems": [
-            {"name": s.name, "file": s.file, "entries": [_plain(e._asdict()) for e in s.entries]} for s in systems
-        ],
-        "diagnostics": [
-            {
-                "code": f.code,
-                "severity": f.rule.severity.value,
-                "message": f.message,
-                "file": f.place.file,
-                "line": f.place.line,
-                "column": f.place.column,
-            }
-            for f in findings
-        ],
-    }
-    return json_text(document)
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, Place):
-        return {"file": value.file, "line": value.line}
-    if hasattr(value, "_asdict"):
-        return {k: _plain(v) for k, v in value._asdict().items()}
-    if isinstance(value, dict):
-        return {k: _plain(v) for k, v in value.items()}
-    return [_plain(v) for v in value] if isinstance(value, tuple) else value
