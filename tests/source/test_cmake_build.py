@@ -216,6 +216,7 @@ def test_sources_that_the_build_makes_are_missing(tmp_path: Path) -> None:
         ("$ENV{ROS_DISTRO} STREQUAL humble", "both"),
         ("$ENV{ROS_VERSION} EQUAL 2", "yes"),
         ("A MATCHES \"(a+)+b\"", "both"),
+        ("A MATCHES \"[[x]\"", "both"),
         ("A B C (", "both"),
         ("((((((((((((((((((((((((((((((((((((((1", "both"),
     ],

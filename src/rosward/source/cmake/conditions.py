@@ -13,6 +13,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, NamedTuple, Protocol, final
 
+from rosward.source.cmake.lists import SET_OPERATION
 from rosward.source.cmake.text import CMakeArgument
 from rosward.source.cmake.variables import HOLE, Variables
 
@@ -179,7 +180,7 @@ def _version(left: str, right: str, test: Callable[[list[int], list[int]], bool]
 
 def _simple_match(text: str, pattern: str) -> bool | None:
     """MATCHES, for patterns without repetition: anything else could take for ever."""
-    if len(text) > 1_000 or len(pattern) > 200 or re.search(r"[*+{\\]|\(\?", pattern):
+    if len(text) > 1_000 or len(pattern) > 200 or re.search(r"[*+{\\]|\(\?", pattern) or SET_OPERATION.search(pattern):
         return None
     try:
         return re.search(pattern, text) is not None

@@ -17,6 +17,9 @@ _NUMBER: Final = re.compile(r"-?\d{1,9}")
 _SIMPLE: Final = re.compile(r"[^*+{\\(|]*(?:\.\*)?[^*+{\\(|]*")
 """A regular expression with at most one repetition: it can be tried on a text in bounded time."""
 
+SET_OPERATION: Final = re.compile(r"\[\[|\[[^\]]*(?:--|&&|~~|\|\|)")
+"""What Python may once read in another way than CMake does."""
+
 
 def change_list(arguments: list[str], variables: Variables) -> bool:
     """`list(OPERATION name …)`."""
@@ -77,7 +80,7 @@ def _ask_list(operation: str, name: str, now: list[str], values: list[str], vari
 
 
 def _tried(pattern: str) -> bool:
-    if len(pattern) > 200 or _SIMPLE.fullmatch(pattern) is None:
+    if len(pattern) > 200 or _SIMPLE.fullmatch(pattern) is None or SET_OPERATION.search(pattern):
         return False
     try:
         re.compile(pattern)
