@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From abstract values to the words of ROS: names with their resolution, interface types, QoS, callbacks.
+"""From abstract values to the words of ROS: names with their resolution, and interface types.
 
 Text('/robot_', hole, '/cmd')      NameOption('/robot_*/cmd', PATTERN, …)
 External('std_msgs.msg.String')    'std_msgs/msg/String'
@@ -12,10 +12,10 @@ from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import options, reasons_of
-from rosward.domain.compound import BoundMethod, Descriptor, External, Partial
+from rosward.domain.compound import External
 from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import Cause, Origins, Reason
-from rosward.domain.values import Choice, Class, Const, Function, Text, Value
+from rosward.domain.values import Const, Text, Value
 from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Resolution
 from rosward.source.location import Place
@@ -106,23 +106,3 @@ def interface_type(value: Value) -> str | None:
 def interface_types(value: Value) -> tuple[str | None, ...]:
     """The types that a value may be, each once."""
     return tuple(dict.fromkeys(interface_type(o) for o in options(value)))
-
-
-def callback_name(value: Value | None) -> str | None:
-    """The qualified name of a function; None where it is not known."""
-    while value is not None:
-        if value.__class__ is Function and value.code.file.startswith("models:"):
-            return None  # a method of the library itself
-        if value.__class__ is Function:
-            return value.code.qualname
-        if value.__class__ in (BoundMethod, Partial):
-            value = value.function
-        elif value.__class__ is Descriptor:
-            value = value.getter
-        elif value.__class__ is Choice:
-            value = next((o for o in value.options if callback_name(o)), None)
-        elif value.__class__ is Class:
-            return value.qualname
-        else:
-            return None
-    return None

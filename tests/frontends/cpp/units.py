@@ -12,7 +12,7 @@ from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.source.location import Place
 
 
-def preprocessor(files: Mapping[str, str], distro: str = "jazzy") -> Preprocessor:
+def preprocessor(files: Mapping[str, str]) -> Preprocessor:
     """Reads the `files`."""
 
     def read(path: str) -> str | Finding:
@@ -23,7 +23,7 @@ def preprocessor(files: Mapping[str, str], distro: str = "jazzy") -> Preprocesso
         paths = [posixpath.normpath(posixpath.join(folder, name)) for folder in folders]
         return next((path for path in paths if path in files), None)
 
-    return Preprocessor(read, str, find, distro)
+    return Preprocessor(read, str, find, {"RCLCPP_VERSION_GTE": (28, 1, 6)})
 
 
 def translate(

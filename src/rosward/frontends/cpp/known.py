@@ -83,11 +83,6 @@ REGISTERING: Final = frozenset(
 )  # fmt: skip
 """Macros that register a class: what they register is kept, and they themselves leave the text."""
 
-VERSIONS: Final[Mapping[str, Mapping[str, tuple[int, int, int]]]] = {
-    "RCLCPP_VERSION_GTE": {"humble": (16, 0, 11), "jazzy": (28, 1, 6), "kilted": (29, 5, 0), "rolling": (30, 0, 0)},
-}
-"""Which version of a library has a distro."""
-
 HEADERS: Final = frozenset(
     {
         "algorithm", "any", "array", "atomic", "bitset", "charconv", "chrono", "cmath", "condition_variable", "cstdint", "cstdio",

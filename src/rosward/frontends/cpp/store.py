@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Final, final
 
 from rosward.findings import Finding
@@ -15,6 +16,8 @@ from rosward.frontends.cpp.prepared import Choice, Prepared
 _VARIANTS: Final = 12
 
 Read = Callable[[str], str | Finding]
+Versions = Mapping[str, tuple[int, int, int]]
+NO_VERSIONS: Final[Versions] = MappingProxyType({})
 Find = Callable[[str, str, Sequence[str], bool], str | None]
 
 
@@ -25,11 +28,11 @@ class FileStore:
     `read` gives the text of a file, `named` how places call it, `find` the file of the workspace that an include leads to.
     """
 
-    def __init__(self, read: Read, named: Callable[[str], str], find: Find, distro: str) -> None:
+    def __init__(self, read: Read, named: Callable[[str], str], find: Find, versions: Versions) -> None:
         self._read = read
         self._named = named
         self.find = find
-        self.distro = distro
+        self.versions = versions
         self._sources: dict[str, SourceLines | Finding] = {}
         self._results: dict[str, list[Result]] = {}
         self._same: dict[tuple[str, str, tuple[Choice, ...]], Prepared] = {}

@@ -11,7 +11,7 @@ from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.file_text import Result
-from rosward.frontends.cpp.known import DEPENDS, HEADERS, NOT_DEFINED, VERSIONS, macro_prefix
+from rosward.frontends.cpp.known import DEPENDS, HEADERS, NOT_DEFINED, macro_prefix
 from rosward.frontends.cpp.macros import Macros
 from rosward.frontends.cpp.prepared import Prepared
 from rosward.frontends.cpp.reading import DEPTH, Reading
@@ -80,7 +80,7 @@ class Unit:
         """By the tables, and by the headers from elsewhere that were included: these may define what begins with their name."""
         if name in NOT_DEFINED:
             return False
-        if name in DEPENDS or name in VERSIONS or name.endswith(("_VERSION", "_VERSION_MAJOR", "_VERSION_MINOR")):
+        if name in DEPENDS or name.endswith(("_VERSION", "_VERSION_MAJOR", "_VERSION_MINOR", "_VERSION_GTE")):
             return None
         return None if name.partition("_")[0] in self.prefixes and "_" in name else False
 
@@ -91,8 +91,8 @@ class Unit:
         return None
 
     def call(self, name: str, arguments: Sequence[str]) -> bool | None:
-        """`RCLCPP_VERSION_GTE(28, 0, 0)` by the distro."""
-        version = VERSIONS.get(name, {}).get(self.store.distro)
+        """`RCLCPP_VERSION_GTE(28, 0, 0)` by the version of the library, if it is known."""
+        version = self.store.versions.get(name)
         if version is None or not all(a.isdigit() for a in arguments):
             return None
         return version >= tuple(int(a[:9]) for a in arguments)

@@ -13,10 +13,10 @@ from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.effects.log import EntityEffect, NodeEffect
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import plain_data
+from rosward.models.ros.callbacks import callback_name
 from rosward.models.ros.given_words import context_lines, lines_of
 from rosward.models.ros.parameter_table import new_table
 from rosward.models.ros.qos import qos_of
-from rosward.naming.options import callback_name
 
 if TYPE_CHECKING:
     from rosward.models.native import Machine

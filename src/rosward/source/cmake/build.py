@@ -50,12 +50,16 @@ def read_build(
     present: frozenset[str] = frozenset(),
     environment: Mapping[str, str] = ROS_2,
     functions: Functions | None = None,
+    distros: Iterable[str] = (),
 ) -> Build:
     """What the CMakeLists.txt in `folder` builds of the package of that name, which depends on others by its package.xml.
 
-    `present` are the packages of the workspace, `functions` tells which of their files defines a function.
+    `present` are the packages of the workspace, `functions` tells which of their files defines a function,
+    `distros` which distributions there are, for a build of which nobody knows the distribution.
     """
-    return _Reader(folder, package, root, boundary, tuple(depends), present, environment, functions).build()
+    return _Reader(
+        folder, package, root, boundary, tuple(depends), present, environment, functions, tuple(distros)
+    ).build()
 
 
 @final
@@ -72,12 +76,14 @@ class _Reader:
         present: frozenset[str],
         environment: Mapping[str, str],
         functions: Functions | None,
+        distros: tuple[str, ...],
     ) -> None:
         self._top = folder
         self._package = package
         self._depends = depends
         self._present = present
         self._environment = environment
+        self._distros = distros
         self._functions = functions
         self._asked: set[str] = set()
         self._found: dict[str, None] = {}
@@ -193,7 +199,7 @@ class _Reader:
         """`autoware_package()`: finds all dependencies, and defines the distro."""
         self._find_all(arguments, command)
         distro = self._environment.get("ROS_DISTRO")
-        names = [distro] if distro else ["humble", "jazzy", "kilted", "rolling"]
+        names = [distro] if distro else self._distros
         definitions = [Definition(f"ROS_DISTRO_{n.upper()}", "1", sure=distro is not None) for n in names]
         self._targets.folder().definitions.update(dict.fromkeys(definitions))
 
