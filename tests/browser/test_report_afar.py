@@ -134,4 +134,4 @@ def test_what_goes_between_two_is_one_edge(browser: Browser, tmp_path: Path) -> 
         page.locator("#detail").select_option("nodes")
         drawn(page)
         assert [set(pair) for pair in _bundles(page)] == [{"/a", "/b"}]
-        assert "without 1 that joins many with many" in (page.locator("#legend").text_content() or "")
+        assert "omitted: 1 that connects many nodes with many" in (page.locator("#legend").text_content() or "")

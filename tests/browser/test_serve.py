@@ -202,7 +202,7 @@ def test_a_launch_argument_is_changed(page: Page) -> None:
 def test_what_went_wrong_is_told(page: Page) -> None:
     """An expected refusal is an answer of status 400, which a browser notes on its console: so a zip that is refused later is taken."""
     page.set_input_files("#pick-files", {"name": "ws.zip", "mimeType": "application/zip", "buffer": b"no zip"})
-    page.get_by_text("this is no zip that can be read").wait_for()
+    page.get_by_text("not a readable zip file").wait_for()
     assert page.get_by_role("heading", name="No result").is_visible()
 
 
