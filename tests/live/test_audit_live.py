@@ -161,7 +161,7 @@ def test_another_qos_is_told(tmp_path: Path) -> None:
     (tmp_path / "robot.py").write_text(ROBOT, encoding="utf-8")
     (difference,) = compared(tmp_path / "robot.py", seen).differences
     assert difference.finding.message == (
-        "publisher /robot/map of /robot/base has durability volatile, and transient_local"
+        "publisher /robot/map of /robot/base has durability volatile, but the source says transient_local"
     )
 
 
