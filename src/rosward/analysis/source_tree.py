@@ -29,7 +29,7 @@ _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null"
 
 @final
 class SourceTree:
-    """Implements `engine.library.Sources` for a workspace."""
+    """Implements `engine.found.Sources` for a workspace."""
 
     def __init__(
         self,
