@@ -75,7 +75,7 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
         else:
             covered.setdefault(file, set()).add("")
             entries.append(Entry(file, "__main__", "", (), package, executable.name, label))
-    imported = _imported(files, related, sources, library)
+    imported = _imported(files, related, sources)
     for file in sorted(related):
         module = sources.module(file)
         if module is None or "" in covered.get(file, ()):
@@ -120,7 +120,7 @@ def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library
             top = name.lstrip(".").partition(".")[0]
             if not name.startswith(".") and (_is_ros(top, library) or _is_interfaces(name)):
                 related.add(file)
-            found = _follow(name, file, library, sources)
+            found = _follow(name, file, sources)
             if found:
                 links.setdefault(found, set()).add(file)
     work = list(related)
@@ -132,9 +132,8 @@ def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library
     return related & set(files)
 
 
-def _follow(name: str, file: str, library: Library, sources: SourceTree) -> str:
+def _follow(name: str, file: str, sources: SourceTree) -> str:
     """The source file that an import name leads to, '' where it leads out of the sources."""
-    del library
     level = len(name) - len(name.lstrip("."))
     found = sources.find(name.lstrip("."), level, file)
     return found.file if found is not None else ""
@@ -152,7 +151,7 @@ def _is_interfaces(name: str) -> bool:
     return name.split(".")[1:2] in (["msg"], ["srv"], ["action"])
 
 
-def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTree, library: Library) -> set[str]:
+def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTree) -> set[str]:
     """The related files that another file imports."""
     found: set[str] = set()
     for file in files:
@@ -160,7 +159,7 @@ def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTr
         if module is None:
             continue
         for name in module.imports:
-            target = _follow(name, file, library, sources)
+            target = _follow(name, file, sources)
             if target and target != file:
                 found.add(target)
     return found & related

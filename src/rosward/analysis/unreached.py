@@ -116,9 +116,7 @@ def _creations(code: Code, methods: Container[str], names: Container[str]) -> It
         if isinstance(op, ops.Call):
             called.add(op.func)
         elif isinstance(op, (ops.LoadAttr, ops.LoadGlobal, ops.LoadName)):
-            if (op.name in methods if isinstance(op, ops.LoadAttr) else op.dst in called and op.name in names) or (
-                isinstance(op, ops.LoadAttr) and op.dst in called and op.name in names
-            ):
+            if (isinstance(op, ops.LoadAttr) and op.name in methods) or (op.dst in called and op.name in names):
                 yield op.name, op, (body.key, op.number)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
-from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Text, Unknown, Value
@@ -133,8 +133,6 @@ def _instance(machine: Engine, cls: Value, dotted: str) -> Value:
     if cls.__class__ is Native:
         short = cls.name.removeprefix("builtins.")
         return NONE if short == "None" else Unknown(machine.unknown(Cause.CALL, dotted).reasons, short)
-    if cls.__class__ is External and not cls.name.startswith(("typing.", "collections.abc.")):
-        return machine.unknown(Cause.CALL, dotted)
     return machine.unknown(Cause.CALL, dotted)
 
 
