@@ -195,21 +195,14 @@ class EffectLog:
         if not stub:
             self.functions[code.key] = code
 
-    def blocks(self, machine: Execution) -> None:
-        """The program can stay here for ever: what surely happened so far is what an execution is sure of."""
+    def may_end(self, machine: Execution) -> None:
+        """The program can stay here for ever, or an exception that nothing catches ends it: an execution is sure of what surely happened so far.
+
+        A callback does not end the main body. What was scheduled may still run from this state.
+        """
         if not machine.in_callback:
-            self._end(machine)
-
-    def ends_early(self, machine: Execution) -> None:
-        """An exception that nothing catches ends the program here."""
-        if machine.in_callback:
-            return
-        self._end(machine)
-
-    def _end(self, machine: Execution) -> None:
-        """The main body can end here: what was scheduled may still run from this state."""
-        self.ends.append(machine.state.done)
-        machine.keep_end()
+            self.ends.append(machine.state.done)
+            machine.keep_end()
 
     def final(self, state: State) -> frozenset[tuple[object, ...]]:
         """What every execution does, given the state behind the main body."""

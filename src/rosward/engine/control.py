@@ -172,7 +172,7 @@ def _enter_turn(machine: Engine, op: ops.While, frame: Frame, context: int, numb
 def _never_ends(machine: Engine, frame: Frame) -> None:
     """A loop is not left at its end. One of a generator waits at its `yield`, which blocks nothing."""
     if frame.yielded is None or frame.yielded.state is None:
-        machine.log.blocks(machine)
+        machine.log.may_end(machine)
 
 
 Feed = Callable[[], tuple[Value, Snapshot | None]]

@@ -60,7 +60,7 @@ def throw(machine: Engine, exception: Value) -> None:
         machine.catchers[-1].arrive(machine, exception, machine.state)
     else:
         tell_uncaught(machine, exception)
-        machine.log.ends_early(machine)
+        machine.log.may_end(machine)
         machine.uncaught(exception)
 
 
