@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from rosward.domain.choice import join_all
 from rosward.domain.compound import External, Native, Partial, Tuple
-from rosward.domain.heap import Alternatives, Obj, ObjKind
+from rosward.domain.heap import Alternatives, Obj, ObjKind, fields_of
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State
@@ -92,7 +92,7 @@ def lists(draw: st.DrawFn, kind: ObjKind = "list", payload: object = None) -> Ob
         return record.replace(items=tuple(draw(several)))
     if how == "bag":
         return record.replace(items=None, rest=draw(st.one_of(st.none(), elements)))
-    return record.with_series(Series(tuple(draw(several)), draw(elements), tuple(draw(several))))
+    return record.replace(**fields_of(Series(tuple(draw(several)), draw(elements), tuple(draw(several))), kind))
 
 
 @st.composite

@@ -12,7 +12,7 @@ from domain.covering import object_covers, state_covers
 from domain.strategies import CLASS, FUNCTIONS, REASONS, triples
 from rosward.domain.choice import join
 from rosward.domain.compound import Tuple
-from rosward.domain.heap import Alternatives, Obj, ObjKind
+from rosward.domain.heap import Alternatives, Obj, ObjKind, fields_of
 from rosward.domain.memory import Heap
 from rosward.domain.series import Series
 from rosward.domain.state import State
@@ -29,7 +29,7 @@ def _list(*items: Const | Ref) -> Obj:
 
 
 def _bag(*series: object) -> Obj:
-    return Obj("list", CLASS).with_series(Series(*series))  # type: ignore[arg-type]
+    return Obj("list", CLASS, **fields_of(Series(*series)))  # type: ignore[arg-type]
 
 
 def _told(*elements: tuple[Ref, bool]) -> Obj:

@@ -10,7 +10,8 @@ from typing import Final
 
 import pytest
 
-from rosward.engine.python.implicit import AT_MAKING, DATA, FOLLOWED
+from rosward.engine.handed import AT_MAKING
+from rosward.engine.python.implicit import FOLLOWED
 
 PAGE: Final = Path(__file__).parents[2] / "docs" / "special-methods.md"
 WAYS: Final = ("followed", "any time", "making", "name")
@@ -34,6 +35,9 @@ WRITTEN: Final = frozenset(
     }
 )  # fmt: skip
 """What the language reference names besides: methods that a program may write and no class of Python has."""
+
+DATA: Final = frozenset({"__slots__", "__match_args__", "__doc__", "__module__", "__annotations__", "__dict__"})
+"""Names of the data model that are not called."""
 
 OF_FUNCTIONS: Final = frozenset(
     {

@@ -121,10 +121,6 @@ class Obj:
             return Series(self.items)
         return self.ends if self.ends is not None else Series((), self.rest)
 
-    def with_series(self, series: Series) -> Obj:
-        """A copy with other elements."""
-        return self.replace(**fields_of(series, self.kind))
-
     def with_attr(self, name: str, value: Value) -> Obj:
         """A copy in which one attribute differs."""
         copy = self.copy()

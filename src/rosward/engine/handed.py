@@ -22,8 +22,8 @@ from rosward.source.location import Place
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__class_getitem__", "__set_name__"})
-"""What Python calls when it makes a class or an object, not later."""
+AT_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__set_name__", "__class_getitem__"})
+"""Called when a class or an object is made, never later."""
 
 _ROUNDS: Final = 10
 """How often a library may be handed something by what it called itself."""
@@ -58,7 +58,7 @@ def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Va
     for base in cls.mro:
         if base.__class__ is Class and not base.stub:
             for name, value in machine.at(base.address).attrs.items():
-                if name in _MAKING:
+                if name in AT_MAKING:
                     continue
                 if value.__class__ is Function:
                     yield name, BoundMethod(ref, value)

@@ -20,6 +20,7 @@ from rosward.domain.choice import join_all
 from rosward.domain.compound import BoundMethod, Descriptor
 from rosward.domain.values import Class, Function, Ref, Value
 from rosward.engine.declared import is_model
+from rosward.engine.handed import AT_MAKING
 from rosward.engine.python.metaclass_of import metaclass_of
 
 if TYPE_CHECKING:
@@ -39,12 +40,6 @@ FOLLOWED: Final = frozenset(
     }
 )  # fmt: skip
 """Special methods that the engine calls wherever Python does: one that was never run is called by nothing that is read."""
-
-DATA: Final = frozenset({"__slots__", "__match_args__", "__doc__", "__module__", "__annotations__", "__dict__"})
-"""Names of the data model that are not called."""
-
-AT_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__set_name__", "__class_getitem__"})
-"""Called when a class or an object is made, never later."""
 
 
 def callbacks(machine: Engine) -> Iterator[Value]:
