@@ -13,6 +13,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
 from rosward.engine import escape, schedule, throwing
+from rosward.engine.frame import own_frame
 from rosward.findings import Finding
 from rosward.source.location import Place
 
@@ -218,10 +219,8 @@ class Answers:
     @property
     def place(self: Engine) -> Place:
         """The innermost place in the user's code."""
-        for frame in reversed(self.frames):
-            if not frame.stub:
-                return frame.place
-        return Place("", 0)
+        frame = own_frame(self.frames)
+        return Place("", 0) if frame is None else frame.place
 
     @property
     def path(self: Engine) -> tuple[Place, ...]:
@@ -279,5 +278,5 @@ class Answers:
 
     def load_module(self: Engine, name: str, level: int = 0, *, asked: bool = False) -> Value:
         """The module (or external thing) of a dotted name, run if it was not yet; where the program has `asked` for it, that may fail."""
-        frame = next((f for f in reversed(self.frames) if not f.stub), None)
-        return (self.language.load_asked if asked else self.language.load_module)(self, name, frame, level)
+        load = self.language.load_asked if asked else self.language.load_module
+        return load(self, name, own_frame(self.frames), level)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import join
@@ -126,3 +127,11 @@ class Frame:
     def place(self) -> Place:
         """Where the operation stands that is running."""
         return Place(self.code.file, self.op.line, self.op.column)
+
+
+def own_frame(frames: Sequence[Frame]) -> Frame | None:
+    """The innermost call of the user's code; None where no code of the program is running."""
+    for frame in reversed(frames):
+        if not frame.stub:
+            return frame
+    return None

@@ -72,9 +72,7 @@ class Interpreter(Answers):
         self._addresses: dict[object, int] = {}
         self._contexts: dict[object, int] = {}
         self.languages = library.languages
-        self.language = next(
-            iter(self.languages.values())
-        )  # of the code that runs; at first that of models and natives
+        self.language = library.language_of(library.nowhere)  # of the code that runs; at first that of the models
 
     # Running
 
@@ -201,16 +199,16 @@ class Interpreter(Answers):
         return address
 
     def place_at(self, key: object, obj: Obj) -> int:
-        """Put a new object at the address that belongs to a key; a second one there makes the record stand for both.
-
-        Unless that is a generator at its end: nothing can be had from it any more, so the new one takes its place.
-        """
+        """Put a new object at the address that belongs to a key; a second one there makes the record stand for both."""
         address = self.place_key(key)
         self.place_anew(address, obj)
         return address
 
     def place_anew(self, address: int, obj: Obj) -> None:
-        """Put a new object at an address, beside those that stand there already."""
+        """Put a new object at an address, beside those that stand there already.
+
+        Unless that is a generator at its end: nothing can be had from it any more, so the new one takes its place.
+        """
         old = self.state.heap.get(address)
         if address in self.unheld:
             self.unheld.discard(address)

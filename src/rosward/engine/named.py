@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.values import UNBOUND, Class, Const, Function, ModuleValue, Value
+from rosward.engine.frame import own_frame
 from rosward.engine.scheduled import Naming
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def note(machine: Engine, value: Const) -> None:
     parts = _WITH_COLON.fullmatch(text) or _WITH_DOT.fullmatch(text)
     if parts is None or text in machine.schedule_book.named:
         return
-    frame = next((f for f in reversed(machine.frames) if not f.stub), None)
+    frame = own_frame(machine.frames)
     found = machine.library.find(parts[1], 0, frame.module if frame is not None else None)
     if found is not None and found.file and not found.model and not found.guess:
         machine.schedule_book.named[text] = Naming(parts[1], parts[2], machine.place, frame)

@@ -75,5 +75,5 @@ def _is_abstract(machine: Engine, value: Value) -> bool:
         )
     if not isinstance(value, Function):
         return False
-    kept = machine.state.heap.get(machine.library.function_address(value))
+    kept = machine.function_record(value)
     return kept is not None and kept.attrs.get("__isabstractmethod__") == TRUE

@@ -329,7 +329,7 @@ def _through_super(machine: Engine, found: Value, receiver: Value, cls: Value, n
 
 
 def _of_function(machine: Engine, function: Function, name: str) -> Value:
-    kept = machine.state.heap.get(machine.library.function_address(function))
+    kept = machine.function_record(function)
     found = kept.attrs.get(name) if kept is not None else None  # first: functools.wraps renames
     if found is not None:
         return found

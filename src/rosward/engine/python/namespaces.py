@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.values import UNBOUND, Class, Const, Ref, Value
+from rosward.engine.frame import Frame, own_frame
 from rosward.ir.program import CodeKind
 from rosward.models.native import Items
 
 if TYPE_CHECKING:
-    from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
 
 
@@ -47,7 +47,7 @@ def slots_of(machine: Engine, cls: Value) -> tuple[str, ...] | None:
 
 def variables(machine: Engine, *, local: bool) -> Value | None:
     """What `locals()` or `globals()` gives here; None where no code of the program is running."""
-    frame = next((f for f in reversed(machine.frames) if not f.stub), None)
+    frame = own_frame(machine.frames)
     if frame is None:
         return None
     kind = frame.code.kind
