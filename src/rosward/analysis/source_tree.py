@@ -21,7 +21,7 @@ from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
 from rosward.source.parameter_module import parameter_module
 from rosward.source.text import place_name, read_bytes, read_source
-from rosward.source.workspace import SourceFile, Workspace
+from rosward.source.workspace import Package, SourceFile, Workspace
 from rosward.source.yaml_nodes import Malformed
 
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
@@ -193,8 +193,7 @@ class SourceTree:
             return source is not None
         if source.package is None and self.find(name, level, file) is None:
             return False
-        top = source.package.relative if source.package is not None else ""
-        inner = file.removeprefix(f"{top}/") if top not in ("", ".") else file
+        inner = file if source.package is None else _inside(source.package, file)
         return level > max(inner.count("/"), (source.module or "").count("."))
 
     def shared(self, file: str) -> tuple[str, str] | None:
@@ -206,5 +205,9 @@ class SourceTree:
             return None
         if source.package is None:
             return "", file
-        folder = source.package.relative
-        return source.package.name, file.removeprefix(f"{folder}/") if folder not in ("", ".") else file
+        return source.package.name, _inside(source.package, file)
+
+
+def _inside(package: Package, file: str) -> str:
+    """The path of a file of a package below the package's folder."""
+    return file if package.relative in ("", ".") else file.removeprefix(f"{package.relative}/")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Objects on the heap: immutable records, replaced when the program writes to one.
 
-self.items.append(x)    heap[a] = heap[a].with_items(items + (x,))
+self.items.append(x)    heap[a] = heap[a].replace(items=(*items, x))
 """
 
 from __future__ import annotations

@@ -125,9 +125,7 @@ def _evaluate(machine: Engine, function: Function, tree: ast.expr) -> Value:
 def _instance(machine: Engine, cls: Value, dotted: str) -> Value:
     """An opaque value of a class."""
     if cls.__class__ is Class:
-        if any(
-            b.__class__ is Class and b.module == "enum" for b in cls.mro[1:]
-        ):  # one of its members, of which it is not known which
+        if any(b.__class__ is Class and b.module == "enum" for b in cls.mro[1:]):  # one of its members: not known which
             return machine.unknown(Cause.CALL, dotted)
         return opaque(machine, cls)
     if cls.__class__ is Native:

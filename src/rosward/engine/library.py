@@ -62,9 +62,8 @@ class Library:
         self._sources = sources  # for what is asked once for all processes
         self._reading: Reading | None = None
         self.languages = {language.name: language for language in languages}
-        self.environment = (
-            usual_shell() if environment is None else environment
-        )  # of every process, unless it is given another
+        # of every process, unless it is given another
+        self.environment = usual_shell() if environment is None else environment
         self.nowhere = ModuleValue(-1, "", "")
         self.first_address = 1
         self.facts = models.facts

@@ -49,9 +49,8 @@ class Precision:
         self.steps = 0
         self.step_limit = budget.steps
         self.coarse = False  # precision is given up: too many steps were spent
-        self.loop_limit = int(
-            budget.steps * budget.coarse
-        )  # behind it precision is given up, until the outermost loop ends
+        # behind it precision is given up, until the outermost loop ends
+        self.loop_limit = int(budget.steps * budget.coarse)
         self.deadline = time.thread_time() + budget.seconds
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running

@@ -21,6 +21,4 @@ class Trace:
         self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
         self.instantiated: set[Place] = set()  # where the classes stand of which there are objects
         self.handed: dict[Value, Place] = {}  # classes and objects that reached unknown code, and where
-        self.asked: set[tuple[str, str, str]] = (
-            set()
-        )  # what may be called without being seen: see `analysis/unreached.py`
+        self.asked: set[tuple[str, str, str]] = set()  # what may be called unseen: see `analysis/unreached.py`
