@@ -16,16 +16,16 @@ from rosward.naming.final_name import final_name, remaps_of
 from rosward.ros import names
 
 
-def _effects(machine: Machine, node: Value) -> list[NodeEffect]:
-    log = machine.log
+def nodes_at(machine: Machine, node: Value) -> list[NodeEffect]:
+    """The nodes that an object is, or may be."""
     found = [o.address for o in options(node) if isinstance(o, Ref)]
-    return [e for e in log.nodes if e.address in found]
+    return [e for e in machine.log.nodes if e.address in found]
 
 
 def _named(machine: Machine, node: Value, part: int) -> Value:
     """The node's final name (part 0) or namespace (part 1)."""
     log = machine.log
-    found = [final_name(log, e)[part] for e in _effects(machine, node)]
+    found = [final_name(log, e)[part] for e in nodes_at(machine, node)]
     return join_all(found) if found else machine.unknown(Cause.LIVE, "name of an unknown node", "str")
 
 
@@ -52,7 +52,7 @@ def _resolve_name(call: NativeCall) -> Value:
     log = call.machine.log
     kind = names.RemapKind.SERVICE if text_of(call.arg(2, "kind")) == "service" else names.RemapKind.TOPIC
     found: list[Value] = []
-    for effect in _effects(call.machine, call.args[0]):
+    for effect in nodes_at(call.machine, call.args[0]):
         own, space = final_name(log, effect)
         rules = tuple(r.rule for r in remaps_of(log, effect))
         for name in options(call.args[1]):
