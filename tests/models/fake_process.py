@@ -12,7 +12,7 @@ from rosward.domain.state import NOTHING_DONE, State
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
 from rosward.effects.log import EffectLog
-from rosward.models.file_paths import Files, NoFiles
+from rosward.models.file_paths import Files
 from rosward.models.native import ResumptionKind
 from rosward.source.definitions import Definition
 from rosward.source.location import Place
@@ -25,6 +25,26 @@ class NoCallbacks:
     was_run = False
     main_raised: Value = UNBOUND
     threads_raised: Value = UNBOUND
+
+
+class NoFiles:
+    """No file is known."""
+
+    def read(self, package: str, relative: str) -> str | None:
+        del package, relative
+        return None
+
+    def is_file(self, package: str, relative: str) -> bool:
+        del package, relative
+        return False
+
+    def is_folder(self, package: str, relative: str) -> bool:
+        del package, relative
+        return False
+
+    def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
+        del package, relative
+        return None
 
 
 class FakeProcess:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a process does to ROS, as the interpretation records it: nodes, entities, parameters, each with its place and values.
 
-An effect keeps abstract values; `network.collect` turns them into names.
+An effect keeps abstract values; `naming.collect` turns them into names.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ the control operations (`control.py`) hold blocks, and a block is a list of oper
     x = y.b + 1          LoadAttr r2 r1 'b'; Const r3 1; Binary r0 + r2 r3      (x is register 0, y register 1)
 
 Names are resolved when lowering: a local variable is a register, a variable shared with an inner function is a cell (numbered per `Code`).
-What an operation means is up to the language of the code (`Code.language`, `engine/language.py`). What only one language has stands in a
+What an operation means is up to the language of the code (`Code.language`, `engine/languages.py`). What only one language has stands in a
 module of its own (`python.py`).
 
 The door for C++: references to places (a local, a field, an element) are values that an operation of its own makes, reads and writes; copies by

@@ -64,7 +64,7 @@ class Code:
     arguments or `__class__` occurs, and a cell of the class body around it, set when the class is made.
     `key` names the body for good: its file (`unit` where it is of no whole file) and which one of that it is (`index`); with the number
     of an operation it names that (`OpKey`). `entry` is where it begins, before its first operation.
-    `language` is the name of the language that it is written in, which says what its operations mean (`engine/language.py`).
+    `language` is the name of the language that it is written in, which says what its operations mean (`engine/languages.py`).
     `annotations` and `returns` keep annotations as source text, `doc` the docstring. `is_stub`: the body is `...` alone.
     """
 
