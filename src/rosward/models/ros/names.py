@@ -7,12 +7,12 @@ from typing import Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
-from rosward.domain.text import concat, pattern
+from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Ref, Value
 from rosward.effects.log import NodeEffect
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.naming.final_name import final_name, remaps_of
+from rosward.naming.final_name import final_name, full_name, remaps_of
 from rosward.ros import names
 
 
@@ -39,13 +39,7 @@ def _node_namespace(call: NativeCall) -> Value:
 
 def _node_fqn(call: NativeCall) -> Value:
     name, namespace = (_named(call.machine, call.args[0], part) for part in (0, 1))
-    return join_all(_qualified(n, s) for n in options(name) for s in options(namespace))
-
-
-def _qualified(name: Value, namespace: Value) -> Value:
-    if isinstance(namespace, Const) and namespace.value == "/":
-        return concat((Const("/", namespace.origins), name))
-    return concat((namespace, Const("/"), name))
+    return join_all(full_name(s, n) for n in options(name) for s in options(namespace))
 
 
 def _resolve_name(call: NativeCall) -> Value:
