@@ -271,8 +271,8 @@ def _keep(
 ) -> None:
     """Record a parameter that is declared here; not `sure`: it may be."""
     address = node.address if isinstance(node, Ref) else None
-    given = (_as_declared(machine, v) for v in (default, value))
-    machine.log.parameters[ParameterEffect(address, name, *given, type_, machine.place)] = None
+    written, given = _as_declared(machine, default), _as_declared(machine, value)
+    machine.log.parameters[ParameterEffect(address, name, written, given, type_, machine.place)] = None
     table.put(machine, node, name, value, sure=sure)
 
 
