@@ -18,7 +18,9 @@ from collections import defaultdict
 from pathlib import Path
 from typing import Final
 
-BRANCHES: Final = ("humble", "iron", "jazzy", "kilted", "rolling", "main")
+from rosward.ros.distro import DISTROS
+
+BRANCHES: Final = (*DISTROS, "main")
 """Where the interfaces of the distros stand; `main` counts where there is no `rolling`."""
 DATA: Final = Path(__file__).parent.parent / "src" / "rosward" / "source" / "data"
 _FILE: Final = re.compile(r"(?:(?:.*/)?([\w-]+)/)?(msg|srv|action)/(\w+)\.\2")

@@ -181,6 +181,14 @@ def test_the_notation(words: list[str], distro: Distro, expected: list[str], tmp
     assert codes(log) == (["RW314"] if "mode:=off" in words else [])
 
 
+def test_a_node_whose_namespace_may_be_the_root_has_one_slash_before_its_name(tmp_path: Path) -> None:
+    write(
+        tmp_path, "executables: {tool: {node: 't${random}', publishers: [{name: '${node}/x', type: p/msg/T, qos: 1}]}}"
+    )
+    log = start("acme", "tool", ["--ros-args", "-r", "t_7:__ns:=/left"], folders=[tmp_path])
+    assert lines(log) == ["pub /left/t*/x T", "pub /t*/x T"]
+
+
 def test_further_nodes_see_the_names_of_the_first(tmp_path: Path) -> None:
     write(tmp_path, BODY)
     log = start("acme", "cameras", ["--ros-args", "-r", "__node:=eyes", "-r", "__ns:=/head"], folders=[tmp_path])

@@ -14,7 +14,7 @@ from rosward.domain.series import Series
 from rosward.domain.text import make, matches
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import UNBOUND, Class, Const, Hole, Ref, Text, Unknown, Value
-from rosward.models.native import Items, NativeCall, NativeFunction, ResumptionKind, perform
+from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.models.python.builtins import attributes as builtin_attributes
 from rosward.models.python.builtins import constructors as builtin_constructors
 from rosward.models.python.builtins import functions as builtin_functions
@@ -63,12 +63,9 @@ class FakeMachine(FakeProcess):
 
     def __init__(self) -> None:
         super().__init__()
-        self.heap: dict[int, Obj] = {}
         self.findings: list[str] = []
-        self.spent = 0
         self.deaths: list[str] = []
         self.escaped: list[Value] = []
-        self.functions: dict[Value, Callable[..., Value]] = {}
 
     def function(self, name: str, python: Callable[..., Value]) -> Value:
         value = Native(name)
@@ -104,14 +101,6 @@ class FakeMachine(FakeProcess):
             return
         self.heap[target.address] = self.heap[target.address].with_attr(name, value)
 
-    def delete_attr(self, target: Value, name: str) -> None:
-        if isinstance(target, Ref) and name in self.obj(target).attrs:
-            self.update(target, self.obj(target).with_attr(name, UNBOUND))
-
-    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
-        del weak
-        self.store_attr(owner, name, value)
-
     def load_item(self, value: Value, index: Value) -> Value:
         return operators.load_item(self, value, index)
 
@@ -130,15 +119,6 @@ class FakeMachine(FakeProcess):
     def series(self, value: Value) -> Series:
         return operators.series(self, value)
 
-    def is_stepped(self, value: Value) -> bool:
-        return isinstance(value, Ref) and self.obj(value).kind == "generator"
-
-    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
-        return self.unknown(Cause.CALL, f"{kind} {iterator} {value} {default}")
-
-    def close_generator(self, ref: Ref) -> None:
-        assert self.obj(ref).kind
-
     def truth(self, value: Value) -> bool | None:
         return operators.truth(self, value)
 
@@ -149,17 +129,6 @@ class FakeMachine(FakeProcess):
     def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
         answers = {is_subclass(c, wanted) for c in options(cls)}
         return answers.pop() if len(answers) == 1 else None
-
-    def obj(self, ref: Ref) -> Obj:
-        return self.heap[ref.address]
-
-    def update(self, ref: Ref, obj: Obj) -> None:
-        self.heap[ref.address] = obj
-
-    def allocate(self, obj: Obj, site: object = None) -> Ref:  # noqa: ARG002 - each one is apart here
-        address = len(self.heap) + 1
-        self.heap[address] = obj
-        return Ref(address)
 
     def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
         return self._sequence("list", Series(tuple(items), rest, tail))
@@ -173,9 +142,6 @@ class FakeMachine(FakeProcess):
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         return self.allocate(Obj("dict", Native("builtins.dict"), entries=dict(entries), rest=rest))
 
-    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
-        return Unknown((Reason(cause, subject, self.place),), hint)
-
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:  # noqa: ARG002
         self.escaped.extend(values)
 
@@ -186,18 +152,8 @@ class FakeMachine(FakeProcess):
     def spin(self) -> None:
         raise AssertionError
 
-    def variables(self, *, local: bool) -> Value:
-        return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
-
-    def spend(self, steps: int) -> None:
-        self.spent += steps
-
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:  # noqa: ARG002
         self.findings.append(code)
-
-    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
-        del error, unseen
-        return action(), False
 
     def die(self, error: str, message: str, args: object = None, *, sure: bool = False, plain: bool = False) -> Value:  # noqa: ARG002
         self.deaths.append(error)

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What both fake machines say of the process around a native: it has done nothing yet, and nothing goes on beside."""
+"""What both fake machines have: a heap, and a process around a native that has done nothing yet, and beside which nothing goes on."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
 from rosward.domain.memory import Heap
 from rosward.domain.state import NOTHING_DONE, State
-from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
 from rosward.effects.log import EffectLog
-from rosward.models.file_paths import Files, NoFiles
+from rosward.models.file_paths import Files
+from rosward.models.native import ResumptionKind
 from rosward.source.definitions import Definition
 from rosward.source.location import Place
 
@@ -25,8 +27,28 @@ class NoCallbacks:
     threads_raised: Value = UNBOUND
 
 
+class NoFiles:
+    """No file is known."""
+
+    def read(self, package: str, relative: str) -> str | None:
+        del package, relative
+        return None
+
+    def is_file(self, package: str, relative: str) -> bool:
+        del package, relative
+        return False
+
+    def is_folder(self, package: str, relative: str) -> bool:
+        del package, relative
+        return False
+
+    def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
+        del package, relative
+        return None
+
+
 class FakeProcess:
-    """A process at its beginning."""
+    """A process at its beginning; keeps objects in a dict."""
 
     def __init__(self) -> None:
         self.place = Place("demo.py", 1)
@@ -44,6 +66,9 @@ class FakeProcess:
         self.in_callback = False
         self.is_tried = False
         self.is_sure = True
+        self.heap: dict[int, Obj] = {}
+        self.spent = 0
+        self.functions: dict[Value, Callable[..., Value]] = {}
 
     def fresh_version(self, compared: int = 0) -> int:
         del compared
@@ -77,3 +102,47 @@ class FakeProcess:
     def interface_definition(self, dotted: str) -> Definition | None:
         del dotted
         return None
+
+    def store_attr(self, target: Value, name: str, value: Value) -> None:
+        raise NotImplementedError
+
+    def delete_attr(self, target: Value, name: str) -> None:
+        if isinstance(target, Ref) and name in self.obj(target).attrs:
+            self.update(target, self.obj(target).with_attr(name, UNBOUND))
+
+    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
+        del weak
+        self.store_attr(owner, name, value)
+
+    def is_stepped(self, value: Value) -> bool:
+        return isinstance(value, Ref) and self.obj(value).kind == "generator"
+
+    def next_of(self, iterator: Value, kind: ResumptionKind, value: Value, default: Value | None = None) -> Value:
+        return self.unknown(Cause.CALL, f"{kind} {iterator} {value} {default}")
+
+    def close_generator(self, ref: Ref) -> None:
+        assert self.obj(ref).kind
+
+    def obj(self, ref: Ref) -> Obj:
+        return self.heap[ref.address]
+
+    def update(self, ref: Ref, obj: Obj) -> None:
+        self.heap[ref.address] = obj
+
+    def allocate(self, obj: Obj, site: object = None) -> Ref:  # noqa: ARG002 - each one is apart here
+        address = len(self.heap) + 1
+        self.heap[address] = obj
+        return Ref(address)
+
+    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        return Unknown((Reason(cause, subject, self.place),), hint)
+
+    def variables(self, *, local: bool) -> Value:
+        return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
+
+    def spend(self, steps: int) -> None:
+        self.spent += steps
+
+    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
+        del error, unseen
+        return action(), False

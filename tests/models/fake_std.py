@@ -11,7 +11,7 @@ from rosward.domain.choice import options
 from rosward.domain.compound import Native, Partial, Range, Tuple
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.native import Items, NativeCall, NativeFunction, perform
 from rosward.models.python.std import arguments as std_arguments
@@ -62,12 +62,9 @@ class FakeMachine(FakeProcess):
 
     def __init__(self) -> None:
         super().__init__()
-        self.heap: dict[int, Obj] = {}
         self.findings: list[tuple[str, str]] = []
-        self.spent = 0
         self.deaths: list[tuple[str, str]] = []
         self.scheduled: list[Value] = []
-        self.functions: dict[Value, Callable[..., Value]] = {}
 
     # What natives use
 
@@ -102,14 +99,6 @@ class FakeMachine(FakeProcess):
     def store_attr(self, target: Value, name: str, value: Value) -> None:
         assert isinstance(target, (Ref, Class))
         self.heap[target.address] = self.heap[target.address].with_attr(name, value)
-
-    def delete_attr(self, target: Value, name: str) -> None:
-        if isinstance(target, Ref) and name in self.obj(target).attrs:
-            self.update(target, self.obj(target).with_attr(name, UNBOUND))
-
-    def keep_attr(self, owner: Ref, name: str, value: Value, *, weak: bool = False) -> None:
-        del weak
-        self.store_attr(owner, name, value)
 
     def load_item(self, value: Value, index: Value) -> Value:
         assert isinstance(index, Const)
@@ -157,15 +146,6 @@ class FakeMachine(FakeProcess):
             return Items(obj.items or (), obj.rest)
         return Items((), value if isinstance(value, Unknown) else self.unknown(Cause.OPERATION, "iteration"))
 
-    def is_stepped(self, value: Value) -> bool:
-        return isinstance(value, Ref) and self.obj(value).kind == "generator"
-
-    def next_of(self, iterator: Value, kind: str, value: Value, default: Value | None = None) -> Value:
-        return self.unknown(Cause.CALL, f"{kind} {iterator} {value} {default}")
-
-    def close_generator(self, ref: Ref) -> None:
-        assert self.obj(ref).kind
-
     def truth(self, value: Value) -> bool | None:
         if isinstance(value, Const) and not value.origins:
             return bool(value.value)
@@ -177,17 +157,6 @@ class FakeMachine(FakeProcess):
     def is_subclass(self, cls: Value, wanted: Value) -> bool | None:
         return None if cls is wanted else False
 
-    def obj(self, ref: Ref) -> Obj:
-        return self.heap[ref.address]
-
-    def update(self, ref: Ref, obj: Obj) -> None:
-        self.heap[ref.address] = obj
-
-    def allocate(self, obj: Obj, site: object = None) -> Ref:  # noqa: ARG002 - each one is apart here
-        address = len(self.heap) + 1
-        self.heap[address] = obj
-        return Ref(address)
-
     def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
         middle = None if rest is UNBOUND else rest
         return self.allocate(Obj("list", NONE, **fields_of(Series(tuple(items), middle, tail))))
@@ -197,9 +166,6 @@ class FakeMachine(FakeProcess):
 
     def new_dict(self, entries: Mapping[Value, Value], rest: Value | None = None) -> Ref:
         return self.allocate(Obj("dict", NONE, entries=dict(entries), rest=rest))
-
-    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
-        return Unknown((Reason(cause, subject, self.place),), hint)
 
     def escape(self, values: Iterable[Value], library: str, callee: Value | None = None) -> None:  # noqa: ARG002
         self.scheduled.extend(v for v in values if isinstance(v, Function) and library)
@@ -212,18 +178,8 @@ class FakeMachine(FakeProcess):
     def spin(self) -> None:
         self.scheduled.clear()
 
-    def variables(self, *, local: bool) -> Value:
-        return self.unknown(Cause.LIVE, "locals" if local else "globals", "dict")
-
-    def spend(self, steps: int) -> None:
-        self.spent += steps
-
     def report(self, code: str, message: str, causes: tuple[str, ...] = ()) -> None:  # noqa: ARG002
         self.findings.append((code, message))
-
-    def guarded(self, action: Callable[[], Value], error: str, *, unseen: bool = True) -> tuple[Value, bool]:
-        del error, unseen
-        return action(), False
 
     def die(self, error: str, message: str, args: object = None, *, sure: bool = False, plain: bool = False) -> Value:  # noqa: ARG002
         self.deaths.append((error, message))

@@ -26,7 +26,7 @@ _WORDS: Final = ((Cause.SHARE, "find-pkg-share"), (Cause.PREFIX, "find-pkg-prefi
 
 @final
 class WorkspaceFiles:
-    """Implements `deployment.scene.LaunchFiles` for a workspace and its underlays."""
+    """Implements `deployment.execution.launch_files.LaunchFiles` for a workspace and its underlays."""
 
     def __init__(self, installed: Installed) -> None:
         self._installed = installed

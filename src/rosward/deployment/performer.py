@@ -10,35 +10,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Protocol
 
+from rosward.effects.launch_context import LaunchSettings
+
 if TYPE_CHECKING:
     from rosward.deployment.tree import Description, LaunchAction, Template
     from rosward.domain.values import Value
     from rosward.findings import Finding
 
 
-class Performer(Protocol):
-    """The launch context at the point of execution, as Python code of a launch file can ask it (LaunchContext)."""
+class Performer(LaunchSettings, Protocol):
+    """The launch at the point of execution: what Python code of a launch file asks of it (`LaunchContext`) is answered by this."""
 
     def text(self, template: Template) -> Value:
         """The text of a template now; Unknown, a Text with holes or a Choice where it is not completely known."""
-
-    def configuration(self, name: str) -> Value | None:
-        """The value of a launch configuration, None where it is surely not set."""
-
-    def configurations(self) -> Mapping[str, Value]:
-        """All launch configurations that are or may be set."""
-
-    def set_configuration(self, name: str, value: Value | None) -> None:
-        """Set a launch configuration; None removes it."""
-
-    def variable(self, name: str) -> Value | None:
-        """An environment variable, None where it is not known or not set."""
-
-    def removed(self, name: str) -> bool:
-        """Whether an environment variable is surely not set."""
-
-    def set_variable(self, name: str, value: Value | None) -> None:
-        """Set an environment variable; None removes it."""
 
     def given(self) -> Sequence[str]:
         """The launch arguments that the user gave, as words `name:=value` of the command line."""

@@ -16,14 +16,8 @@ if TYPE_CHECKING:
     from rosward.domain.values import Value
 
 
-class LaunchContext(Protocol):
-    """The launch that is going on, as models of `launch` reach it (`EffectLog.launch`)."""
-
-    def perform(self, pieces: Value) -> Value:
-        """The text of a substitution, a str, or a list of them."""
-
-    def evaluate(self, condition: Value) -> Value:
-        """Whether a condition holds: a bool."""
+class LaunchSettings(Protocol):
+    """What is set at the point that a launch has reached: launch configurations and the environment."""
 
     def configuration(self, name: str) -> Value | None:
         """A launch configuration, None where it is surely not set."""
@@ -42,3 +36,13 @@ class LaunchContext(Protocol):
 
     def set_variable(self, name: str, value: Value | None) -> None:
         """Set an environment variable; None removes it."""
+
+
+class LaunchContext(LaunchSettings, Protocol):
+    """The launch that is going on, as models of `launch` reach it (`EffectLog.launch`)."""
+
+    def perform(self, pieces: Value) -> Value:
+        """The text of a substitution, a str, or a list of them."""
+
+    def evaluate(self, condition: Value) -> Value:
+        """Whether a condition holds: a bool."""

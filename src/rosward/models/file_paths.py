@@ -12,7 +12,7 @@ A path of the sources is a text that begins with a hole for the folder and goes 
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple, Protocol, final
+from typing import Final, NamedTuple, Protocol
 
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause, Reason
@@ -43,31 +43,6 @@ class Files(Protocol):
 
     def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
         """The names in a folder, sorted; None where they are not all known."""
-
-
-@final
-class NoFiles:
-    """No file is known."""
-
-    def read(self, package: str, relative: str) -> str | None:
-        """None."""
-        del package, relative
-        return None
-
-    def is_file(self, package: str, relative: str) -> bool:
-        """Not known."""
-        del package, relative
-        return False
-
-    def is_folder(self, package: str, relative: str) -> bool:
-        """Not known."""
-        del package, relative
-        return False
-
-    def listing(self, package: str, relative: str) -> tuple[str, ...] | None:
-        """None."""
-        del package, relative
-        return None
 
 
 def location_of(value: Value) -> Location | None:

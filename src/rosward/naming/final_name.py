@@ -6,8 +6,9 @@ Node('talker') started with -r __node:=left -r chatter:=~/out     name 'left'; '
 
 from __future__ import annotations
 
+from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, lift, options
-from rosward.domain.text import make, pattern
+from rosward.domain.text import concat, make, pattern
 from rosward.domain.values import NONE, UNBOUND, Const, Text, Value
 from rosward.effects.log import EffectLog, NodeEffect
 from rosward.holes import Holed, literal, with_stars
@@ -40,6 +41,11 @@ def final_name(log: EffectLog, effect: NodeEffect) -> tuple[Value, Value]:
             for v in _renamed(s, pattern(n), names.RemapKind.NAMESPACE, rules)
         )
     return name, namespace
+
+
+def full_name(namespace: Value, name: Value) -> Value:
+    """The full name of a node, for one alternative of its namespace and of its name."""
+    return concat((namespace, name) if text_of(namespace) == "/" else (namespace, Const("/"), name))
 
 
 def _renamed(old: Value, node_name: Holed, kind: names.RemapKind, rules: tuple[ValueRule, ...]) -> list[Value]:

@@ -18,6 +18,7 @@ from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Value
 from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Resolution
+from rosward.source.definitions import PARTS
 from rosward.source.location import Place
 
 MAX_NODES: Final = 16
@@ -97,7 +98,7 @@ def interface_type(value: Value) -> str | None:
     if value.__class__ is not External:
         return None
     parts = value.name.split(".")
-    if len(parts) >= 3 and parts[1] in ("msg", "srv", "action"):
+    if len(parts) >= 3 and parts[1] in PARTS:
         inner = [p for p in parts[2:] if not p.startswith("_")]
         return "/".join((parts[0], parts[1], "_".join(inner))) if inner and _TYPE.match(inner[0]) else None
     return None

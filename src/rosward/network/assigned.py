@@ -100,7 +100,7 @@ def _path(table: object) -> str:
         )
     wrong = "* is not allowed in it" if "*" in table["path"] else validate_enclave(table["path"])
     if wrong is not None:
-        raise AssignmentError(f"enclave {table['path']!r} is rejected by rcl:  {wrong}")
+        raise AssignmentError(f"enclave {table['path']!r} is rejected by rcl: {wrong}")
     return str(table["path"])
 
 

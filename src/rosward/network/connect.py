@@ -22,6 +22,7 @@ from rosward.source.location import Place
 __all__ = ["apart", "connect", "with_findings"]
 
 _T = TypeVar("_T")
+_Item = TypeVar("_Item", str, Place)
 
 
 def connect(
@@ -87,7 +88,7 @@ def _merged(entities: list[Entity]) -> Entity:
         callback=", ".join(callbacks) or None,
         qos=_common_qos([e.qos for e in entities]),
         depends_on=_union(e.depends_on for e in entities),
-        created_at=_union_of_places(e.created_at for e in entities),
+        created_at=_union(e.created_at for e in entities),
         reasons=_union(e.reasons for e in entities),
         causes=_union(e.causes for e in entities),
         via=None if None in vias else min(via for via in vias if via is not None),
@@ -112,11 +113,7 @@ def _agreed(values: list[_T | None]) -> _T | None:
     return values[0] if all(value == values[0] for value in values) else None
 
 
-def _union(parts: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
-    return tuple(sorted({item for part in parts for item in part}))
-
-
-def _union_of_places(parts: Iterable[tuple[Place, ...]]) -> tuple[Place, ...]:
+def _union(parts: Iterable[tuple[_Item, ...]]) -> tuple[_Item, ...]:
     return tuple(sorted({item for part in parts for item in part}))
 
 

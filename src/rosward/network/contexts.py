@@ -133,7 +133,7 @@ def _conflicts(members: list[Node], given: list[str], mode: EnclaveMode) -> list
     place = members[0].launched_by or members[0].defined_at
     process = members[0].process
     found = [
-        Finding("RW308", f"process {process}: enclave {with_stars(enclave)!r} is rejected by rcl:  {reason}", place)
+        Finding("RW308", f"process {process}: enclave {with_stars(enclave)!r} is rejected by rcl: {reason}", place)
         for enclave in given
         if (reason := validate_enclave(Holed(enclave))) is not None
     ]

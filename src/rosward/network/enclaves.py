@@ -15,6 +15,7 @@ import re
 from collections.abc import Iterable
 from typing import Final
 
+from rosward.network.free import free
 from rosward.ros.entities import Node
 
 __all__ = ["LONGEST_ENCLAVE", "enclave_paths"]
@@ -33,12 +34,8 @@ def enclave_paths(nodes: Iterable[Node]) -> dict[str, str]:
     taken = set(paths)
     for enclave in found:
         if enclave not in paths:
-            path = stem = _without_holes(enclave)
-            number = 2
-            while path in taken:
-                path, number = f"{stem}_{number}", number + 1
-            paths[enclave] = path
-            taken.add(path)
+            paths[enclave] = free(_without_holes(enclave), taken, "_")
+            taken.add(paths[enclave])
     return paths
 
 

@@ -18,13 +18,12 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.findings import Finding
 from rosward.source import limits
-from rosward.source.definitions import Definition, read_definition
+from rosward.source.definitions import PARTS, Definition, read_definition
 from rosward.source.text import decode, read_bytes
 
 if TYPE_CHECKING:
     from rosward.source.workspace import SourceFile, Workspace
 
-KINDS: Final = ("msg", "srv", "action")
 _NOTHING: Final = frozenset[str]()
 
 
@@ -47,7 +46,7 @@ class InterfaceIndex:
 
     def names(self, package: str, kind: str) -> frozenset[str] | None:
         """The names of the interfaces of one kind (`msg`, `srv`, `action`); `None` where the package is not known."""
-        if kind not in KINDS:
+        if kind not in PARTS:
             return None
         own = self._own.get(package)
         if own is not None:
@@ -67,7 +66,7 @@ class InterfaceIndex:
         """The fields of a message, or of a `part` of a service or action (`Request`, `Goal`); `None` where they are not known."""
         key = (package, kind, name)
         if key not in self._definitions:
-            self._definitions[key] = self._read(*key) if kind in KINDS else None
+            self._definitions[key] = self._read(*key) if kind in PARTS else None
         parts = self._definitions[key]
         return None if parts is None else parts.get(part)
 
@@ -81,10 +80,6 @@ class InterfaceIndex:
         known = self._texts.get(package, {}).get(kind, {}).get(name)
         return None if known is None else read_definition(known, package, kind, closed=False)
 
-    def is_local(self, package: str) -> bool:
-        """Whether the workspace holds interfaces of that package."""
-        return package in self._own
-
 
 def _data(name: str) -> Any:  # what `json` gives
     return json.loads((Path(__file__).parent / "data" / name).read_bytes())
@@ -92,7 +87,7 @@ def _data(name: str) -> Any:  # what `json` gives
 
 def _text(file: SourceFile) -> str | None:
     """The text of a .msg, .srv or .action file; None for IDL, and where it cannot be read."""
-    if file.path.suffix[1:] not in KINDS:
+    if file.path.suffix[1:] not in PARTS:
         return None
     data = read_bytes(file.path, file.relative, limits.INTERFACE_FILE)
     text = data if isinstance(data, Finding) else decode(data, file.relative)
@@ -102,7 +97,7 @@ def _text(file: SourceFile) -> str | None:
 def _kind(path: str) -> str:
     """The kind of an interface file: by its suffix, or, for IDL, by its folder."""
     suffix = path.rpartition(".")[2]
-    if suffix in KINDS:
+    if suffix in PARTS:
         return suffix
     folder = path.rsplit(os.sep, 2)[-2] if path.count(os.sep) >= 2 else ""
-    return folder if folder in KINDS else ""
+    return folder if folder in PARTS else ""

@@ -30,8 +30,8 @@ from rosward.deployment.declared.shapes import (
     PackageDeclaration,
     Program,
 )
-from rosward.deployment.declared.text import DeclaredParameters, TemplateScope, as_value, expand, joined
-from rosward.domain.choice import lift, options
+from rosward.deployment.declared.text import DeclaredParameters, TemplateScope, as_value, expand
+from rosward.domain.choice import lift, lift2, options
 from rosward.domain.compound import External
 from rosward.domain.series import Series
 from rosward.domain.text import pattern
@@ -43,7 +43,7 @@ from rosward.findings import Finding, Findings
 from rosward.guard import guarded
 from rosward.holes import HOLE, Holed
 from rosward.naming.command_line import given_to, read_words
-from rosward.naming.final_name import final_name, remaps_of
+from rosward.naming.final_name import final_name, full_name, remaps_of
 from rosward.ros import names
 from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro
@@ -228,7 +228,7 @@ class _DeclaredProcess:
         def resolve(topic: Value, remapped: bool) -> Value:
             return _resolved(topic, rules if remapped else (), name, namespace)
 
-        variables = {**outer.variables, "node": qualified(space, own), "node_name": own}
+        variables = {**outer.variables, "node": lift2(full_name, space, own), "node_name": own}
         scope = TemplateScope(
             parameters,
             self._arguments,
@@ -358,13 +358,6 @@ class _DeclaredProcess:
     def _open(self, reason: str) -> None:
         what = f"interface of {self._program.package}/{self._program.name}"
         self._log.findings.add(Finding("RW314", f"The {what} is not completely known: {reason}.", self._place, (what,)))
-
-
-def qualified(namespace: Value, name: Value) -> Value:
-    """The full name of a node, as a value."""
-    if isinstance(namespace, Const) and namespace.value == "/":
-        return joined(Const("/", namespace.origins), name)
-    return joined(joined(namespace, Const("/")), name)
 
 
 def _resolved(topic: Value, rules: Sequence[names.RemapRule], name: Holed, namespace: Holed) -> Value:

@@ -71,10 +71,6 @@ class GeneratedFiles:
             self._made[path] = content
         return Const(path)
 
-    def is_made(self, path: Value) -> bool:
-        """Whether a path is that of a file that was written here."""
-        return plain_text(path) in self._made
-
     def content(self, path: Value, place: Place) -> Content:
         """The content of the file behind one path (not a Choice)."""
         made = self._made.get(plain_text(path) or "")

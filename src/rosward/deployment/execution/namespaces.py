@@ -13,6 +13,7 @@ from rosward.deployment.execution.yaml_values import plain_text
 from rosward.domain.choice import lift, lift2, options
 from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.values import Const, Value
+from rosward.naming import final_name
 
 _SLASH: Final = Const("/")
 
@@ -59,7 +60,7 @@ def full_name(namespace: Value | None, name: Value | None) -> Value | None:
     """The full name, None unless launch gives both parts."""
     if namespace is None or name is None:
         return None
-    return lift2(lambda ns, n: concat((ns, n)) if plain_text(ns) == "/" else concat((ns, _SLASH, n)), namespace, name)
+    return lift2(final_name.full_name, namespace, name)
 
 
 def scopes(namespace: Value | None, name: Value | None) -> tuple[str, ...]:

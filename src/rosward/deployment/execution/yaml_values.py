@@ -293,11 +293,6 @@ def as_plain_scalar(value: Value) -> Value:
     return value if read is None or isinstance(read, tuple) else Const(read, origins_of(value))
 
 
-def without_holes(value: Value, token: str) -> str:
-    """The text with `token` in place of each hole."""
-    return "".join(p if isinstance(p, str) else token for p in parts_of(value))
-
-
 def replaced(value: Value, token: str, by: Value) -> Value:
     """A str value with each `token` in it replaced by another value."""
 

@@ -28,7 +28,7 @@ Test = Callable[[Value, "Performer"], Value]
 
 @final
 class PerformedContext:
-    """Implements `models.launch_context.LaunchContext` for the performer that asked last. `test` evaluates conditions of the program."""
+    """Implements `effects.launch_context.LaunchContext` for the performer that asked last. `test` evaluates conditions of the program."""
 
     def __init__(self, texts: Texts, test: Test) -> None:
         self._texts = texts

@@ -26,11 +26,6 @@ def work(name: str, operands: Operands) -> int:
     return _sizes(operands) if declared is None else _sizes(operands) + declared(operands)
 
 
-def too_much(name: str, operands: Operands) -> bool:
-    """Whether a call may take long."""
-    return work(name, operands) > MAX_WORK
-
-
 def size(value: object) -> int:
     """The characters of a text, the digits of a number, the parts of a tuple."""
     if isinstance(value, (str, bytes)):

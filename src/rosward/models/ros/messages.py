@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import text_of
-from rosward.domain.choice import lift, options
+from rosward.domain.choice import options
 from rosward.domain.compound import External, Native, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
@@ -41,18 +41,6 @@ _ONCE: Final = frozenset({"response", "result", "serialized message"})
 def _message(call: NativeCall) -> Value:
     """`message(type, what)`: one that somebody sent."""
     return message_of(call.machine, call.args[0], many=text_of(call.arg(1, "what", NONE)) not in _ONCE)
-
-
-def _get_message(call: NativeCall) -> Value:
-    """`rosidl_runtime_py.utilities.get_message('pkg/msg/Name')`: the type of a constant text."""
-
-    def one(value: Value) -> Value:
-        parts = text_of(value).split("/")
-        if len(parts) == 2:
-            parts.insert(1, call.name.rpartition("_")[2].replace("message", "msg").replace("service", "srv"))
-        return External(".".join(parts)) if len(parts) == 3 else call.machine.unknown(Cause.CALL, "interface type")
-
-    return lift(one, call.args[0])
 
 
 def send(machine: Machine, kind: str, node: Value, name: Value, type_: Value, value: Value) -> None:
@@ -123,7 +111,4 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.message": _message,
     "_rosward.send": _send,
     "_rosward.sender": _sender,
-    "rosidl_runtime_py.utilities.get_message": _get_message,
-    "rosidl_runtime_py.utilities.get_service": _get_message,
-    "rosidl_runtime_py.utilities.get_action": _get_message,
 }

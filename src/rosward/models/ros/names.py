@@ -7,25 +7,25 @@ from typing import Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, options
-from rosward.domain.text import concat, pattern
+from rosward.domain.text import pattern
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Const, Ref, Value
 from rosward.effects.log import NodeEffect
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.naming.final_name import final_name, remaps_of
+from rosward.naming.final_name import final_name, full_name, remaps_of
 from rosward.ros import names
 
 
-def _effects(machine: Machine, node: Value) -> list[NodeEffect]:
-    log = machine.log
+def nodes_at(machine: Machine, node: Value) -> list[NodeEffect]:
+    """The nodes that an object is, or may be."""
     found = [o.address for o in options(node) if isinstance(o, Ref)]
-    return [e for e in log.nodes if e.address in found]
+    return [e for e in machine.log.nodes if e.address in found]
 
 
 def _named(machine: Machine, node: Value, part: int) -> Value:
     """The node's final name (part 0) or namespace (part 1)."""
     log = machine.log
-    found = [final_name(log, e)[part] for e in _effects(machine, node)]
+    found = [final_name(log, e)[part] for e in nodes_at(machine, node)]
     return join_all(found) if found else machine.unknown(Cause.LIVE, "name of an unknown node", "str")
 
 
@@ -39,20 +39,14 @@ def _node_namespace(call: NativeCall) -> Value:
 
 def _node_fqn(call: NativeCall) -> Value:
     name, namespace = (_named(call.machine, call.args[0], part) for part in (0, 1))
-    return join_all(_qualified(n, s) for n in options(name) for s in options(namespace))
-
-
-def _qualified(name: Value, namespace: Value) -> Value:
-    if isinstance(namespace, Const) and namespace.value == "/":
-        return concat((Const("/", namespace.origins), name))
-    return concat((namespace, Const("/"), name))
+    return join_all(full_name(s, n) for n in options(name) for s in options(namespace))
 
 
 def _resolve_name(call: NativeCall) -> Value:
     log = call.machine.log
     kind = names.RemapKind.SERVICE if text_of(call.arg(2, "kind")) == "service" else names.RemapKind.TOPIC
     found: list[Value] = []
-    for effect in _effects(call.machine, call.args[0]):
+    for effect in nodes_at(call.machine, call.args[0]):
         own, space = final_name(log, effect)
         rules = tuple(r.rule for r in remaps_of(log, effect))
         for name in options(call.args[1]):

@@ -15,9 +15,9 @@ from rosward.domain.compound import Tuple
 from rosward.domain.text import readable
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Const, Ref, Unknown, Value
-from rosward.effects.log import NodeEffect
 from rosward.models.ros import parameter_table as table
 from rosward.models.ros.effects import mark
+from rosward.models.ros.names import nodes_at
 from rosward.naming.command_line import ANY_NAME, type_word
 from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
@@ -75,11 +75,6 @@ def unread_files(machine: Machine, node: Value) -> tuple[Reason, ...]:
             r for e in nodes_at(machine, node) for line in command_lines(machine.log, e) for r in line.missing
         )
     )
-
-
-def nodes_at(machine: Machine, node: Value) -> list[NodeEffect]:
-    """The nodes that an object is."""
-    return [e for e in machine.log.nodes if isinstance(node, Ref) and e.address == node.address]
 
 
 def override_of(machine: Machine, node: Value, name: str) -> Value | None:

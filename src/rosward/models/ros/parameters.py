@@ -21,10 +21,10 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.containers import dicts
 from rosward.models.python.contents import plain_data
 from rosward.models.ros import parameter_table as table
+from rosward.models.ros.names import nodes_at
 from rosward.models.ros.parameter_given import (
     given_wrongly,
     initial_value,
-    nodes_at,
     on_heap,
     own_overrides,
     type_label,
@@ -55,13 +55,7 @@ def _declare(call: NativeCall) -> Value:
                     return failed
                 continue
             value = initial_value(machine, node, name, default, _hint(machine, type_), ignored)
-            address = node.address if isinstance(node, Ref) else None
-            machine.log.parameters[
-                ParameterEffect(
-                    address, name, _as_declared(machine, default), _as_declared(machine, value), type_, machine.place
-                )
-            ] = None
-            table.put(machine, node, name, value, sure=alone)
+            _keep(machine, node, name, value, default, type_, sure=alone)
             found.append(value)
     return join_all(found) if found else UNBOUND
 
@@ -255,9 +249,9 @@ def _declare_given(call: NativeCall) -> Value:
                 table.put_any(machine, node, "set from outside")
             else:
                 value = join_all([*values, *(Unknown((r,)) for r in open_)])
-                _declared_by(machine, node, label, value, sure=len(values) == len(effects))
+                _keep(machine, node, Const(label), value, sure=len(values) == len(effects))
         for label, value in own.items():
-            _declared_by(machine, node, label, value, sure=True)
+            _keep(machine, node, Const(label), value, sure=True)
         if others:
             table.put_any(machine, node, "set by parameter_overrides")
     return NONE
@@ -272,11 +266,14 @@ def _as_declared(machine: Machine, value: Value) -> Value:
     return value
 
 
-def _declared_by(machine: Machine, node: Value, label: str, value: Value, *, sure: bool) -> None:
+def _keep(
+    machine: Machine, node: Value, name: Value, value: Value, default: Value = NONE, type_: Value = NONE, *, sure: bool
+) -> None:
+    """Record a parameter that is declared here; not `sure`: it may be."""
     address = node.address if isinstance(node, Ref) else None
-    effect = ParameterEffect(address, Const(label), NONE, _as_declared(machine, value), NONE, machine.place)
-    machine.log.parameters[effect] = None
-    table.put(machine, node, Const(label), value, sure=sure)
+    written, given = _as_declared(machine, default), _as_declared(machine, value)
+    machine.log.parameters[ParameterEffect(address, name, written, given, type_, machine.place)] = None
+    table.put(machine, node, name, value, sure=sure)
 
 
 def _declare_own(call: NativeCall) -> Value:

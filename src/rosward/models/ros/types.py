@@ -17,8 +17,7 @@ from rosward.holes import literal
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.plain import native, origins, spread, text_of, unknown_from
 from rosward.ros import names
-
-_KINDS: Final = ("msg", "srv", "action")
+from rosward.source.definitions import PARTS
 
 
 def _get_interface(call: NativeCall) -> Value:
@@ -26,9 +25,21 @@ def _get_interface(call: NativeCall) -> Value:
 
     def one(value: Value) -> Value:
         parts = (text_of(value) or "").split("/")
-        if len(parts) == 3 and parts[1] in _KINDS:
+        if len(parts) == 3 and parts[1] in PARTS:
             return External(".".join(parts))
         return call.machine.unknown(Cause.CALL, "interface type")
+
+    return lift(one, call.args[0])
+
+
+def _get_message(call: NativeCall) -> Value:
+    """`get_message('pkg/msg/Name')`, and the same of services and actions: the type of a constant text, which may lack the middle part."""
+
+    def one(value: Value) -> Value:
+        parts = (text_of(value) or "").split("/")
+        if len(parts) == 2:
+            parts.insert(1, call.name.rpartition("_")[2].replace("message", "msg").replace("service", "srv"))
+        return External(".".join(parts)) if len(parts) == 3 else call.machine.unknown(Cause.CALL, "interface type")
 
     return lift(one, call.args[0])
 
@@ -53,5 +64,8 @@ def _expand_topic_name(call: NativeCall) -> Value:
 
 NATIVES: Final[dict[str, NativeFunction]] = {
     "rosidl_runtime_py.utilities.get_interface": native(_get_interface, 1),
+    "rosidl_runtime_py.utilities.get_message": _get_message,
+    "rosidl_runtime_py.utilities.get_service": _get_message,
+    "rosidl_runtime_py.utilities.get_action": _get_message,
     "rclpy.expand_topic_name.expand_topic_name": native(_expand_topic_name, 3),
 }

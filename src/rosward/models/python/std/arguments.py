@@ -18,7 +18,8 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.models.python.std.support import exact_list, names_of, place_list, text_of
+from rosward.models.python.plain import text_of
+from rosward.models.python.std.support import exact_list, names_of, place_list
 
 _SIMPLE_ACTIONS: Final = frozenset(
     {"store", "store_true", "store_false", "store_const", "append", "append_const", "count", "extend"}

@@ -19,7 +19,8 @@ from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.std.support import MAX_DEPTH, NotKnown, from_plain, text_of, to_plain, unknown_from
+from rosward.models.python.plain import text_of
+from rosward.models.python.std.support import MAX_DEPTH, NotKnown, from_plain, to_plain, unknown_from
 from rosward.source.toml import read_toml
 
 MAX_TEXT: Final = 1_000_000

@@ -10,7 +10,8 @@ from rosward.domain.compound import Native
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Class, Ref, Value
 from rosward.models.native import NativeCall
-from rosward.models.python.std.support import class_obj, int_of
+from rosward.models.python.plain import int_of
+from rosward.models.python.std.support import class_obj
 
 OPERATORS: Final = {
     "__add__": "+",

@@ -20,6 +20,7 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.plain import int_of, text_of
 from rosward.models.python.std.enum_operations import (
     COMPARISONS,
     CONVERSIONS,
@@ -28,7 +29,7 @@ from rosward.models.python.std.enum_operations import (
     derives,
     member_operation,
 )
-from rosward.models.python.std.support import bare, class_obj, exact_dict, exact_list, int_of, place, text_of
+from rosward.models.python.std.support import bare, class_obj, exact_dict, exact_list, names_of
 
 _AUTO: Final = "enum.auto()"
 _SEVERAL: Final = (Choice, Text, Unknown)
@@ -47,10 +48,9 @@ def _data_type(cls: Class) -> str:
 
 
 def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) -> Value:
-    custom = _own(call, cls, "_generate_next_value_")
+    custom = _hook(call, cls, "_generate_next_value_")
     if custom is not None:
-        function = custom.getter if isinstance(custom, Descriptor) else custom
-        return call.machine.call(function, (Const(name), Const(1), Const(len(before)), call.machine.new_list(before)))
+        return call.machine.call(custom, (Const(name), Const(1), Const(len(before)), call.machine.new_list(before)))
     if derives(cls, "enum.StrEnum"):
         return Const(name.lower())
     numbers = [n for n in map(int_of, before) if n is not None]
@@ -64,13 +64,13 @@ def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) ->
     return Const(highest + 1 if numbers else 1)
 
 
-def _own(call: NativeCall, cls: Class, name: str) -> Value | None:
-    """What the sources say of a method of an enumeration."""
+def _hook(call: NativeCall, cls: Class, name: str) -> Value | None:
+    """The function that the sources give for a hook of an enumeration."""
     for base in cls.mro:
         if isinstance(base, Class) and not base.stub:
             found = call.machine.obj(class_obj(base)).attrs.get(name)
             if found is not None:
-                return found
+                return found.getter if isinstance(found, Descriptor) else found
     return None
 
 
@@ -131,7 +131,7 @@ def make_members(call: NativeCall) -> Value:
         member = None if key is None else by_value.get(key)
         if member is None:
             attrs = {"_name_": Const(name), "name": Const(name), "_value_": value, "value": value}
-            member = place(machine, Obj("instance", cls, attrs, payload=value if data else None), ("member", name))
+            member = machine.allocate(Obj("instance", cls, attrs, payload=value if data else None), ("member", name))
             if key is not None:
                 by_value[key] = member
             _initialise(call, cls, member, value)
@@ -149,7 +149,7 @@ def _texts(call: NativeCall, value: Value | None) -> tuple[str, ...]:
     plain = text_of(value)
     if plain is not None:
         return tuple(plain.replace(",", " ").split())
-    return tuple(t for t in map(text_of, call.machine.iterate(value).known) if t is not None)
+    return names_of(call.machine.iterate(value).known)
 
 
 def _initialise(call: NativeCall, cls: Class, member: Ref, value: Value) -> None:
@@ -229,17 +229,14 @@ def lookup(call: NativeCall) -> Value:
 
 def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
     if isinstance(cls, Class):
-        for base in cls.mro:
-            if isinstance(base, Class) and not base.stub:
-                hook = call.machine.obj(class_obj(base)).attrs.get("_missing_")
-                if hook is not None:
-                    function = hook.getter if isinstance(hook, Descriptor) else hook
-                    return call.machine.call(function, (cls, value))
+        hook = _hook(call, cls, "_missing_")
+        if hook is not None:
+            return call.machine.call(hook, (cls, value))
         if derives(cls, "enum.Flag", "enum.IntFlag"):
             number = int_of(value)  # up to Python 3.10, several bits have no name
             name = call.machine.unknown(Cause.LIVE, "name of a flag", "str") if number else NONE
             attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
-            return place(call.machine, Obj("instance", cls, attrs, payload=value), value)
+            return call.machine.allocate(Obj("instance", cls, attrs, payload=value), value)
         message = f"{value.value!r} is not a valid {cls.qualname}"
         return call.machine.die("ValueError", message, (Const(message),), sure=not value.origins, plain=True)
     return call.machine.unknown(Cause.CALL, "enum.Enum")
@@ -278,7 +275,7 @@ def _make_class(call: NativeCall) -> Value:
     else:
         listed = [(i, exact_list(machine, i)) for i in exact_list(machine, names) or ()]
         pairs = [(p[0], p[1]) if p is not None and len(p) == 2 else (i, None) for i, p in listed]
-    numbered = not derives(base, "enum.Flag", "enum.StrEnum") and _own(call, base, "_generate_next_value_") is None
+    numbered = not derives(base, "enum.Flag", "enum.StrEnum") and _hook(call, base, "_generate_next_value_") is None
     members: dict[str, Value] = {}
     for number, (key, value) in enumerate(pairs):
         text = text_of(key)

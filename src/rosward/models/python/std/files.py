@@ -17,9 +17,8 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, TRUE, Const, Unknown, Value
 from rosward.models.file_paths import is_beside, location_of
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.plain import FILE_HINT
+from rosward.models.python.plain import FILE_HINT, text_of
 from rosward.models.python.std.paths import as_text
-from rosward.models.python.std.support import text_of
 
 _READING: Final = frozenset({"r", "rt", "tr", "rb", "br"})
 _MAGIC: Final = frozenset("*?[")

@@ -18,7 +18,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Unbound, Value
 from rosward.models.native import Items, NativeCall, NativeFunction
 from rosward.models.python.builtins.lazy import lazily, stepped
-from rosward.models.python.std.support import int_of
+from rosward.models.python.plain import int_of
 
 MAX_ITEMS: Final = 1_000
 

@@ -17,8 +17,9 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.plain import text_of
 from rosward.models.python.std.records import annotations_of
-from rosward.models.python.std.support import class_obj, exact_dict, exact_list, names_of, text_of
+from rosward.models.python.std.support import class_obj, exact_dict, exact_list, names_of
 
 
 def _names(machine: Machine, value: Value) -> tuple[str, ...] | None:

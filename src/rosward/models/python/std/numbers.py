@@ -17,7 +17,8 @@ from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.std.support import apply_plain, exact_list, int_of, joined_elements, origins_in, unknown_from
+from rosward.models.python.plain import int_of
+from rosward.models.python.std.support import apply_plain, exact_list, joined_elements, origins_in, unknown_from
 from rosward.models.python.strings.text_choices import are_letters
 
 _INT_MATH: Final = ("ceil", "comb", "factorial", "floor", "gcd", "isqrt", "lcm", "perm", "trunc")

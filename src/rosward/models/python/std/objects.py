@@ -17,7 +17,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleV
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT
-from rosward.models.python.std.support import class_obj, joined_elements, place, unknown_from
+from rosward.models.python.std.support import class_obj, joined_elements, unknown_from
 from rosward.models.ros.message_fields import made_all
 
 _COPIED: Final = frozenset({"list", "set", "dict", "instance"})
@@ -59,7 +59,7 @@ def _reduced(call: NativeCall, value: Ref, copied: Callable[[Value], Value]) -> 
         made = machine.call(given.items[0], tuple(copied(a) for a in arguments.known))
         state = given.items[_KEPT] if len(given.items) > _KEPT else NONE
     else:
-        made = place(machine, machine.obj(value).replace(many=False, attrs={}), value.address)
+        made = machine.allocate(machine.obj(value).replace(many=False, attrs={}), value.address)
         state = machine.call(getter, (value,)) if getter is not None else machine.load_attr(value, "__dict__")
     if state == NONE or made is UNBOUND or state is UNBOUND:
         return made
@@ -82,10 +82,10 @@ def _own_hook(call: NativeCall, value: Value, name: str) -> Value | None:
 
 
 def _again(call: NativeCall, ref: Ref) -> Ref:
-    made = place(call.machine, call.machine.obj(ref).replace(many=False), ref.address)
+    made = call.machine.allocate(call.machine.obj(ref).replace(many=False), ref.address)
     held = contents(call.machine, ref)
     if isinstance(held, Ref):
-        copied = place(call.machine, call.machine.obj(held).replace(many=False), ("contents", ref.address))
+        copied = call.machine.allocate(call.machine.obj(held).replace(many=False), ("contents", ref.address))
         call.machine.update(made, call.machine.obj(made).with_attr(CONTENTS, copied))
     return made
 

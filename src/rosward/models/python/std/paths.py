@@ -18,7 +18,8 @@ from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, derived
 from rosward.domain.values import EMPTY, Const, Hole, Text, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.std.support import joined_elements, text_of, unknown_from
+from rosward.models.python.plain import text_of
+from rosward.models.python.std.support import joined_elements, unknown_from
 
 _SLASH: Final = Const("/")
 

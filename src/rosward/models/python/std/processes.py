@@ -15,7 +15,7 @@ from rosward.domain.text import parts_of, readable
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.std.support import text_of
+from rosward.models.python.plain import text_of
 
 _STARTERS: Final = frozenset({"ros2", "rosrun", "roslaunch", "rviz2", "rqt", "gzserver", "gzclient", "gazebo"})
 

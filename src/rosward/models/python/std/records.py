@@ -20,7 +20,8 @@ from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import FALSE, NONE, TRUE, UNBOUND, Class, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
-from rosward.models.python.std.support import class_obj, exact_dict, place, place_dict, place_list, text_of
+from rosward.models.python.plain import text_of
+from rosward.models.python.std.support import class_obj, exact_dict, place_dict, place_list
 
 FIELDS: Final = "__dataclass_fields__"
 FROZEN: Final = Native("dataclasses.refuse")
@@ -276,7 +277,7 @@ def _fields(call: NativeCall) -> Value:
             }
             if field.default is not UNBOUND:
                 attrs["default"] = field.default
-            made.append(place(machine, Obj("instance", FIELD, attrs), field.name))
+            made.append(machine.allocate(Obj("instance", FIELD, attrs), field.name))
     return Tuple(tuple(made))
 
 

@@ -10,17 +10,17 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Final, cast
+from typing import Final
 
-from rosward.domain.choice import join_all, options, reasons_of
+from rosward.domain.choice import join_all, options
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.text import origins_of
-from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
+from rosward.domain.unknown import NO_ORIGINS, Cause, Origins
 from rosward.domain.values import Class, Const, Ref, Unknown, Value
 from rosward.models.native import Machine, NativeCall
+from rosward.models.python import plain
 from rosward.models.python.contents import bare as bare_value
-from rosward.models.python.cost import A_STEP, MAX_WORK, work
 
 MAX_COMBINATIONS: Final = 64
 MAX_NODES: Final = 10_000
@@ -33,23 +33,9 @@ class NotKnown(Exception):  # noqa: N818 - a signal inside this package, no erro
     """The value (or a part of it) is not one constant."""
 
 
-def text_of(value: Value | None) -> str | None:
-    """The str that a value surely is, else None."""
-    if isinstance(value, Const) and isinstance(value.value, str):
-        return value.value
-    return None
-
-
-def int_of(value: Value | None) -> int | None:
-    """The int that a value surely is, else None."""
-    if isinstance(value, Const) and isinstance(value.value, int):
-        return int(value.value)
-    return None
-
-
 def names_of(values: Iterable[Value]) -> tuple[str, ...]:
     """The texts among values."""
-    return tuple(t for t in map(text_of, values) if t is not None)
+    return tuple(t for t in map(plain.text_of, values) if t is not None)
 
 
 def class_obj(cls: Class) -> Ref:
@@ -84,21 +70,15 @@ def bare(key: Value) -> Value:
     return Const(key.value) if isinstance(key, Const) else key
 
 
-def place(machine: Machine, obj: Obj, site: object) -> Ref:
-    """A new object among several that one call makes; `site` tells it from the others."""
-    allocate = cast("Callable[[Obj, object], Ref]", machine.allocate)
-    return allocate(obj, site)
-
-
 def place_list(machine: Machine, items: Iterable[Value] | None, site: object, rest: Value | None = None) -> Ref:
     """A new list among several that one call makes (of unknown length where items is None)."""
     known = None if items is None else tuple(items)
-    return place(machine, Obj("list", Native("builtins.list"), items=known, rest=rest), site)
+    return machine.allocate(Obj("list", Native("builtins.list"), items=known, rest=rest), site)
 
 
 def place_dict(machine: Machine, entries: Mapping[Value, Value], site: object) -> Ref:
     """A new dict among several that one call makes."""
-    return place(machine, Obj("dict", Native("builtins.dict"), entries=dict(entries)), site)
+    return machine.allocate(Obj("dict", Native("builtins.dict"), entries=dict(entries)), site)
 
 
 class _Reader:
@@ -129,12 +109,12 @@ class _Reader:
         raise NotKnown
 
     def _key(self, key: Value, depth: int) -> object:
-        plain = self.read(key, depth + 1)
+        found = self.read(key, depth + 1)
         try:
-            hash(plain)
+            hash(found)
         except TypeError as error:
             raise NotKnown from error
-        return plain
+        return found
 
 
 def to_plain(machine: Machine, value: Value) -> tuple[object, Origins]:
@@ -162,7 +142,7 @@ def from_plain(machine: Machine, value: object, origins: Origins = NO_ORIGINS) -
             return place_list(machine, [build(p, (*path, i)) for i, p in enumerate(part)], path)
         if isinstance(part, (set, frozenset)):
             members = tuple(build(p, (*path, i)) for i, p in enumerate(sorted(part, key=repr)))
-            return place(machine, Obj("set", Native("builtins.set"), items=members), path)
+            return machine.allocate(Obj("set", Native("builtins.set"), items=members), path)
         return machine.unknown(Cause.CALL, part.__class__.__name__)
 
     return build(value, ("data",))
@@ -170,8 +150,7 @@ def from_plain(machine: Machine, value: object, origins: Origins = NO_ORIGINS) -
 
 def unknown_from(call: NativeCall, hint: str, values: Iterable[Value]) -> Unknown:
     """An unknown for the reasons of the operands, or because of the operation where these have none."""
-    reasons = tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))[:4]
-    return Unknown(derived(reasons), hint) if reasons else call.machine.unknown(Cause.OPERATION, call.name, hint)
+    return plain.unknown_from(call.machine, call.name, hint, *values)
 
 
 def apply_plain(call: NativeCall, function: Callable[..., object], values: Sequence[Value], hint: str = "") -> Value:
@@ -187,13 +166,10 @@ def apply_plain(call: NativeCall, function: Callable[..., object], values: Seque
     for combination in itertools.product(*alternatives):
         try:
             reader = _Reader(call.machine)
-            plain = [reader.read(v) for v in combination]
-            needed = work(call.name, plain)
-            if needed > MAX_WORK:
+            operands = [reader.read(v) for v in combination]
+            if not plain.affordable(call.machine, call.name, operands):
                 raise NotKnown
-            if needed >= A_STEP:
-                call.machine.spend(needed // A_STEP)
-            results.append(from_plain(call.machine, function(*plain), reader.origins))
+            results.append(from_plain(call.machine, function(*operands), reader.origins))
         except NotKnown:  # noqa: PERF203 - each combination fails for itself
             results.append(unknown_from(call, hint, combination))
         except (*_FAILURES, RecursionError) as error:
@@ -205,8 +181,7 @@ def apply_plain(call: NativeCall, function: Callable[..., object], values: Seque
 
 def joined_elements(call: NativeCall, iterable: Value) -> Value:
     """One value that covers all elements (`UNBOUND` where there are none)."""
-    known, rest = call.machine.iterate(iterable)
-    return join_all((*known, *(() if rest is None else (rest,))))
+    return join_all(plain.all_of(call.machine.iterate(iterable)))
 
 
 def origins_in(values: Iterable[Value]) -> Origins:

@@ -18,7 +18,8 @@ from rosward.domain.compound import Tuple
 from rosward.domain.text import origins_of
 from rosward.domain.values import NONE, Const, Value
 from rosward.models.native import NativeCall, NativeFunction
-from rosward.models.python.std.support import NotKnown, from_plain, text_of, to_plain, unknown_from
+from rosward.models.python.plain import text_of
+from rosward.models.python.std.support import NotKnown, from_plain, to_plain, unknown_from
 
 _MOST: Final = 10_000
 _FORMAT: Final = frozenset(

@@ -20,8 +20,9 @@ from rosward.domain.choice import join_all, options
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.models.native import NativeCall, NativeFunction
+from rosward.models.python.plain import text_of
 from rosward.models.python.std.pattern_cost import work
-from rosward.models.python.std.support import NotKnown, apply_plain, from_plain, text_of, to_plain, unknown_from
+from rosward.models.python.std.support import NotKnown, apply_plain, from_plain, to_plain, unknown_from
 
 MAX_NAME: Final = 200
 MAX_REPLACEMENT: Final = 200
