@@ -27,6 +27,11 @@ DESCRIPTION_FILE: Final = 1_000_000
 CMAKE_FILE: Final = 1_000_000
 CMAKE_DEPTH: Final = 20
 """Of included files and called functions."""
+CMAKE_FUNCTIONS_FILE: Final = 300_000
+"""Files of other packages in which a function is looked for."""
+COMPILE_COMMANDS_FILE: Final = 20_000_000
+CPP_FILE: Final = 2_000_000
+"""Also what the preprocessor hands to the parser."""
 PARAMETERS_FILE: Final = 300_000
 """YAML of which generate_parameter_library makes a module."""
 INTERFACE_FILE: Final = 1_000_000
