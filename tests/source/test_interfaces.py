@@ -64,5 +64,3 @@ def test_the_workspace_goes_first(tmp_path: Path) -> None:
     assert index.names("mine", "srv") == frozenset({"Do"})
     assert index.names("mine", "action") == frozenset({"Go"})
     assert index.names("std_msgs", "msg") == frozenset({"Own"})
-    assert index.is_local("mine")
-    assert not index.is_local("geometry_msgs")

@@ -65,7 +65,7 @@ class Definition(NamedTuple):
 
 def read_definition(text: str, package: str, kind: str, *, closed: bool) -> dict[str, Definition] | None:
     """The parts of an interface by name (`PARTS`); None where the text is no such interface."""
-    parts = [[]]  # type: list[list[str]]
+    parts: list[list[str]] = [[]]
     for line in text.splitlines():
         bare = line.partition("#")[0].strip()
         if bare == "---":

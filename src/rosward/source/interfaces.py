@@ -81,10 +81,6 @@ class InterfaceIndex:
         known = self._texts.get(package, {}).get(kind, {}).get(name)
         return None if known is None else read_definition(known, package, kind, closed=False)
 
-    def is_local(self, package: str) -> bool:
-        """Whether the workspace holds interfaces of that package."""
-        return package in self._own
-
 
 def _data(name: str) -> Any:  # what `json` gives
     return json.loads((Path(__file__).parent / "data" / name).read_bytes())
