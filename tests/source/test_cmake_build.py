@@ -12,6 +12,7 @@ from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import read_compile_commands
 from rosward.source.cmake.conditions import truth
 from rosward.source.cmake.generators import Meant, meant
+from rosward.source.cmake.installed import read_cmake
 from rosward.source.cmake.programs import Builds, Program, Unit
 from rosward.source.cmake.targets import Build, Definition
 from source.trees import manifest, read, write
@@ -50,7 +51,7 @@ def sources(tmp_path: Path, build: Build, name: str) -> list[str]:
         "add_library(core OBJECT src/b.cpp)\nadd_executable(talker src/a.cpp src/b.cpp $<TARGET_OBJECTS:core>)",
         "ament_auto_add_executable(talker src/a.cpp src/b.cpp)",
         "if(BUILD_TESTING)\nadd_executable(talker src/main.cpp)\nendif()\nadd_executable(talker src/a.cpp src/b.cpp)",
-        "return()\n" [:0] + "if(FALSE)\nreturn()\nendif()\nadd_executable(talker src/a.cpp src/b.cpp)\nreturn()\nadd_executable(x src/a.cpp)",
+        "if(FALSE)\nreturn()\nendif()\nadd_executable(talker src/a.cpp src/b.cpp)\nreturn()\nadd_executable(x src/a.cpp)",
     ],
 )  # fmt: skip
 def test_ways_to_make_a_program(tmp_path: Path, text: str) -> None:
@@ -176,6 +177,25 @@ def test_a_program_has_the_name_of_its_file(tmp_path: Path) -> None:
     files = {**FILES, "package.xml": manifest("demo", "ament_cmake"), "CMakeLists.txt": text}
     (program,) = Builds.of(read(tmp_path, files)).programs("demo")
     assert program.name == "talker"
+
+
+@pytest.mark.parametrize(
+    ("words", "installed"),
+    [
+        ("DESTINATION lib/demo", True),
+        ("EXPORT x RUNTIME DESTINATION lib/${PROJECT_NAME}/ COMPONENT y", True),
+        ("RUNTIME DESTINATION lib/demo PUBLIC_HEADER DESTINATION include", True),
+        ("DESTINATION lib/demo EXCLUDE_FROM_ALL", True),
+        ("LIBRARY DESTINATION lib/demo RUNTIME DESTINATION bin", False),
+        ("PUBLIC_HEADER DESTINATION lib/demo", False),
+        ("DESTINATION lib/demonstration", False),
+    ],
+)
+def test_which_programs_are_installed(tmp_path: Path, words: str, installed: bool) -> None:
+    """Whoever asks what can be started, and whoever asks what is built, are told the same."""
+    build = built(tmp_path, f"add_executable(talker src/a.cpp)\ninstall(TARGETS talker {words})")
+    assert build.targets["talker"].installed is installed
+    assert bool(read_cmake(str(tmp_path), "demo", tmp_path).targets) is installed
 
 
 def test_libraries_in_a_circle(tmp_path: Path) -> None:

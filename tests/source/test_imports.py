@@ -93,9 +93,9 @@ def test_submodules(tmp_path: Path) -> None:
     assert found is not None
     assert (found.name, target(found)) == ("demo.nodes", "demo/demo/nodes/__init__.py")
     assert resolver.submodule(package, "nothing") is None
-    assert resolver.module_file("demo.helper", file(workspace, "demo/demo/talker.py")) is file(
-        workspace, "demo/demo/helper.py"
-    )
+    helper = resolver.resolve("demo.helper", 0, file(workspace, "demo/demo/talker.py"))
+    assert helper is not None
+    assert helper.file is file(workspace, "demo/demo/helper.py")
 
 
 def test_a_package_goes_before_a_module_of_its_name(tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from typing import Final
 
 from rosward.cli.shared import MODES
 from rosward.rules import RULES
+from rosward.source import limits
 from rosward.source.discover import discover
 from rosward.source.text import read_bytes
 from rosward.source.workspace import SourceFile, Workspace
@@ -26,7 +27,6 @@ from rosward.source.workspace import SourceFile, Workspace
 __all__ = ["complete", "offer"]
 
 _NETWORK: Final = Path("rosward-out", "network.json")
-_NETWORK_LIMIT: Final = 50_000_000
 
 Completer = Callable[..., Iterable[str]]
 
@@ -116,7 +116,7 @@ def _names(**_: object) -> list[str]:
 
 
 def _names_of_the_last_result() -> Iterator[str]:
-    data = read_bytes(os.fspath(_NETWORK), os.fspath(_NETWORK), _NETWORK_LIMIT)
+    data = read_bytes(os.fspath(_NETWORK), os.fspath(_NETWORK), limits.COMPLETED_FILE)
     try:
         network = json.loads(data) if isinstance(data, bytes) else {}
     except (ValueError, RecursionError):

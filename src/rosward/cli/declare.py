@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 _PACKAGE: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
 _ENDINGS: Final = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".hxx", ".h", ".ipp")
-_LARGEST: Final = 16_000_000
 _MOST_FILES: Final = 500
 
 
@@ -148,9 +147,10 @@ def _source(origin: Path) -> dict[str, str]:
 
 def _text(file: Path) -> str:
     from rosward.findings import Finding
+    from rosward.source import limits
     from rosward.source.text import read_bytes
 
-    data = read_bytes(file, str(file), _LARGEST)
+    data = read_bytes(file, str(file), limits.SEARCHED_FILE)
     if isinstance(data, Finding):
         raise WrongUseError(f"{file}: {data.message}")
     return data.decode("utf-8", "replace")

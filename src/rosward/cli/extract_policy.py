@@ -33,6 +33,7 @@ from rosward.cli.shared import (
     with_exit_status,
 )
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
+from rosward.source import limits
 from rosward.source.text import read_bytes
 
 if TYPE_CHECKING:
@@ -42,7 +43,6 @@ __all__ = ["add_arguments", "run"]
 
 _OURS: Final = b"<!-- Written by rosward"
 _HEAD: Final = 4_096
-_LIMIT: Final = 100_000_000
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -124,5 +124,5 @@ def _replaceable(file: Path) -> bool:
     """Whether nothing of anybody else is lost with the file."""
     if not os.path.lexists(file):
         return True
-    data = read_bytes(file, str(file), _LIMIT)
+    data = read_bytes(file, str(file), limits.REPLACED_FILE)
     return isinstance(data, bytes) and (not data or _OURS in data[:_HEAD])

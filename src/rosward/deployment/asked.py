@@ -12,6 +12,7 @@ from typing import Final
 from rosward.deployment.request import NodeRequest, Request
 from rosward.findings import Finding
 from rosward.network.asked import Asked, LaunchAsked, OptionValue
+from rosward.source import limits
 from rosward.source.exclude import Exclusion
 from rosward.source.text import place_name, read_bytes, readable_path
 
@@ -21,7 +22,6 @@ _OWN: Final = Path(__file__).parent.parent / "models"
 _FOLDERS: Final = ("nodes", "stubs")
 _SUFFIXES: Final = (".pyi", ".yaml")
 _MOST_FILES: Final = 10_000
-_LARGEST: Final = 2_000_000
 _DIGITS: Final = 16
 
 _OWN_VERSION: Final[list[str]] = []
@@ -95,7 +95,7 @@ def _digest(folders: Iterable[Path]) -> str:
     found = hashlib.sha256()
     for folder in folders:
         for name in _files(folder):
-            content = read_bytes(folder / name, name, _LARGEST)
+            content = read_bytes(folder / name, name, limits.MODELS_FILE)
             told = b"" if isinstance(content, Finding) else content
             found.update(f"{name}\0{len(told)}\0".encode("utf-8", "surrogateescape") + told)
     return found.hexdigest()[:_DIGITS]

@@ -38,12 +38,12 @@ from rosward.server.server import Server
 from rosward.server.settings import read_settings
 from rosward.server.shown import in_short
 from rosward.server.uploads import read_upload
+from rosward.source import limits
 from rosward.source.text import read_bytes
 
 __all__ = ["routes"]
 
 _LONGEST_BODY: Final = 256 * 1024
-_LONGEST_TEXT: Final = 16_000_000
 _TEXT: Final = "text/plain; charset=utf-8"
 
 Answer = Callable[[Request], Awaitable[Response]]
@@ -265,7 +265,7 @@ def _regular(folder: Path, name: str) -> Path | None:
 
 
 def _read(file: Path) -> str:
-    data = read_bytes(file, file.name, _LONGEST_TEXT)
+    data = read_bytes(file, file.name, limits.RESULT_FILE)
     return "" if isinstance(data, Finding) else data.decode("utf-8", "replace")
 
 

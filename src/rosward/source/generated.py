@@ -65,7 +65,7 @@ def there(
         if not readable or not os.path.isfile(each.source) or boundary.leads_out(each.source):  # noqa: PTH113
             message = f"The file from which the module {each.name!r} is generated is not among the sources."
             findings.append(Finding("RW008", message, each.place))
-        elif found.setdefault(each.source, each)[3:4] != each[3:4]:
+        elif found.setdefault(each.source, each).validation != each.validation:
             message = f"The module {each.name!r} is generated from the same file as another one, with other validators. It was not read."
             findings.append(Finding("RW008", message, each.place))
     return tuple(g for g in generated if g.source in found and g.validation == found[g.source].validation), findings

@@ -90,11 +90,6 @@ class ImportResolver:
         found = self._descend(parent.folder, [name], parent.file.package if parent.file else None)
         return found and found._replace(name=f"{parent.name}.{name}", guess=parent.guess)
 
-    def module_file(self, name: str, importer: SourceFile) -> SourceFile | None:
-        """The file that runs when `importer` imports the absolute `name`."""
-        found = self.resolve(name, 0, importer)
-        return found.file if found else None
-
     def entry_module(self, name: str, package: Package) -> ImportTarget | None:
         """What the entry point module `name` of an installed `package` means."""
         parts = name.split(".")

@@ -27,12 +27,19 @@ DESCRIPTION_FILE: Final = 1_000_000
 CMAKE_FILE: Final = 1_000_000
 CMAKE_DEPTH: Final = 20
 """Of included files and called functions."""
+CMAKE_FUNCTIONS_FILE: Final = 300_000
+"""Files of other packages in which a function is looked for."""
+COMPILE_COMMANDS_FILE: Final = 20_000_000
+CPP_FILE: Final = 2_000_000
+"""Also what the preprocessor hands to the parser."""
 PARAMETERS_FILE: Final = 300_000
 """YAML of which generate_parameter_library makes a module."""
 INTERFACE_FILE: Final = 1_000_000
 """Of .msg, .srv and .action."""
 DATA_FILE: Final = 1_000_000
 """What is read as plain data."""
+SEARCHED_FILE: Final = 16_000_000
+"""In which the beginning of a declaration is looked for; also what `ros2 node info` printed."""
 EXCERPT_FILE: Final = 2_000_000
 """Of which lines are shown."""
 
@@ -44,6 +51,8 @@ LAUNCH_ELEMENTS: Final = 50_000
 LAUNCH_DEPTH: Final = 60
 DECLARED_FILE: Final = 2_000_000
 """Declared nodes, and the configurations that they read."""
+MODELS_FILE: Final = 2_000_000
+"""Of declared nodes and stubs, for the fingerprint of the models."""
 YAML_TEXT: Final = 100_000
 """Of a value that launch reads as YAML; a longer one is taken for a str (a robot description)."""
 YAML_DEPTH: Final = 100
@@ -79,7 +88,11 @@ JSON_FILE: Final = 64_000_000
 """network.json, snapshots."""
 JSON_NAME: Final = 1_000
 """Characters of a text in it that is a name."""
+COMPLETED_FILE: Final = 50_000_000
+"""network.json, where the Tab key offers its names."""
+REPLACED_FILE: Final = 100_000_000
+"""A policy.xml of which the beginning says whether it is ours."""
 DIFF_FILE: Final = 32_000_000
 NODE_INFO_TEXT: Final = 16_000_000
 RESULT_FILE: Final = 16_000_000
-"""What the server keeps of a result."""
+"""What the server keeps of a result, and shows of a file of it."""

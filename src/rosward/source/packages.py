@@ -13,6 +13,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.install import below_share
 from rosward.source.cmake.installed import CMakeProject, read_cmake
@@ -113,5 +114,5 @@ def _root(folder: str, package: str, where: str) -> str:
 
 def is_build_script(path: str) -> bool:
     """Whether a file named `setup.py` describes a build, rather than being a module of that name."""
-    data = read_bytes(path, path, 1_000_000)
+    data = read_bytes(path, path, limits.DESCRIPTION_FILE)
     return isinstance(data, bytes) and (b"setuptools" in data or b"distutils" in data or b"catkin_pkg" in data)

@@ -118,7 +118,7 @@ def _read(item: Item, above: str, groups: list[tuple[str, int]], found: list[Des
 def _identifier(name: str, place: Place) -> None:
     hidden = name.startswith("__") and not name.startswith(MAP) and not name.endswith("__")
     if not name.isidentifier() or keyword.iskeyword(name) or hidden:
-        raise Malformed(f"{name[:100]!r} is not a valid module name", place)
+        raise Malformed(f"{name[:100]!r} cannot be a name in the generated module", place)
 
 
 def _parameter(name: str, item: Item) -> DescribedParameter | None:

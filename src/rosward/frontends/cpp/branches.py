@@ -13,9 +13,12 @@ import re
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
+from rosward.frontends.cpp.tokens import LITERAL
+
 _DIRECTIVE: Final = re.compile(r"[ \t]*(?:#|%:)[ \t]*([A-Za-z_]\w*)?(.*)", re.DOTALL)
-_LITERAL: Final = re.compile(r'"(?:[^"\\\n]|\\.)*"' + r"|'(?:[^'\\\n]|\\.)*'")
-_OPENING: Final = re.compile(r"(?:if|ifdef|ifndef)\Z")
+_LITERAL: Final = re.compile(LITERAL)
+CONDITIONS: Final = frozenset({"if", "ifdef", "ifndef"})
+"""Directives that begin a condition."""
 
 
 class Directive(NamedTuple):
@@ -39,7 +42,7 @@ def directives(lines: Sequence[str]) -> dict[int, Directive]:
             continue
         name = match[1] or ""
         found[number] = Directive(name, match[2].strip(), number)
-        if _OPENING.match(name):
+        if name in CONDITIONS:
             around.append(number)
         elif name in {"elif", "else", "endif", "elifdef", "elifndef"} and around:
             found[around[-1]] = found[around[-1]]._replace(following=number)

@@ -40,6 +40,12 @@ _OPERATIONS: Final[Mapping[str, Callable[[int, int], int | None]]] = {
     "/": lambda a, b: int(a / b) if b and abs(a) < 2**52 else None,
     "%": lambda a, b: a % b if b else None,
 }
+_SIGNS: Final[Mapping[str, Callable[[int], int]]] = {
+    "!": lambda a: int(not a),
+    "-": lambda a: -a,
+    "+": lambda a: a,
+    "~": lambda a: ~a,
+}
 
 
 class Asked(Protocol):
@@ -156,21 +162,12 @@ class _Expression:
 
     def _unary(self, depth: int) -> int | None:
         operators: list[str] = []
-        while self._next() in {"!", "-", "+", "~"}:
+        while self._next() in _SIGNS:
             operators.append(self._next())
             self._position += 1
         value = self._primary(depth)
         for operator in reversed(operators):
-            if value is not None:
-                value = (
-                    not value
-                    if operator == "!"
-                    else -value
-                    if operator == "-"
-                    else ~value
-                    if operator == "~"
-                    else value
-                )
+            value = None if value is None else _SIGNS[operator](value)
         return value
 
     def _primary(self, depth: int) -> int | None:

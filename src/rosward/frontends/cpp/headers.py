@@ -11,13 +11,12 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Final, final
+from typing import final
 
 from rosward.findings import Finding
+from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.text import place_name, read_bytes
-
-_LIMIT: Final = 2_000_000
 
 
 @final
@@ -60,7 +59,7 @@ class Headers:
 
     def read(self, path: str) -> str | Finding:
         """The text of a file; C++ is UTF-8 or does not mind."""
-        data = read_bytes(path, self.named(path), _LIMIT)
+        data = read_bytes(path, self.named(path), limits.CPP_FILE)
         if isinstance(data, Finding):
             return data
         text = data.decode("utf-8-sig", "replace").replace("\0", " ")

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.prepared import Prepared
+from rosward.source import limits
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from tree_sitter import Node, Parser, Tree
 
-_BYTES: Final = 2_000_000
 _STEPS: Final = 1_000
 _STEPS_A_BYTE: Final = 0.06
 """Ordinary code takes 0.007, a sum of a hundred thousand numbers 0.04, nested template brackets 0.1 and much memory."""
@@ -81,9 +81,9 @@ class CppParser:
 
     def _parse(self, prepared: Prepared) -> Parsed | Finding:
         data = prepared.text.encode("utf-8", "replace")
-        if len(data) > _BYTES:
+        if len(data) > limits.CPP_FILE:
             return Finding(
-                "RW003", f"The file is larger than {_BYTES:,} bytes after preprocessing.", Place(prepared.file)
+                "RW003", f"The file is larger than {limits.CPP_FILE:,} bytes after preprocessing.", Place(prepared.file)
             )
         steps = int(len(data) * _STEPS_A_BYTE) + _STEPS
 

@@ -7,7 +7,7 @@ import re
 from typing import Final, Protocol, final
 
 from rosward.findings import Finding
-from rosward.frontends.cpp.branches import Directive, begins_here, branch_ends, code_of, is_whole
+from rosward.frontends.cpp.branches import CONDITIONS, Directive, begins_here, branch_ends, code_of, is_whole
 from rosward.frontends.cpp.conditions import Asked, holds, is_defined
 from rosward.frontends.cpp.file_text import SourceLines
 from rosward.frontends.cpp.known import macro_prefix
@@ -26,7 +26,6 @@ DEPTH: Final = 60
 _TEXT_LIMIT: Final = 4_000_000
 _CALL_LINES: Final = 400
 _INCLUDE: Final = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
-_CONDITIONS: Final = frozenset({"if", "ifdef", "ifndef"})
 
 
 class UnitView(Asked, Protocol):
@@ -101,7 +100,7 @@ class Reading:
                 while number < last and number not in found:
                     number += 1
                 self._text(lines[start:number])
-            elif directive.name in _CONDITIONS and directive.following >= 0:
+            elif directive.name in CONDITIONS and directive.following >= 0:
                 number = self._condition(directive, last)
             else:
                 self._directive(directive)
@@ -262,19 +261,16 @@ class Reading:
         lines, found = self._source.lines, self._source.found
         branches = branch_ends(found, opening.line, len(lines))
         end = branches[-1][1]
-        possible: list[tuple[int, int, bool]] = []
+        chosen: list[int] = []
         complete = False
-        for number, (first, behind) in enumerate(branches):
-            directive = found[first - 1]
-            verdict = self._verdict(directive)
+        for number, (first, _) in enumerate(branches):
+            verdict = self._verdict(found[first - 1])
             if verdict is not False:
-                possible.append((number, first, True))
+                chosen.append(number)
             if verdict:
                 complete = True
                 break
-            del behind
-        several = len(possible) + (not complete) > 1 and bool(possible)
-        chosen = [number for number, _, _ in possible]
+        several = bool(chosen) and len(chosen) + (not complete) > 1
         if several and not self._can_keep(branches):
             self._tell(
                 "RW206",

@@ -11,7 +11,7 @@ from typing import Final
 
 from rosward.frontends.cpp.known import REGISTERING
 from rosward.frontends.cpp.prepared import Registration
-from rosward.frontends.cpp.tokens import BRACKET
+from rosward.frontends.cpp.tokens import behind_bracket
 
 _REGISTER: Final = re.compile(rf"\b({'|'.join(sorted(REGISTERING))})\s*\(")
 _LENGTH: Final = 2_000  # characters
@@ -26,13 +26,8 @@ def registrations(text: str) -> tuple[str, list[Registration]]:
     for match in _REGISTER.finditer(text):
         if match.start() < position:
             continue
-        depth, end = 1, match.end()
-        for mark in BRACKET.finditer(text, match.end(), match.end() + _LENGTH):
-            depth += (mark[0] == "(") - (mark[0] == ")")
-            end = mark.end()
-            if not depth:
-                break
-        if depth:
+        end = behind_bracket(text, match.end(), _LENGTH)
+        if end < 0:
             unclosed += 1
             if unclosed > _UNCLOSED:
                 break

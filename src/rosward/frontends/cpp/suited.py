@@ -12,7 +12,8 @@ from __future__ import annotations
 import re
 from typing import Final
 
-_NOTHING: Final = re.compile(r"[^\n]")
+from rosward.frontends.cpp.tokens import blank
+
 _TYPENAME: Final = re.compile(r"(?:(?<==)|(?<=\breturn))[ \t]*\btypename\b")
 _NEW_POINTERS: Final = re.compile(r"(?<=\bnew)([ \t]+[A-Za-z_][\w:]*)([ \t]*\*[ \t*]*)(?=\[)")
 _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ \t]+slots\b(?=[ \t]*:)")
@@ -38,4 +39,4 @@ def suited(text: str) -> str:
 
 
 def _blank(found: re.Match[str]) -> str:
-    return _NOTHING.sub(" ", found[0])
+    return blank(found[0])

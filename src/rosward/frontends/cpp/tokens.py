@@ -21,10 +21,14 @@ _TOKEN: Final = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-BRACKET: Final = re.compile(r""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|[()]""")
+LITERAL: Final = r""""(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'"""
+"""The pattern of a literal in cleaned text."""
+
+_BRACKET: Final = re.compile(rf"{LITERAL}|[()]")
 """A round bracket; literals match, too, so that none is found within them."""
 
 NAME: Final = re.compile(r"[A-Za-z_]\w*")
+_NOT_NEWLINE: Final = re.compile(r"[^\n]")
 
 
 def tokens(text: str) -> list[str]:
@@ -52,5 +56,20 @@ def open_brackets(text: str) -> int:
     """How many round brackets a text opens more than it closes, literals left out."""
     if "(" not in text and ")" not in text:
         return 0
-    found = BRACKET.findall(text)
+    found = _BRACKET.findall(text)
     return found.count("(") - found.count(")")
+
+
+def behind_bracket(text: str, position: int, most: int) -> int:
+    """The position behind the bracket that closes the one before `position`; -1 where none does within `most` characters."""
+    depth = 1
+    for mark in _BRACKET.finditer(text, position, position + most):
+        depth += (mark[0] == "(") - (mark[0] == ")")
+        if not depth:
+            return mark.end()
+    return -1
+
+
+def blank(text: str) -> str:
+    """As many blanks as the text has characters, in as many lines."""
+    return _NOT_NEWLINE.sub(" ", text)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import re
 from typing import Final, NamedTuple
 
-from rosward.frontends.cpp.tokens import BRACKET
+from rosward.frontends.cpp.tokens import behind_bracket, blank
 
 _VISIBILITY: Final = re.compile(
     r"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|EXPORTS|LOCAL|API|IMPORT|HIDDEN|PUBLIC_TYPE|NO_EXPORT|DEPRECATED|INLINE|NODISCARD)\b(?!\s*[(.,;=:)+\"<>|&*!?\-/%\]}])"
@@ -30,7 +30,6 @@ _CALL_LIMIT: Final = 20_000  # characters
 _UNCLOSED: Final = 100
 _GOES_ON: Final = re.compile(r"\s*[;{.\-+*/?:&|,)=<>\[\]]")
 _ENDED: Final = re.compile(r"[;{}:]\s*\Z|\A\s*\Z")
-_NOTHING: Final = re.compile(r"[^\n]")
 
 
 class Blanked(NamedTuple):
@@ -57,31 +56,21 @@ def without_unknown(text: str) -> tuple[str, list[Blanked]]:
     for call in _CALL.finditer(changed):
         if call.start() < position or not _ENDED.search(changed[max(position, call.start() - 200) : call.start()]):
             continue
-        end = _closed(changed, call.end())
+        end = behind_bracket(changed, call.end(), _CALL_LIMIT)
         unclosed += end < 0
         if unclosed > _UNCLOSED:
             break
         if end < 0 or _GOES_ON.match(changed, end):
             continue
         told.append(Blanked(call[1], changed.count("\n", 0, call.start()) + 1))
-        pieces += [changed[position : call.start()], _NOTHING.sub(" ", changed[call.start() : end])]
+        pieces += [changed[position : call.start()], blank(changed[call.start() : end])]
         position = end
     return "".join([*pieces, changed[position:]]), told
 
 
 def _blank(found: re.Match[str]) -> str:
-    return _NOTHING.sub(" ", found[0])
+    return blank(found[0])
 
 
 def _blank_first(found: re.Match[str]) -> str:
     return found[0].replace(found[1], " " * len(found[1]), 1)
-
-
-def _closed(text: str, position: int) -> int:
-    """The position behind the bracket that closes the one before `position`; -1 where none does, soon."""
-    depth = 1
-    for mark in BRACKET.finditer(text, position, position + _CALL_LIMIT):
-        depth += (mark[0] == "(") - (mark[0] == ")")
-        if not depth:
-            return mark.end()
-    return -1

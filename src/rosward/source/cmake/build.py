@@ -161,8 +161,9 @@ class _Reader:
 
     def has_target(self, name: str) -> bool | None:
         """Whether a target of that name is there; nobody knows those of packages from elsewhere."""
-        if self._targets.find(name) is not None:
-            return self._targets.named(name).sure or None
+        target = self._targets.find(name)
+        if target is not None:
+            return target.sure or None
         return None if "::" in name else False
 
     def has_path(self, path: str) -> bool | None:

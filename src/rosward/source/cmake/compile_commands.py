@@ -16,11 +16,11 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Final, NamedTuple
 
+from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.targets import Definition
 from rosward.source.text import read_bytes
 
-_LIMIT: Final = 20_000_000
 _WORD: Final = re.compile(r"""(?:[^\s"'\\]|\\.|"(?:[^"\\]|\\.)*"|'[^']*')+""", re.DOTALL)
 _QUOTED: Final = re.compile(r""""((?:[^"\\]|\\.)*)"|'([^']*)'|\\(.)""", re.DOTALL)
 _ESCAPE: Final = re.compile(r'\\(["\\$`])')
@@ -51,7 +51,7 @@ def read_compile_commands(folders: Iterable[str], boundary: Boundary = EVERYWHER
 
 
 def _entries(path: str) -> Iterator[tuple[str, str, Compiled]]:
-    data = read_bytes(path, path, _LIMIT)
+    data = read_bytes(path, path, limits.COMPILE_COMMANDS_FILE)
     try:
         entries = json.loads(data) if isinstance(data, bytes) else []
     except (ValueError, RecursionError):

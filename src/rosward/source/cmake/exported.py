@@ -9,17 +9,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Final, final
+from typing import final
 
+from rosward.source.cmake.install import by_option, installed_targets, registered_classes
 from rosward.source.cmake.interpreter import Handler, Interpreter
 from rosward.source.cmake.making import TargetCommands
 from rosward.source.cmake.targets import Component, Made, ParameterHeader
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
-
-_ARTIFACTS: Final = frozenset(
-    {"ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "INCLUDES", "PUBLIC_HEADER"}
-)
 
 
 @final
@@ -47,25 +44,13 @@ class ExportCommands:
     def _install(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         what, *rest = arguments
         if what == "TARGETS":
-            destination, artifact, option = "", "", ""
-            names: list[str] = []
-            for argument in rest:
-                if argument in _ARTIFACTS:
-                    artifact = option = argument
-                elif argument in {"DESTINATION", "EXPORT", "COMPONENT", "PERMISSIONS", "CONFIGURATIONS", "OPTIONAL"}:
-                    option = argument
-                elif option == "DESTINATION" and artifact in {"", "RUNTIME"}:
-                    destination = argument.strip("/")
-                elif not option:
-                    names.append(argument)
-            if destination == f"lib/{self._package}" or destination.startswith(f"lib/{self._package}/"):
-                for target in map(self._targets.find, names):
-                    if target is not None:
-                        target.installed = True
-        elif what == "DIRECTORY" and "DESTINATION" in rest:
-            at = rest.index("DESTINATION")
-            if "".join(rest[at + 1 : at + 2]).strip("/").split("/")[0] == "include":
-                self._export(rest[:at])
+            for target in map(self._targets.find, installed_targets(rest, self._package)):
+                if target is not None:
+                    target.installed = True
+        elif what == "DIRECTORY":
+            paths, options = by_option(rest)
+            if "".join(options.get("DESTINATION", [])[:1]).strip("/").split("/")[0] == "include":
+                self._export(paths)
 
     def _auto_package(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002  as all handlers
         self._export(["include"])
@@ -90,10 +75,9 @@ class ExportCommands:
             self._component(library, plugin, program, given.get("EXECUTOR", "SingleThreadedExecutor"), command)
 
     def _register_several(self, arguments: list[str], command: Command) -> None:
-        library, *rest = arguments
-        for plugin in rest[: rest.index("RESOURCE_INDEX")] if "RESOURCE_INDEX" in rest else rest:
+        for plugin in registered_classes(arguments):
             if HOLE not in plugin:
-                self._component(library, plugin, "", "", command)
+                self._component(arguments[0], plugin, "", "", command)
 
     def _component(self, library: str, plugin: str, program: str, executor: str, command: Command) -> None:
         library = self._targets.aliases.get(library, library)

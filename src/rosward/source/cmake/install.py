@@ -24,8 +24,13 @@ _INSTALL_WORDS: Final = frozenset(
         "TYPE", "USE_SOURCE_PERMISSIONS",
     }
 )  # fmt: skip
-_ARTIFACTS: Final = frozenset({"ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "INCLUDES"})
-_TARGET_OPTIONS: Final = _INSTALL_WORDS | _ARTIFACTS | {"EXPORT", "PUBLIC_HEADER", "PRIVATE_HEADER", "RESOURCE"}
+_ARTIFACTS: Final = frozenset(
+    {
+        "ARCHIVE", "BUNDLE", "FRAMEWORK", "INCLUDES", "LIBRARY", "OBJECTS", "PRIVATE_HEADER", "PUBLIC_HEADER", "RESOURCE",
+        "RUNTIME",
+    }
+)  # fmt: skip
+_TARGET_OPTIONS: Final = _INSTALL_WORDS | {"EXPORT"}
 
 
 class CMakeTarget(NamedTuple):
@@ -48,6 +53,27 @@ def by_option(arguments: list[str]) -> tuple[list[str], dict[str, list[str]]]:
         else:
             into.append(argument)
     return paths, options
+
+
+def installed_targets(arguments: list[str], package: str) -> list[str]:
+    """The targets of `install(TARGETS a b [RUNTIME] DESTINATION lib/PACKAGE)`; none where programs go elsewhere."""
+    names: list[str] = []
+    destination, artifact, option = "", "", ""
+    for argument in arguments:
+        if argument in _ARTIFACTS:
+            artifact = option = argument
+        elif argument in _TARGET_OPTIONS:
+            option = argument
+        elif option == "DESTINATION" and artifact in {"", "RUNTIME"}:
+            destination = argument.strip("/")
+        elif not option:
+            names.append(argument)
+    return names if destination == f"lib/{package}" or destination.startswith(f"lib/{package}/") else []
+
+
+def registered_classes(arguments: list[str]) -> list[str]:
+    """The classes of `rclcpp_components_register_nodes(LIBRARY a b [RESOURCE_INDEX …])`."""
+    return arguments[1 : arguments.index("RESOURCE_INDEX") if "RESOURCE_INDEX" in arguments else None]
 
 
 def below_share(destination: str, package: str) -> str | None:
@@ -84,25 +110,13 @@ class Targets:
 
     def install(self, arguments: list[str]) -> None:
         """`install(TARGETS a b [RUNTIME] DESTINATION lib/PACKAGE)`."""
-        names: list[str] = []
-        destination, artifact, option = "", "", ""
-        for argument in arguments:
-            if argument in _ARTIFACTS:
-                artifact, option = argument, argument
-            elif argument in _TARGET_OPTIONS:
-                option = argument
-            elif option == "DESTINATION" and artifact in ("", "RUNTIME"):
-                destination = argument.strip("/")
-            elif not option:
-                names.append(argument)
-        if destination == f"lib/{self._package}" or destination.startswith(f"lib/{self._package}/"):
-            self._installed.update(dict.fromkeys(names))
+        self._installed.update(dict.fromkeys(installed_targets(arguments, self._package)))
 
     def register(self, arguments: list[str], place: Place, *, one: bool) -> None:
         """`rclcpp_components_register_node(LIBRARY PLUGIN c EXECUTABLE e)`, `…_nodes(LIBRARY c…)`."""
         library, *rest = arguments
         if not one:
-            plugins = rest[: rest.index("RESOURCE_INDEX")] if "RESOURCE_INDEX" in rest else rest
+            plugins = registered_classes(arguments)
             self._registered += [CMakeTarget(library, TargetKind.COMPONENT, place, plugin) for plugin in plugins]
             return
         given = dict(itertools.pairwise(rest))

@@ -7,7 +7,7 @@
 
 Variables, lists, loops, functions and included files are interpreted here; what the other commands mean is up to the reader that asks
 (`installed.py`, `build.py`). Two ways to treat an `if`: for "what could this package install?" each branch counts, in its order; where
-`decides`, a condition that is known takes one way, any other both, and what they leave in variables is joined.
+a reader has `Surroundings` to ask, a condition that is known takes one way, any other both, and what they leave in variables is joined.
 
 Nothing outside of the package is read, and everything is bounded.
 """

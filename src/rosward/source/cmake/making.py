@@ -82,14 +82,9 @@ class TargetCommands:
             self._folders[folder] = self._folders[above].copy()
         return self._folders[folder]
 
-    def named(self, name: str) -> Making:
-        """The target of that name, or alias, which is there."""
-        return self.made[self.aliases.get(name, name)]
-
     def find(self, name: str) -> Making | None:
         """The target of that name, or alias."""
-        name = self.aliases.get(name, name)
-        return self.made.get(name)
+        return self.made.get(self.aliases.get(name, name))
 
     def add(self, name: str, made: Made, sources: Sequence[str], command: Command) -> None:
         """Make a target, or add sources to it."""
@@ -107,20 +102,23 @@ class TargetCommands:
 
     def _add_executable(self, arguments: list[str], command: Command) -> None:
         name, *sources = arguments
-        if "ALIAS" in sources[:1]:
-            self.aliases |= dict.fromkeys([name], "".join(sources[1:2]))
-        elif "IMPORTED" not in sources[:2]:
+        if self._is_own(name, sources):
             self.add(name, Made.PROGRAM, sources, command)
             if command.name == "ament_auto_add_executable" and name in self.made:
                 self.made[name].installed = True
 
     def _add_library(self, arguments: list[str], command: Command) -> None:
         name, *sources = arguments
-        if "ALIAS" in sources[:1]:
-            self.aliases |= dict.fromkeys([name], "".join(sources[1:2]))
-        elif "IMPORTED" not in sources[:2]:
+        if self._is_own(name, sources):
             made = next((_KINDS[s] for s in sources[:2] if s in _KINDS), Made.LIBRARY)
             self.add(name, made, [s for s in sources if s not in _KINDS], command)
+
+    def _is_own(self, name: str, words: Sequence[str]) -> bool:
+        """Whether the words behind a name make a target of the package: neither another name of one, nor one from elsewhere."""
+        if "ALIAS" in words[:1]:
+            self.aliases[name] = "".join(words[1:2])
+            return False
+        return "IMPORTED" not in words[:2]
 
     def _automatic(self, target: Making, sources: Sequence[str]) -> Iterator[str]:
         """What `ament_auto_add_*` does for a target: folders of sources, the folder of headers, links to all that was found."""
@@ -205,12 +203,12 @@ class TargetCommands:
     def _target_definitions(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         for into, argument in self._by_visibility(arguments):
             for using in into:
-                using.definitions |= self.definitions([argument])
+                using.definitions |= self._definitions([argument])
 
     def _target_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         for into, argument in self._by_visibility(arguments):
             for using in into:
-                using.definitions |= self.definitions(a for a in [argument] if a.startswith("-D"))
+                using.definitions |= self._definitions(a for a in [argument] if a.startswith("-D"))
 
     def _properties(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         """`set_target_properties(a b PROPERTIES COMPILE_DEFINITIONS X=1 …)`."""
@@ -223,7 +221,7 @@ class TargetCommands:
         for target in map(self.find, arguments[:at]):
             if target is not None:
                 target.output = pairs.get("OUTPUT_NAME", target.output)
-                target.own.definitions |= self.definitions(t for t in texts if t)
+                target.own.definitions |= self._definitions(t for t in texts if t)
 
     # What all targets of a folder use
 
@@ -231,10 +229,10 @@ class TargetCommands:
         self._include([a for a in arguments if a not in {"SYSTEM", "BEFORE", "AFTER"}], self.folder())
 
     def _folder_definitions(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
-        self.folder().definitions.update(self.definitions(arguments))
+        self.folder().definitions.update(self._definitions(arguments))
 
     def _folder_options(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
-        self.folder().definitions.update(self.definitions(a for a in arguments if a.startswith("-D")))
+        self.folder().definitions.update(self._definitions(a for a in arguments if a.startswith("-D")))
 
     def _folder_links(self, arguments: list[str], command: Command) -> None:  # noqa: ARG002
         self.folder().links.update(self._links(arguments))
@@ -248,7 +246,7 @@ class TargetCommands:
             elif "::" in text:
                 into.links[text] = None
 
-    def definitions(self, texts: Iterable[str]) -> dict[Definition, None]:
+    def _definitions(self, texts: Iterable[str]) -> dict[Definition, None]:
         """The macros that arguments define."""
         found: dict[Definition, None] = {}
         for argument in texts:

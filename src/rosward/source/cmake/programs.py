@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Final, NamedTuple, final
 
+from rosward.source import limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import CompileCommands, read_compile_commands
@@ -26,7 +27,6 @@ from rosward.source.text import read_bytes
 from rosward.source.workspace import Package, Workspace
 
 _FILES: Final = 100
-_BYTES: Final = 300_000
 _REACHED: Final = 5_000
 _LOOKED_AT: Final = 50_000
 _SKIPPED: Final = frozenset({"test", "tests", "build", "install", "log"})
@@ -252,7 +252,7 @@ class Builds:
                 return found
             for file in names:
                 path = f"{folder}{os.sep}{file}"
-                data = b"" if self._boundary.leads_out(path) else read_bytes(path, path, _BYTES)
+                data = b"" if self._boundary.leads_out(path) else read_bytes(path, path, limits.CMAKE_FUNCTIONS_FILE)
                 if isinstance(data, bytes):
                     for command in parse_cmake(data.decode("utf-8", "replace"))[0]:
                         if command.name in {"function", "macro"} and command.arguments:
