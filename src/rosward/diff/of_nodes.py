@@ -2,7 +2,7 @@
 """What of the nodes of a network is compared?
 
 node /talker with its publisher of /chatter
-  ->  Snapshot: node /talker, its publisher, and the right to publish rt/chatter in enclave /talker
+  ->  ComparedState: node /talker, its publisher, and the right to publish rt/chatter in enclave /talker
 """
 
 from __future__ import annotations
