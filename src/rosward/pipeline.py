@@ -35,7 +35,8 @@ from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import apart, connect, with_findings
-from rosward.network.contexts import EnclaveMode, each_its_own, with_enclaves
+from rosward.network.contexts import each_its_own, with_enclaves
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
@@ -107,7 +108,7 @@ def extract(
 
     Args:
         paths: files, packages or workspaces; the working directory where there is none.
-        distro: One of `rosward.ros.distro.DISTROS`; decides what the client library adds by itself.
+        distro: One of `rosward.ros.distro.DISTROS`; decides what the client library adds.
         unknown: 'deny' or 'wildcard', what a policy made of the result will write for a name that is not known.
         models: folders of stub files that describe libraries, and of declared interfaces of nodes.
         tests: whether test files are read too.

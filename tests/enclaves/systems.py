@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from outputs.networks import entity, node
 
 from rosward.network.connect import connect
-from rosward.network.contexts import EnclaveMode, with_enclaves
+from rosward.network.contexts import with_enclaves
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 
 __all__ = ["nodes"]

@@ -12,7 +12,8 @@ from outputs.networks import node
 
 from rosward.enclaves.suggestion import Wish, suggest
 from rosward.network.assigned import Assignment, AssignmentError, read_assignment
-from rosward.network.contexts import EnclaveMode, with_enclaves
+from rosward.network.contexts import with_enclaves
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.outputs.policies.enclaves_toml import enclaves_toml
 from rosward.ros.entities import Node
 

@@ -18,7 +18,8 @@ from outputs.networks import entity, node
 from rosward.enclaves.grants import enclaves
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import connect
-from rosward.network.contexts import EnclaveMode, with_enclaves
+from rosward.network.contexts import with_enclaves
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.outputs.policies.permissions import permissions

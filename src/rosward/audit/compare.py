@@ -20,6 +20,7 @@ from rosward.audit.graph import LiveEntity, LiveGraph, LiveNode
 from rosward.audit.result import Audit, AuditCounts, Difference, Tool, Unjudged
 from rosward.audit.tools import tool_of
 from rosward.findings import Finding
+from rosward.network.counts import listed
 from rosward.ros.entities import Entity, Node, Qos
 from rosward.source.location import Place
 
@@ -188,8 +189,7 @@ def _typed(entity: LiveEntity) -> str:
 
 def _listed(entities: Sequence[LiveEntity]) -> str:
     own_first = sorted(entities, key=lambda e: e.type.partition("/")[0] in _OF_LIBRARY)
-    shown = [str(e) for e in own_first[:3]]
-    return ", ".join(shown) + (f" and {len(entities) - 3} more" if len(entities) > 3 else "")
+    return listed([str(e) for e in own_first], 3)
 
 
 def _why(reasons: Sequence[str]) -> str:

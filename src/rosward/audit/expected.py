@@ -14,6 +14,7 @@ from typing import Final, NamedTuple, final
 
 from rosward.audit.graph import LiveEntity, part_of_action
 from rosward.findings import Finding
+from rosward.policies.granted import name_to_grant
 from rosward.policies.match import Pattern
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.json_fields import UnreadableError
@@ -113,10 +114,8 @@ class ExpectedEntities:
             work.spend(len(expected.node.entities))
             for entity in expected.node.entities:
                 if "*" in entity.name:
-                    unknown = entity.resolution is Resolution.UNKNOWN
-                    pattern = Pattern("/*" if unknown and entity.name.endswith("/*") else entity.name)
-                    key = entity.kind, How.UNKNOWN if unknown else How.PATTERN
-                    self._wild.setdefault(key, []).append((pattern, entity))
+                    key = entity.kind, How.UNKNOWN if entity.resolution is Resolution.UNKNOWN else How.PATTERN
+                    self._wild.setdefault(key, []).append((Pattern(name_to_grant(entity)), entity))
                 else:
                     self._exact.setdefault((entity.kind, entity.name), []).append(entity)
 

@@ -30,7 +30,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     """Declare the command."""
     parser = commands.add_parser(
         "enclaves",
-        help="suggest which processes can share an enclave, and at which price",
+        help="suggest which processes can share an enclave, and at what price",
         description="Commands for the enclaves of a system.",
     )
     questions = parser.add_subparsers(dest="question", metavar="QUESTION", required=True)

@@ -36,7 +36,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
-    add_deployment(parser, "each launch file, as a system of its own")
+    add_deployment(parser, "each launch file, as a separate system")
     add_format(parser, "text", "json")
 
 

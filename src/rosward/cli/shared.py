@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.rules import INTERNAL_ERROR, UNREAD_ARGUMENT
 from rosward.safe import printable
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from rosward.source.exclude import Exclusion
 
 MOST_BUDGET: Final = 1_000
-MODES: Final = ("node", "process", "launch")
+MODES: Final = tuple(mode.value for mode in EnclaveMode)
 COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
 
 _LISTING: Final = ("extract", "extract_policy")

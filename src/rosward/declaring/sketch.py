@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is known of a program before a person has looked at it.
 
-Sketch("lidar", entities=(Seen("publishers", "scan", "sensor_msgs/msg/LaserScan"),), open="…")
+Sketch("lidar", entities=(SeenEndpoint("publishers", "scan", "sensor_msgs/msg/LaserScan"),), open="…")
 """
 
 from __future__ import annotations

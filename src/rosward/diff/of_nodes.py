@@ -2,7 +2,7 @@
 """What of the nodes of a network is compared?
 
 node /talker with its publisher of /chatter
-  ->  Snapshot: node /talker, its publisher, and the right to publish rt/chatter in enclave /talker
+  ->  ComparedState: node /talker, its publisher, and the right to publish rt/chatter in enclave /talker
 """
 
 from __future__ import annotations
@@ -11,10 +11,11 @@ from collections.abc import Iterable
 from typing import Final
 
 from rosward.diff.snapshot import ComparedState, EntityLine
+from rosward.policies.granted import name_to_grant
 from rosward.policies.match import LONGEST_NAME, is_pattern
 from rosward.policies.records import EnclavePolicy, Policy, PolicyRule
 from rosward.policies.rights import rights_of
-from rosward.ros.entities import Entity, Node, Resolution
+from rosward.ros.entities import Entity, Node
 from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place
 
@@ -55,7 +56,6 @@ def _check(node: Node, entity: Entity, source: str) -> None:
 
 def _rule(entity: Entity, place: Place) -> PolicyRule:
     """The right that an entity needs, at the line that creates it first."""
-    wholly_unknown = entity.resolution is Resolution.UNKNOWN and entity.name.endswith("/*")
-    right = "/*" if wholly_unknown else entity.name
+    right = name_to_grant(entity)
     created = entity.created_at[0] if entity.created_at else place
     return PolicyRule(True, entity.kind.value, right, rights_of(entity.kind, right), created)

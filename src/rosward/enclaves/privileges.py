@@ -17,13 +17,11 @@ from typing import Final, NamedTuple
 from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.policies.granted import OUTSIDE, name_to_grant, why_not
-from rosward.policies.rights import Direction, Right, rights_of
+from rosward.policies.rights import ACTION_SERVICES, ACTION_TOPICS, Right, rights_of
 from rosward.ros.entities import EntityKind, Node
 
 __all__ = ["Privilege", "by_enclave", "on_dds", "parts", "privileges"]
 
-_SERVICES: Final = ("cancel_goal", "get_result", "send_goal")
-_TOPICS: Final = ("feedback", "status")
 _OF_ACTION: Final = {
     EntityKind.ACTION_SERVER: (EntityKind.SERVICE_SERVER, EntityKind.PUBLISHER),
     EntityKind.ACTION_CLIENT: (EntityKind.SERVICE_CLIENT, EntityKind.SUBSCRIPTION),
@@ -69,14 +67,11 @@ def parts(privilege: Privilege) -> tuple[Privilege, ...]:
         return (privilege,)
     service, topic = kinds
     return (
-        *(Privilege(service, f"{privilege.name}/_action/{each}") for each in _SERVICES),
-        *(Privilege(topic, f"{privilege.name}/_action/{each}") for each in _TOPICS),
+        *(Privilege(service, f"{privilege.name}/_action/{each}") for each in ACTION_SERVICES),
+        *(Privilege(topic, f"{privilege.name}/_action/{each}") for each in ACTION_TOPICS),
     )
 
 
 def on_dds(privilege: Privilege) -> tuple[Right, ...]:
     """The rights on DDS."""
-    if privilege.ros:
-        return rights_of(privilege.kind, privilege.name)
-    direction = Direction.PUBLISH if privilege.kind is EntityKind.PUBLISHER else Direction.SUBSCRIBE
-    return (Right(direction, privilege.name),)
+    return rights_of(privilege.kind, privilege.name, ros=privilege.ros)

@@ -18,7 +18,8 @@ from rosward.enclaves.price import Price, Tariff
 from rosward.enclaves.privileges import Privilege, on_dds, privileges
 from rosward.enclaves.size import LARGEST, signed_size
 from rosward.network.checks import UnknownNames
-from rosward.network.contexts import EnclaveMode, with_enclaves
+from rosward.network.contexts import with_enclaves
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
 from rosward.ros.entities import Node
 

@@ -11,7 +11,6 @@ or the last --enclave among its arguments. What the user assigns comes before al
 
 from __future__ import annotations
 
-import enum
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
@@ -20,25 +19,13 @@ from typing import Final
 from rosward.findings import Finding
 from rosward.holes import Holed, literal, with_stars
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.free import free
 from rosward.network.launch_tree import CONTAINER
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
 
 _FORBIDDEN: Final = re.compile(r"[^A-Za-z0-9_]")
-
-
-class EnclaveMode(enum.Enum):
-    """How enclaves are chosen where the start of a process names none."""
-
-    NODE = "node"
-    """Each node one of its own, as if each ran in a process of its own."""
-
-    PROCESS = "process"
-    """The nodes of a process share one."""
-
-    LAUNCH = "launch"
-    """As rcl does it: `/`."""
 
 
 def with_enclaves(

@@ -11,7 +11,7 @@ from rosward.one_cause import by_cause
 from rosward.ros.entities import Interface, Resolution
 from rosward.rules import Severity
 
-__all__ = ["Count", "Counts", "counts_of", "several", "some"]
+__all__ = ["Count", "Counts", "counts_of", "listed", "several", "some"]
 
 
 class Count(NamedTuple):
@@ -55,6 +55,12 @@ def counts_of(network: Network) -> Counts:
 
 def _count(meetings: Sequence[Topic | Service | Action]) -> Count:
     return Count(len(meetings), sum(meeting.system for meeting in meetings))
+
+
+def listed(items: Sequence[str], most: int) -> str:
+    """The first of several, and how many more there are: `a, b and 3 more`."""
+    more = f" and {len(items) - most} more" if len(items) > most else ""
+    return ", ".join(items[:most]) + more
 
 
 def several(number: int, one: str, many: str) -> str:

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.network.counts import listed
 from rosward.network.graph import Network
 from rosward.policies.judge import Judge, Judgement, Verdict
 from rosward.policies.match import Pattern
@@ -221,8 +222,7 @@ class _Used:
 
 
 def _several(names: Iterable[str]) -> str:
-    ordered = sorted(set(names))
-    return ", ".join(ordered[:3]) + (f" and {len(ordered) - 3} more" if len(ordered) > 3 else "")
+    return listed(sorted(set(names)), 3)
 
 
 def _more_places(places: tuple[Place, ...]) -> str:

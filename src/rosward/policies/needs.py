@@ -9,18 +9,16 @@ fails in any case.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 from rosward.network.enclaves import enclave_paths
-from rosward.policies.rights import Direction, Right, rights_of
+from rosward.policies.granted import is_name_of_ros, name_to_grant
+from rosward.policies.rights import Right, rights_of
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.location import Place
 
 __all__ = ["EnclaveNeeds", "Need", "needs_of"]
-
-_NAME: Final = re.compile(r"(/[A-Za-z_*][A-Za-z0-9_*]*)+")
 
 
 class Need(NamedTuple):
@@ -33,7 +31,7 @@ class Need(NamedTuple):
     places: tuple[Place, ...]
     conditional: bool
     known: bool = True
-    """Whether a rule can name it: else the analysis says so (RW101, RW305), and no policy can be held against it."""
+    """Whether a rule can name it: else the analysis says so (RW101, RW305), and no policy can be checked against it."""
 
     def __str__(self) -> str:
         return f"{self.kind.value} {self.name}"
@@ -64,25 +62,19 @@ def _needs(nodes: list[Node]) -> tuple[Need, ...]:
     wanted: dict[tuple[EntityKind, str, bool], list[tuple[Node, Entity]]] = {}
     for node in nodes:
         for entity in node.entities:
-            if not entity.ros_prefix or _NAME.fullmatch(entity.name):
-                wanted.setdefault((entity.kind, _name(entity), entity.ros_prefix), []).append((node, entity))
+            if not entity.ros_prefix or is_name_of_ros(entity.name):
+                wanted.setdefault((entity.kind, name_to_grant(entity), entity.ros_prefix), []).append((node, entity))
     return tuple(_need(*key, wanted[key]) for key in sorted(wanted, key=lambda k: (k[0].value, k[1], k[2])))
 
 
 def _need(kind: EntityKind, name: str, prefixed: bool, users: list[tuple[Node, Entity]]) -> Need:
     """`prefixed`: with rt before the name on DDS, where all topics of ROS are but those that go without its conventions."""
-    direction = Direction.PUBLISH if kind is EntityKind.PUBLISHER else Direction.SUBSCRIBE
     return Need(
         kind,
         name,
-        rights_of(kind, name) if prefixed else (Right(direction, name),),
+        rights_of(kind, name, ros=prefixed),
         tuple(sorted({node.display_name for node, _ in users})),
         tuple(sorted({place for node, e in users for place in (e.created_at or (node.defined_at,))})),
         all(e.conditional for _, e in users),
-        any(e.resolution is not Resolution.UNKNOWN for _, e in users) and _NAME.fullmatch(name) is not None,
+        any(e.resolution is not Resolution.UNKNOWN for _, e in users) and is_name_of_ros(name),
     )
-
-
-def _name(entity: Entity) -> str:
-    """An unknown name may also turn out to be an absolute one."""
-    return "/*" if entity.resolution is Resolution.UNKNOWN and entity.name.endswith("/*") else entity.name

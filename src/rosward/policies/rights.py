@@ -5,7 +5,7 @@
     service client /add  ->  publish rq/addRequest, subscribe rr/addReply
     action server /dock  ->  three services and two topics below /dock/_action
 
-It is what sros2 makes of a policy (permissions.xsl), so that a policy and permissions are compared in one form.
+It is what sros2 makes of a policy (permissions.xsl), so that a policy and permissions are compared, and written, in one form.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Final, NamedTuple
 
 from rosward.ros.entities import EntityKind
 
-__all__ = ["DISCOVERY", "Direction", "Right", "rights_of"]
+__all__ = ["ACTION_SERVICES", "ACTION_TOPICS", "DISCOVERY", "Direction", "Right", "rights_of"]
 
 
 class Direction(enum.Enum):
@@ -40,12 +40,15 @@ _PUBLISH, _SUBSCRIBE = Direction.PUBLISH, Direction.SUBSCRIBE
 DISCOVERY: Final = (Right(_PUBLISH, "ros_discovery_info"), Right(_SUBSCRIBE, "ros_discovery_info"))
 """Every RMW on DDS needs these; sros2 adds them to what a policy says."""
 
-_ACTION_SERVICES: Final = ("cancel_goal", "get_result", "send_goal")
-_ACTION_TOPICS: Final = ("feedback", "status")
+ACTION_SERVICES: Final = ("cancel_goal", "get_result", "send_goal")
+ACTION_TOPICS: Final = ("feedback", "status")
+"""The parts of an action, below its name."""
 
 
-def rights_of(kind: EntityKind, name: str) -> tuple[Right, ...]:
-    """The rights that an endpoint of this kind and full name needs."""
+def rights_of(kind: EntityKind, name: str, *, ros: bool = True) -> tuple[Right, ...]:
+    """The rights that an endpoint of this kind and full name needs. Not `ros`: a topic outside the ROS namespace has the same name on DDS."""
+    if not ros:
+        return (Right(_PUBLISH if kind is EntityKind.PUBLISHER else _SUBSCRIBE, name),)
     match kind:
         case EntityKind.PUBLISHER:
             return (Right(_PUBLISH, f"rt{name}"),)
@@ -66,5 +69,5 @@ def _service(name: str, request: Direction, reply: Direction) -> tuple[Right, ..
 
 
 def _action(name: str, request: Direction, reply: Direction) -> tuple[Right, ...]:
-    services = (right for part in _ACTION_SERVICES for right in _service(f"{name}/_action/{part}", request, reply))
-    return (*services, *(Right(reply, f"rt{name}/_action/{part}") for part in _ACTION_TOPICS))
+    services = (right for part in ACTION_SERVICES for right in _service(f"{name}/_action/{part}", request, reply))
+    return (*services, *(Right(reply, f"rt{name}/_action/{part}") for part in ACTION_TOPICS))

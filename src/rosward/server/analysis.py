@@ -55,7 +55,7 @@ _MOST_ENCLAVES: Final = 1_000
 
 
 def analyse(job: Job, tell: Teller) -> None:
-    """Do a job. Raises RefusedError, and what `extract` raises."""
+    """Do a job. Raises UploadRefusedError, and what `extract` raises."""
     left_out = _unpacked(job, tell)
     settings, root, output = job.settings, Path(job.root), Path(job.output)
     request = _request(settings)

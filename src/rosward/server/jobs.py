@@ -37,7 +37,7 @@ class Jobs:
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
     def submit(self, source: AnalysedSource, settings: Settings, *, automatic: bool = False) -> StoredResult:
-        """Analyse something soon. Raises RefusedError where too much waits already."""
+        """Analyse something soon. Raises UploadRefusedError where too much waits already."""
         if len(self._tasks) >= self._limits.workers + self._limits.waiting:
             raise UploadRefusedError("too many analyses are waiting: try again later")
         earlier = self._earlier(source)

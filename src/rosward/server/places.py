@@ -84,7 +84,7 @@ class Places:
         self._files = 0
 
     def add(self, name: str) -> str:
-        """The path of a further file, relative, with `/`. Raises RefusedError."""
+        """The path of a further file, relative, with `/`. Raises UploadRefusedError."""
         parts = self._parts(name)
         self._files += 1
         if self._files > self._limits.files:

@@ -211,7 +211,7 @@ class Results:
 
 
 def _fields(document: object, **kinds: type) -> dict[str, Any]:
-    """The fields of a JSON object, each of its kind. Raises RefusedError."""
+    """The fields of a JSON object, each of its kind. Raises UploadRefusedError."""
     if not isinstance(document, dict) or any(not isinstance(document.get(name), kind) for name, kind in kinds.items()):
         raise UploadRefusedError("unexpected form")
     return {name: document[name] for name in kinds}

@@ -217,7 +217,7 @@ class _Asked(NamedTuple):
         return [in_short(result, watched=watches.watches(result.source)) for result in self.server.results.all()]
 
     async def _body(self, request: Request) -> dict[str, object]:
-        """The JSON object of a request. Raises RefusedError."""
+        """The JSON object of a request. Raises UploadRefusedError."""
         silence = self.server.limits.silence
         try:
             return await asyncio.wait_for(_read_json(request), silence)
@@ -270,7 +270,7 @@ def _read(file: Path) -> str:
 
 
 async def _read_json(request: Request) -> dict[str, object]:
-    """The JSON object of a request. Raises RefusedError."""
+    """The JSON object of a request. Raises UploadRefusedError."""
     data = bytearray()
     async for part in request.stream():
         data += part

@@ -57,14 +57,14 @@ class Server:
         await self.jobs.close()
 
     def open_workspace(self, path: str, settings: Settings, *, watch: bool) -> StoredResult:
-        """Analyse a workspace of this machine. Raises RefusedError."""
+        """Analyse a workspace of this machine. Raises UploadRefusedError."""
         source = workspace_at(path)
         if watch:
             self.watches.start(source)
         return self.jobs.submit(source, settings)
 
     def open_example(self, example: Example) -> StoredResult:
-        """Analyse an example. Raises RefusedError."""
+        """Analyse an example. Raises UploadRefusedError."""
         known = (r.source for r in self.results.all())
         title = example.title
         source = next((s for s in known if s.kind == "example" and s.title == title), None)
@@ -83,11 +83,11 @@ class Server:
             raise
 
     def open_upload(self, key: str, title: str, settings: Settings, *, zipped: bool) -> StoredResult:
-        """Analyse an upload. Raises RefusedError."""
+        """Analyse an upload. Raises UploadRefusedError."""
         return self._submit(AnalysedSource("upload", key, title, zipped), settings)
 
     def again(self, result: StoredResult, settings: Settings) -> StoredResult:
-        """Analyse the same sources with other settings. Raises RefusedError."""
+        """Analyse the same sources with other settings. Raises UploadRefusedError."""
         if result.source.kind == "workspace":
             workspace_at(result.source.key)
         return self.jobs.submit(result.source, settings)
@@ -104,7 +104,7 @@ class Server:
 
 
 def workspace_at(path: str) -> AnalysedSource:
-    """A workspace by a path that the user wrote. Raises RefusedError."""
+    """A workspace by a path that the user wrote. Raises UploadRefusedError."""
     if not path.strip() or "\0" in path or len(path) > 4_000:
         raise UploadRefusedError("enter a folder or a file")
     absolute = Path(os.path.abspath(os.path.expanduser(path.strip())))  # noqa: PTH100, PTH111

@@ -13,13 +13,14 @@ import re
 from typing import Final, NamedTuple
 
 from rosward.network.checks import UnknownNames
+from rosward.network.enclave_mode import EnclaveMode
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.server.places import UploadRefusedError
 from rosward.source.surroundings import SurroundingsError, checked_variable, surroundings
 
 __all__ = ["ENCLAVES", "Settings", "read_settings"]
 
-ENCLAVES: Final = ("node", "process", "launch")
+ENCLAVES: Final = tuple(mode.value for mode in EnclaveMode)
 _MOST_LAUNCHES: Final = 50
 _MOST_ARGUMENTS: Final = 200
 _LONGEST: Final = 2_000
@@ -61,7 +62,7 @@ class Settings(NamedTuple):
 
 
 def read_settings(document: object) -> Settings:
-    """The settings that a decoded JSON document holds. Raises RefusedError."""
+    """The settings that a decoded JSON document holds. Raises UploadRefusedError."""
     if not isinstance(document, dict) or set(document) - set(Settings._fields):
         raise UploadRefusedError("invalid settings")
     distro, unknown, enclaves = (

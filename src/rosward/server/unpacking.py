@@ -39,7 +39,7 @@ _BROKEN: Final = (
 
 
 def unpack(archive: Path, folder: Path, limits: Limits, progress: Callable[[int, int], None]) -> list[LeftOut]:
-    """Write the files of a zip below a folder that is there and empty; what was left out. Raises RefusedError."""
+    """Write the files of a zip below a folder that is there and empty; what was left out. Raises UploadRefusedError."""
     try:
         _check_directory(archive, limits)
         with zipfile.ZipFile(archive) as opened:
@@ -99,7 +99,7 @@ def _unpack(
 
 
 def _why_left_out(entry: zipfile.ZipInfo, path: str, limits: Limits) -> str:
-    """Why an entry is not unpacked; empty where it is. Raises RefusedError for what no honest archive has."""
+    """Why an entry is not unpacked; empty where it is. Raises UploadRefusedError for what no honest archive has."""
     kind = stat.S_IFMT(entry.external_attr >> 16)
     if kind == stat.S_IFLNK:
         return "a link"

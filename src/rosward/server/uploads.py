@@ -41,7 +41,7 @@ class Uploaded(NamedTuple):
 
 
 async def read_upload(request: Request, folder: Path, limits: Limits) -> Uploaded:
-    """Take the files of a form into a folder that is there and has nothing of this name in it. Raises RefusedError."""
+    """Take the files of a form into a folder that is there and has nothing of this name in it. Raises UploadRefusedError."""
     declared = request.headers.get("content-length", "")
     if declared.isdigit() and int(declared) > limits.upload:
         raise _too_large(limits)

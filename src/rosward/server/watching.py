@@ -47,7 +47,7 @@ class Watches:
         return source.kind == "workspace" and source.key in self._tasks
 
     def start(self, source: AnalysedSource) -> None:
-        """Watch a workspace. Raises RefusedError where there are too many."""
+        """Watch a workspace. Raises UploadRefusedError where there are too many."""
         if source.kind != "workspace" or source.key in self._tasks:
             return
         if len(self._tasks) >= self._limits.watched:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which parameters does a YAML file describe, from which generate_parameter_library makes a Python module?
 
-    robot:                                   ->  Library("robot", (Described("pid.rate", "double", default=0.1, line=3),))
+    robot:                                   ->  ParameterLibrary("robot", (DescribedParameter("pid.rate", "double", default=0.1, line=3),))
       pid:
         rate: {type: double, default_value: 0.1}
 

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.findings import Finding
 from rosward.source import limits
 from rosward.source.text import read_bytes
-from rosward.suppression.fingerprints import Told, fingerprints_without_line
+from rosward.suppression.fingerprints import BaselineEntry, fingerprints_without_line
 
 if TYPE_CHECKING:
     from rosward.suppression.judge import Judged
@@ -50,8 +50,10 @@ def read_baseline(path: str | Path) -> frozenset[str]:
     if not all(isinstance(fingerprint, str) for fingerprint in found):
         raise BaselineError(f"{path}: a finding without a fingerprint")
     if version == _OF_WORDS:
-        told = [Told(*(str(entry.get(key, "")) for key in ("code", "file", "message"))) for entry in entries]
-        return frozenset(fingerprints_without_line(told))
+        described = [
+            BaselineEntry(*(str(entry.get(key, "")) for key in ("code", "file", "message"))) for entry in entries
+        ]
+        return frozenset(fingerprints_without_line(described))
     return frozenset(str(fingerprint) for fingerprint in found)
 
 

@@ -18,13 +18,13 @@ from typing import Final, NamedTuple
 
 from rosward.findings import Finding
 
-__all__ = ["LineAt", "Told", "fingerprints", "fingerprints_without_line"]
+__all__ = ["BaselineEntry", "LineAt", "fingerprints", "fingerprints_without_line"]
 
 LineAt = Callable[[str, int], str]
 """The text of a line of a file, as places name both; empty where there is none."""
 
 
-class Told(NamedTuple):
+class BaselineEntry(NamedTuple):
     """What an entry of a baseline says of a finding."""
 
     code: str
@@ -57,9 +57,9 @@ def fingerprints(findings: Sequence[Finding], line_at: LineAt, prefix: str = "")
     return [by_finding[finding] for finding in findings]
 
 
-def fingerprints_without_line(told: Sequence[Told]) -> list[str]:
+def fingerprints_without_line(entries: Sequence[BaselineEntry]) -> list[str]:
     """By code, file and what the message names alone: all that a baseline of version 1 says, whose own hashes depend on words."""
-    return list(_numbered(("", each.code, each.file, *_names(each.message)) for each in told))
+    return list(_numbered(("", each.code, each.file, *_names(each.message)) for each in entries))
 
 
 def _numbered(each: Iterable[tuple[str, ...]]) -> Iterable[str]:

@@ -19,7 +19,7 @@ from rosward.source.location import Place
 from rosward.source.text import read_source
 from rosward.source.workspace import SourceFile
 from rosward.suppression.comments import IgnoreComment, ignore_comments
-from rosward.suppression.fingerprints import Told, fingerprints, fingerprints_without_line
+from rosward.suppression.fingerprints import BaselineEntry, fingerprints, fingerprints_without_line
 from rosward.suppression.ignore_in import IgnoredPaths, IgnoreIn
 
 __all__ = ["Judged", "RelatedPlace", "Reviewed", "SourceTexts", "Wishes", "judged", "of_no_file", "review"]
@@ -148,7 +148,7 @@ def judged(findings: Sequence[Finding], sources: SourceTexts, baseline: Collecti
     marks = fingerprints(findings, sources.line_at, sources.prefix)
     files = [sources.prefix + f.place.file if f.place.file else "" for f in findings]
     without_line = fingerprints_without_line(
-        [Told(f.code, file, f.message) for f, file in zip(findings, files, strict=True)]
+        [BaselineEntry(f.code, file, f.message) for f, file in zip(findings, files, strict=True)]
     )
     return tuple(
         Judged(f, mark, file, mark in baseline or other in baseline)

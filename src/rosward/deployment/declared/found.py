@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a reader of arguments or files gives: endpoints that it found, and what it could not find out.
 
-Found('publisher', Const('/scan'), Const('sensor_msgs/msg/LaserScan'), Qos(…))
+FoundEndpoint('publisher', Const('/scan'), Const('sensor_msgs/msg/LaserScan'), Qos(…))
 Open('the configuration file of rviz2 is not known')
 """
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What does the file of a declared interface say? The records that `declared_read` makes of it and `declared` executes.
+"""What does the file of a declared interface say? The records that `read.py` makes of it and `effects.py` carries out.
 
 executables: {relay: {node: relay, subscriptions: [{name: '${param:input}', type: std_msgs/msg/String, qos: 10}]}}
-->  Program('topic_tools', 'relay', nodes=(NodeShape('relay', …, Group(endpoints=(Endpoint('subscription', '${param:input}', …),))),))
+->  Program('topic_tools', 'relay', nodes=(NodeShape('relay', …, EndpointGroup(endpoints=(EndpointTemplate('subscription', '${param:input}', …),))),))
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 """The code body being lowered: its registers, its current block, its variables.
 
 The modules beside this one lower one kind of syntax each; what they share is here. `Unit` carries the tables from node
-type to lowering function, which `module` puts together, so that expressions, statements and definitions need not
+type to lowering function, which `module.py` puts together, so that expressions, statements and definitions need not
 import each other.
 
 Registers: parameters, then locals, then temporaries. Temporaries are a stack: those of a statement are free after it.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What builtins and itertools do with iterators, item by item: they ask for the next one only when they are asked themselves.
 
-The natives of the same names (models/python/builtins/sequences.py, std_functional.py) hand over to these where an argument is an iterator that is
+The natives of the same names (models/python/builtins/sequences.py, std/functional.py) hand over to these where an argument is an iterator that is
 followed step by step, or where a function of the program is called.
 """
 

@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import Final
 
-from rosward._version import __version__
 from rosward.audit.result import Audit, AuditCounts
 from rosward.findings import Finding
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.documents.rows import finding_row, header, place_row
 from rosward.rules import Severity
-from rosward.source.location import Place
 
 __all__ = ["audit_json"]
 
@@ -24,8 +23,7 @@ _SCHEMA_VERSION: Final = 1
 def audit_json(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[Finding] = ()) -> str:
     """The text of the document. `known` are findings of the baseline, `doubts` those of the analysis that leave open what the source says."""
     document = {
-        "schema_version": _SCHEMA_VERSION,
-        "generator": {"name": "rosward", "version": __version__},
+        **header(_SCHEMA_VERSION),
         "clean": not audit.findings and all(d.finding in known for d in audit.differences),
         "source": audit.source or None,
         "looks": audit.looks,
@@ -39,29 +37,20 @@ def audit_json(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[F
                 "entity": d.entity or None,
                 "seen": d.seen,
                 "known": d.finding in known,
-                **_finding(d.finding),
+                **finding_row(d.finding),
             }
             for d in audit.differences
         ],
-        "unseen": [{"node": u.node, "entity": u.entity or None, **_place(u.place)} for u in audit.unseen],
+        "unseen": [{"node": u.node, "entity": u.entity or None, **place_row(u.place)} for u in audit.unseen],
         "tools": [tool._asdict() for tool in audit.tools],
         "by_node_name_only": [
-            {"node": u.node, "entities": list(u.entities), **_place(u.place)} for u in audit.unjudged
+            {"node": u.node, "entities": list(u.entities), **place_row(u.place)} for u in audit.unjudged
         ],
-        "not_read": [_finding(f) for f in audit.findings],
-        "code": [_finding(f) for f in doubts if f.rule.severity is Severity.ERROR],
+        "not_read": [finding_row(f) for f in audit.findings],
+        "code": [finding_row(f) for f in doubts if f.rule.severity is Severity.ERROR],
     }
     return json_text(document)
 
 
 def _counts(counts: AuditCounts) -> dict[str, int]:
     return {"running": counts.running, "explained": counts.exact + counts.pattern, "by_pattern": counts.pattern}
-
-
-def _finding(finding: Finding) -> dict[str, object]:
-    severity = finding.rule.severity.value
-    return {"code": finding.code, "severity": severity, "message": finding.message, **_place(finding.place)}
-
-
-def _place(place: Place) -> dict[str, object]:
-    return {"file": place.file, "line": place.line}

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward._version import __version__
 from rosward.explanation.checked import Checked
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.documents.rows import finding_row, header
 from rosward.suppression.judge import Judged
 
 __all__ = ["check_json"]
@@ -24,8 +24,7 @@ def check_json(found: Checked) -> str:
     """The text of the document."""
     paths = sorted({*(e.path for e in found.policy.enclaves), *(d.enclave for d in found.differences)})
     document = {
-        "schema_version": _SCHEMA_VERSION,
-        "generator": {"name": "rosward", "version": __version__},
+        **header(_SCHEMA_VERSION),
         "clean": found.clean,
         "enclaves": [
             {
@@ -45,13 +44,8 @@ def check_json(found: Checked) -> str:
 
 
 def _finding(judged: Judged) -> dict[str, object]:
-    finding = judged.finding
     return {
-        "code": finding.code,
-        "severity": finding.rule.severity.value,
-        "message": finding.message,
-        "file": finding.place.file,
-        "line": finding.place.line,
+        **finding_row(judged.finding),
         "fingerprint": judged.fingerprint,
         "known": judged.known,
         "related": [{"message": r.message, "file": r.file, "line": r.line} for r in judged.related],

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward._version import __version__
 from rosward.diff.compare import Differences, RightLine
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.documents.rows import header, place_row
 
 _SCHEMA_VERSION: Final = 1
 
@@ -16,8 +16,7 @@ def diff_json(differences: Differences) -> str:
     """`{"nodes": {"gained": […], "lost": […]}, "entities": …, "rights": …}`."""
     nodes, entities, rights, notes, _ = differences
     document = {
-        "schema_version": _SCHEMA_VERSION,
-        "generator": {"name": "rosward", "version": __version__},
+        **header(_SCHEMA_VERSION),
         "nodes": {"gained": nodes.gained, "lost": nodes.lost},
         "entities": {
             "gained": [e._asdict() for e in entities.gained],
@@ -30,5 +29,4 @@ def diff_json(differences: Differences) -> str:
 
 
 def _right(line: RightLine) -> dict[str, object]:
-    place = {"file": line.place.file, "line": line.place.line}
-    return {"enclave": line.enclave, "words": line.words, "name": line.name, **place}
+    return {"enclave": line.enclave, "words": line.words, "name": line.name, **place_row(line.place)}

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from rosward._version import __version__
 from rosward.enclaves.price import Price
 from rosward.enclaves.privileges import Privilege
 from rosward.enclaves.suggestion import JointEnclave, Suggestion, Surplus
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.documents.rows import header
 
 __all__ = ["enclaves_json"]
 
@@ -25,8 +25,7 @@ def enclaves_json(suggestion: Suggestion) -> str:
     """The text of the document."""
     made = suggestion.ladder
     document = {
-        "schema_version": _SCHEMA_VERSION,
-        "generator": {"name": "rosward", "version": __version__},
+        **header(_SCHEMA_VERSION),
         "units": [{"enclave": u.enclave, "processes": list(u.processes), "fixed": u.fixed} for u in made.units],
         "start": _price(made.start),
         "steps": [

@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from rosward.outputs.documents.rows import place_row
 from rosward.safe import json_escaped
 from rosward.source.location import Place
 
@@ -22,7 +23,7 @@ def json_text(document: object, default: Callable[[Any], object] | None = None) 
 def plain(value: Any) -> Any:
     """Return a record as JSON has it: objects for named tuples, lists for sequences, `{"file", "line"}` for places."""
     if isinstance(value, Place):
-        return {"file": value.file, "line": value.line}
+        return place_row(value)
     if hasattr(value, "_asdict"):
         return {key: plain(each) for key, each in value._asdict().items()}
     if isinstance(value, dict):

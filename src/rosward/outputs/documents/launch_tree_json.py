@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from rosward.findings import Finding
 from rosward.network.launch_tree import LaunchSystem
 from rosward.outputs.documents.json_text import json_text, plain
+from rosward.outputs.documents.rows import finding_row
 
 
 def launch_tree_json(systems: Iterable[LaunchSystem], findings: Sequence[Finding]) -> str:
@@ -17,16 +18,6 @@ def launch_tree_json(systems: Iterable[LaunchSystem], findings: Sequence[Finding
         "systems": [
             {"name": s.name, "file": s.file, "entries": [plain(e._asdict()) for e in s.entries]} for s in systems
         ],
-        "diagnostics": [
-            {
-                "code": f.code,
-                "severity": f.rule.severity.value,
-                "message": f.message,
-                "file": f.place.file,
-                "line": f.place.line,
-                "column": f.place.column,
-            }
-            for f in findings
-        ],
+        "diagnostics": [{**finding_row(f), "column": f.place.column} for f in findings],
     }
     return json_text(document)

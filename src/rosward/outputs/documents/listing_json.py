@@ -5,16 +5,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rosward._version import __version__
 from rosward.explanation.listing import Row
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.documents.rows import header
 
 
 def listing_json(rows: Sequence[Row], kind: str) -> str:
     """Return the rows of one kind as a document."""
     document = {
-        "schema_version": 1,
-        "generator": {"name": "rosward", "version": __version__},
+        **header(1),
         "kind": kind,
         "rows": [dict(row) for row in rows],
     }

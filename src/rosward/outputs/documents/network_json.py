@@ -12,10 +12,10 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Final
 
-from rosward._version import __version__
 from rosward.network.asked import Asked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.outputs.documents.json_text import json_text
+from rosward.outputs.documents.rows import finding_row, header, place_row
 from rosward.outputs.writing import File, Material
 from rosward.ros.entities import ENTITY_LISTS, Entity, Node, Parameter
 from rosward.source.location import Place
@@ -33,8 +33,7 @@ def files(material: Material) -> Iterator[File]:
 def network_json(network: Network) -> str:
     """The text of `network.json`."""
     document = {
-        "schema_version": SCHEMA_VERSION,
-        "generator": {"name": "rosward", "version": __version__},
+        **header(SCHEMA_VERSION),
         "distro": network.distro,
         "asked": _asked(network.asked),
         "nodes": [_node(node) for node in network.nodes],
@@ -73,8 +72,8 @@ def _node(node: Node) -> dict[str, object]:
         "package": node.package,
         "executable": node.executable,
         "process": node.process,
-        "launched_by": _place(node.launched_by) if node.launched_by else None,
-        "defined_at": _place(node.defined_at),
+        "launched_by": place_row(node.launched_by) if node.launched_by else None,
+        "defined_at": place_row(node.defined_at),
         **{key: _entities(node.of_kind(kind)) for key, kind in ENTITY_LISTS.items()},
         "parameters": [_parameter(parameter) for parameter in node.parameters],
     }
@@ -106,7 +105,7 @@ def _parameter(parameter: Parameter) -> dict[str, object]:
         "type": parameter.type,
         "default": _plain(parameter.default),
         "value": _plain(parameter.value),
-        "declared_at": _place(parameter.declared_at) if parameter.declared_at else None,
+        "declared_at": place_row(parameter.declared_at) if parameter.declared_at else None,
     }
 
 
@@ -134,21 +133,13 @@ def _diagnostics(network: Network) -> list[dict[str, object]]:
     ordered = sorted(network.findings, key=lambda f: (f.place, f.code, f.message))
     return [
         {
-            "code": finding.code,
-            "severity": finding.rule.severity.value,
-            "message": finding.message,
-            "file": finding.place.file,
-            "line": finding.place.line,
+            **finding_row(finding),
             "column": finding.place.column,
             "causes": list(finding.causes),
             "nodes": list(finding.nodes),
         }
         for finding in ordered
     ]
-
-
-def _place(place: Place) -> dict[str, object]:
-    return {"file": place.file, "line": place.line}
 
 
 def _places(places: Iterable[Place]) -> list[dict[str, object]]:

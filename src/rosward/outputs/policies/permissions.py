@@ -13,7 +13,7 @@ the ROS name space, which a policy cannot express but DDS can.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 from typing import Final, NamedTuple
 
 from rosward.enclaves.grants import NOT_WIDENED, Enclave, Profile, enclave_named, enclaves
@@ -21,7 +21,7 @@ from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.writing import File, Material, of_enclaves
-from rosward.ros.entities import EntityKind
+from rosward.policies.rights import DISCOVERY, Direction, Right, rights_of
 from rosward.safe import xml_attribute, xml_text
 
 __all__ = ["NOT_AFTER", "NOT_BEFORE", "files", "permissions", "permissions_xml"]
@@ -31,8 +31,6 @@ NOT_AFTER: Final = "2049-12-31T23:59:59"
 """Wide and fixed, so that the same sources give the same bytes; the certificate sets the narrower limit."""
 
 _SCHEMA: Final = "http://www.omg.org/spec/DDS-SECURITY/20170901/omg_shared_ca_permissions.xsd"
-_ACTION_SERVICES: Final = ("cancel_goal", "get_result", "send_goal")
-_ACTION_TOPICS: Final = ("feedback", "status")
 
 
 def files(material: Material) -> Iterator[File]:
@@ -82,9 +80,8 @@ class _Terms(NamedTuple):
 
 
 def _document(enclave: Enclave, terms: _Terms) -> str:
-    publish = sorted({topic for profile in enclave.profiles for topic in _publishes(profile)})
-    subscribe = sorted({topic for profile in enclave.profiles for topic in _subscribes(profile)})
-    discovery = ["ros_discovery_info"] if terms.ros_discovery_info else []
+    rights = {right for profile in enclave.profiles for right in _rights(profile)}
+    discovery = DISCOVERY if terms.ros_discovery_info else ()
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<dds xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation="{_SCHEMA}">',
@@ -95,8 +92,8 @@ def _document(enclave: Enclave, terms: _Terms) -> str:
         f"        <not_before>{xml_text(terms.not_before)}</not_before>",
         f"        <not_after>{xml_text(terms.not_after)}</not_after>",
         "      </validity>",
-        *_rule(terms.domain_id, publish, subscribe),
-        *_rule(terms.domain_id, discovery, discovery),
+        *_rule(terms.domain_id, rights),
+        *_rule(terms.domain_id, discovery),
         "      <default>DENY</default>",
         "    </grant>",
         "  </permissions>",
@@ -105,68 +102,28 @@ def _document(enclave: Enclave, terms: _Terms) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _rule(domain_id: int, publish: list[str], subscribe: list[str]) -> Iterator[str]:
-    if not publish and not subscribe:
+def _rule(domain_id: int, rights: Collection[Right]) -> Iterator[str]:
+    if not rights:
         return
     yield "      <allow_rule>"
     yield "        <domains>"
     yield f"          <id>{domain_id}</id>"
     yield "        </domains>"
-    for element, topics in (("publish", publish), ("subscribe", subscribe)):
+    for direction in Direction:
+        topics = sorted(right.name for right in rights if right.direction is direction)
         if topics:
-            yield f"        <{element}>"
+            yield f"        <{direction.value}>"
             yield "          <topics>"
             yield from (f"            <topic>{xml_text(topic)}</topic>" for topic in topics)
             yield "          </topics>"
-            yield f"        </{element}>"
+            yield f"        </{direction.value}>"
     yield "      </allow_rule>"
 
 
-def _publishes(profile: Profile) -> Iterator[str]:
+def _rights(profile: Profile) -> Iterator[Right]:
+    """What a profile needs on DDS, with the topics outside the ROS namespace, which a policy leaves out."""
     for grant in profile.grants:
-        match grant.kind:
-            case EntityKind.PUBLISHER:
-                yield f"rt{grant.name}"
-            case EntityKind.SERVICE_CLIENT:
-                yield f"rq{grant.name}Request"
-            case EntityKind.SERVICE_SERVER:
-                yield f"rr{grant.name}Reply"
-            case EntityKind.ACTION_CLIENT:
-                yield from _requests(grant.name)
-            case EntityKind.ACTION_SERVER:
-                yield from _replies(grant.name)
-            case EntityKind.SUBSCRIPTION:
-                pass
-    yield from _outside_ros(profile, EntityKind.PUBLISHER)
-
-
-def _subscribes(profile: Profile) -> Iterator[str]:
-    for grant in profile.grants:
-        match grant.kind:
-            case EntityKind.SUBSCRIPTION:
-                yield f"rt{grant.name}"
-            case EntityKind.SERVICE_CLIENT:
-                yield f"rr{grant.name}Reply"
-            case EntityKind.SERVICE_SERVER:
-                yield f"rq{grant.name}Request"
-            case EntityKind.ACTION_CLIENT:
-                yield from _replies(grant.name)
-            case EntityKind.ACTION_SERVER:
-                yield from _requests(grant.name)
-            case EntityKind.PUBLISHER:
-                pass
-    yield from _outside_ros(profile, EntityKind.SUBSCRIPTION)
-
-
-def _requests(action: str) -> Iterable[str]:
-    return (f"rq{action}/_action/{service}Request" for service in _ACTION_SERVICES)
-
-
-def _replies(action: str) -> Iterator[str]:
-    yield from (f"rr{action}/_action/{service}Reply" for service in _ACTION_SERVICES)
-    yield from (f"rt{action}/_action/{topic}" for topic in _ACTION_TOPICS)
-
-
-def _outside_ros(profile: Profile, kind: EntityKind) -> Iterable[str]:
-    """On DDS, such a topic is called just as in ROS, the first `/` included."""
-    return (o.entity.name for o in profile.omissions if o.dds_name and o.entity.kind is kind)
+        yield from rights_of(grant.kind, grant.name)
+    for omission in profile.omissions:
+        if omission.dds_name:
+            yield from rights_of(omission.entity.kind, omission.entity.name, ros=False)

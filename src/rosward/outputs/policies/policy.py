@@ -21,6 +21,7 @@ from typing import Final, NamedTuple
 from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Omission, Profile, enclave_named, enclaves
 from rosward.enclaves.widened import Widened, Widenings
 from rosward.network.checks import UnknownNames
+from rosward.network.counts import listed
 from rosward.network.graph import Network
 from rosward.policies.elements import ELEMENTS
 from rosward.ros.entities import Entity, Interface
@@ -159,9 +160,7 @@ def _origin(grant: Grant) -> str:
 
 def _compacted(widened: Widened, places: str) -> str:
     """What a pattern stands for, and what more it allows."""
-    names = sorted(widened.members)
-    rest = f" and {len(names) - _MOST_PLACES} more" if len(names) > _MOST_PLACES else ""
-    own = f"compacted: {', '.join(names[:_MOST_PLACES])}{rest}"
+    own = f"compacted: {listed(sorted(widened.members), _MOST_PLACES)}"
     return "; ".join(part for part in (own, widened.also(_MOST_PLACES), places) if part)
 
 

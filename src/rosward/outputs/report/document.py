@@ -25,11 +25,12 @@ from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.network.loose_ends import loose_ends
 from rosward.one_cause import alike
+from rosward.outputs.documents.rows import place_row
 from rosward.outputs.report.belongs import Belongings
 from rosward.outputs.report.endpoints import endpoint_rows
 from rosward.outputs.report.members import entity_rows, node_row
 from rosward.outputs.report.numbered import Member, Numbered, numbered
-from rosward.outputs.report.plain import harmless, place_row
+from rosward.outputs.report.plain import harmless
 from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
 from rosward.rules import Severity

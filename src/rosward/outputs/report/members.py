@@ -11,8 +11,9 @@ from collections.abc import Mapping, Sequence
 
 from rosward.explanation.provenance import Start, remap_rules, remedies, sources
 from rosward.network.launch_tree import LaunchEntry
+from rosward.outputs.documents.rows import place_row
 from rosward.outputs.report.numbered import Member, NumberedEnd
-from rosward.outputs.report.plain import place_row, place_rows, value_row
+from rosward.outputs.report.plain import place_rows, value_row
 from rosward.outputs.report.rights import NONE, DocumentRights
 from rosward.ros.entities import Entity, Node, Parameter, Qos
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """How does a value of the analysis stand in the document?
 
-    Place("a.py", 3, 9)  ->  {"file": "a.py", "line": 3}
     9007199254740993     ->  "9007199254740993"     (JavaScript would read another number)
 
 Text that is shown has no control characters and no direction marks, and has a bound, as lists have: what is longer says how long it was.
@@ -16,17 +15,12 @@ from typing import Final
 from rosward.safe import printable
 from rosward.source.location import Place
 
-__all__ = ["harmless", "place_row", "place_rows", "value_row"]
+__all__ = ["harmless", "place_rows", "value_row"]
 
 _LONGEST: Final = 2000
 _MOST_ITEMS: Final = 100
 _WHOLE_NUMBERS: Final = 2**53
 """Above it JavaScript has no longer every whole number."""
-
-
-def place_row(place: Place) -> dict[str, object]:
-    """A place as file and line."""
-    return {"file": place.file, "line": place.line}
 
 
 def place_rows(places: Iterable[Place]) -> list[dict[str, object]]:

@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 from rosward.audit.result import Audit, AuditCounts, Difference
 from rosward.findings import Finding
-from rosward.network.counts import several, some
+from rosward.network.counts import listed, several, some
 from rosward.rules import Severity
 from rosward.safe import printable
 
@@ -41,7 +41,7 @@ def audit_text(audit: Audit, known: Collection[Finding] = (), doubts: Iterable[F
     )
     lines += _section(
         "explained only by the name of the node, whose interface is unknown",
-        [f"{u.node} {u.place}  {_listed(u.entities)}" for u in audit.unjudged],
+        [f"{u.node} {u.place}  {listed(u.entities, _SHOWN)}" for u in audit.unjudged],
     )
     if open_questions:
         lines += ["unknown about the code", *(_line(f) for f in open_questions), ""]
@@ -68,12 +68,7 @@ def _unseen(audit: Audit) -> list[str]:
     for one in audit.unseen:
         of = groups.setdefault(one.node, [])
         of.append(f"{one.entity or 'the node itself'} ({one.place})")
-    return [f"{node}  {_listed(entities)}" for node, entities in groups.items()]
-
-
-def _listed(items: Sequence[str]) -> str:
-    more = len(items) - _SHOWN
-    return ", ".join(items[:_SHOWN]) + (f" and {more} more" if more > 0 else "")
+    return [f"{node}  {listed(entities, _SHOWN)}" for node, entities in groups.items()]
 
 
 def _summary(audit: Audit, known: int) -> list[str]:

@@ -18,7 +18,7 @@ from rosward.enclaves.price import ACTS, LISTENS
 from rosward.enclaves.privileges import Privilege
 from rosward.enclaves.size import LARGEST
 from rosward.enclaves.suggestion import JointEnclave, Suggestion, Surplus, Wish
-from rosward.network.counts import several
+from rosward.network.counts import listed, several
 from rosward.safe import printable
 
 __all__ = ["enclaves_text"]
@@ -111,6 +111,4 @@ def _said(right: Privilege) -> str:
 
 def _some(words: Iterable[str], *, verbose: bool) -> str:
     ordered = list(words)
-    if verbose or len(ordered) <= _MOST_SHOWN:
-        return ", ".join(ordered)
-    return f"{', '.join(ordered[:_MOST_SHOWN])} and {len(ordered) - _MOST_SHOWN} more"
+    return listed(ordered, len(ordered) if verbose else _MOST_SHOWN)

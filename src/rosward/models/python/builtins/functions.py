@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builtin functions of single values; those of iterables, of attributes and the types stand in modules of their own.
 
-abs(-1), round(x, 2), isinstance(x, str), input(), eval('[1, 2]'); open() is in std_files.py
+abs(-1), round(x, 2), isinstance(x, str), input(), eval('[1, 2]'); open() is in `std/files.py`
 """
 
 from __future__ import annotations

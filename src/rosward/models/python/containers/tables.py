@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The builtin containers, for other modules; their methods stand in `containers_list`, `_dict` and `_set`."""
+"""The builtin containers, for other modules; their methods stand in `lists.py`, `dicts.py` and `sets.py`."""
 
 from __future__ import annotations
 
