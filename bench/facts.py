@@ -38,6 +38,15 @@ class Entity:
 
 
 @dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter that a node declares."""
+
+    name: str
+    type: str | None
+    default: object
+
+
+@dataclass(frozen=True, slots=True)
 class Node:
     """One node; `name` is the fully qualified one, `launched` where a launch file starts it."""
 
@@ -48,6 +57,7 @@ class Node:
     program: str = ""
     launched: Spot | None = None
     interface: str | None = None
+    parameters: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +104,7 @@ def _node(node: dict[str, Any]) -> Node:
         program="/".join(filter(None, (node["package"], node["executable"]))),
         launched=_spot(node["launched_by"]) if node.get("launched_by") else None,
         interface=node.get("interface"),
+        parameters=tuple(Parameter(p["name"], p["type"], p["default"]) for p in node.get("parameters", ())),
     )
 
 

@@ -3,15 +3,16 @@
 
     python bench/patterns.py DIR [--supply] [--only TEXT]
 
-DIR holds programs and `expected.json`: for each program lines such as `pub /chatter` (`sub`, `ss`, `sc`, `as`, `ac`,
-`node`), or `nosys rosout`, `nosys params` for what the client library must not be said to create. What is not listed
-must not be reported.
+DIR holds programs in Python or C++, or packages, and `expected.json`: for each program lines such as `pub /chatter` (`sub`, `ss`, `sc`,
+`as`, `ac`, `node`), or `nosys rosout`, `nosys params` for what the client library must not be said to create; `may pub /x` is allowed and
+not required. What is not listed must not be reported.
 Exit status 1 where a program is wrong.
 """
 
 from __future__ import annotations
 
 import argparse
+import fnmatch
 import json
 import re
 import shutil
@@ -45,8 +46,8 @@ _SUPPLIED = {
 """The modules of `my_pkg` that programs import and that are not among them."""
 
 # Programs of which the rules say more than a list of entities can
-_FURTHER_CLIENTS = {"76_use_sim_time_remote_params": "/other/"}
-_FINDINGS = {"52_method_never_called": "RW205"}
+_FURTHER_CLIENTS = {"76_use_sim_time_remote_params": "/other/", "57_parameter_client_and_events": "/other/"}
+_FINDINGS = {"52_method_never_called": "RW205", "43_method_never_called": "RW205"}
 
 
 def main() -> int:
@@ -60,9 +61,8 @@ def main() -> int:
     right = 0
     programs = [name for name in sorted(expected) if options.only in name]
     for name in programs:
-        program = options.folder / f"{name}.py"
         with tempfile.TemporaryDirectory() as folder:
-            copied = Path(shutil.copy(program, folder))
+            copied = _copy(options.folder, name, Path(folder))
             supplied = _supply(copied) if options.supply else []
             wrong = list(_check(name, copied.parent if supplied else copied, expected[name]))
         right += not wrong
@@ -74,9 +74,18 @@ def main() -> int:
     return 0 if right == len(programs) else 1
 
 
+def _copy(folder: Path, name: str, into: Path) -> Path:
+    """The program or package in a folder of its own."""
+    program = next(p for p in (folder / f"{name}.py", folder / f"{name}.cpp", folder / name) if p.exists())
+    if program.is_dir():
+        return Path(shutil.copytree(program, into / name))
+    return Path(shutil.copy(program, into))
+
+
 def _supply(program: Path) -> list[str]:
     """Write the modules of my_pkg that the program imports beside it; their names."""
-    wanted = re.findall(r"\bmy_pkg\.(\w+)", program.read_text(encoding="utf-8"))
+    text = program.read_text(encoding="utf-8") if program.suffix == ".py" else ""
+    wanted = re.findall(r"\bmy_pkg\.(\w+)", text)
     if wanted:
         package = program.with_name("my_pkg")
         package.mkdir()
@@ -93,13 +102,16 @@ def _check(name: str, path: Path, expected: list[str]) -> Iterator[str]:
     except Exception:  # a crash is a result of this bench, too
         yield traceback.format_exc()
         return
-    lines = [line.split() for line in expected]
+    further = {tuple(line.split()[1:]) for line in expected if line.startswith("may ")}
+    lines = [line.split() for line in expected if not line.startswith("may ")]
     nodes = {target for word, target in lines if word == "node"}
     found = {node.fqn for node in result.network.nodes}
     if nodes and found != nodes:
         yield f"nodes {sorted(found)}, expected {sorted(nodes)}"
     for word, kind in _WORDS.items():
-        yield from _compare(name, word, _entities(result.network, kind), {t for w, t in lines if w == word})
+        required = {t for w, t in lines if w == word}
+        allowed = [t for w, t in further if w == word]
+        yield from _compare(name, word, _entities(result.network, kind), required, allowed)
     for what in (target for word, target in lines if word == "nosys"):
         yield from _present(result.network, what)
     yield from _findings(name, result.findings)
@@ -109,12 +121,13 @@ def _entities(network: Network, kind: EntityKind) -> list[Entity]:
     return [entity for node in network.nodes for entity in node.of_kind(kind)]
 
 
-def _compare(name: str, word: str, entities: list[Entity], expected: set[str]) -> Iterator[str]:
+def _compare(name: str, word: str, entities: list[Entity], expected: set[str], may: list[str]) -> Iterator[str]:
     further = _FURTHER_CLIENTS.get(name) if word == "sc" else None
     for missing in sorted(expected - {entity.name for entity in entities}):
         yield f"missing {word} {missing}"
     for entity in entities:
         allowed = entity.system or entity.name in expected or (further and entity.name.startswith(further))
+        allowed = allowed or any(fnmatch.fnmatchcase(entity.name, each) for each in may)
         if not allowed:
             places = ", ".join(map(str, entity.created_at))
             yield f"not expected: {word} {entity.name} ({entity.resolution.value}, {places})"

@@ -27,6 +27,8 @@ _CALLS = {
     "ActionClient": ("action_client", 2, "action_name"),
 }
 
+_CPP_STATEMENTS = ("_statement", "declaration", "field_initializer", "function_definition")
+
 LIBRARIES = {
     "TransformListener": "tf2",
     "TransformBroadcaster": "tf2",
@@ -118,9 +120,25 @@ def statement(path: Path, line: int) -> range:
 
 @functools.lru_cache(maxsize=16)
 def _statements(path: Path) -> tuple[range, ...]:
+    if path.suffix != ".py":
+        return tuple(_cpp_statements(path))
     tree = _tree(path)
     statements = [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.stmt)]
     return tuple(range(node.lineno, (node.end_lineno or node.lineno) + 1) for node in statements)
+
+
+def _cpp_statements(path: Path) -> Iterator[range]:
+    """The lines of the statements, members and first values of members in a C++ file."""
+    import tree_sitter
+    import tree_sitter_cpp
+
+    parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language()))
+    waiting = [parser.parse(path.read_bytes()).root_node] if path.is_file() else []
+    while waiting:
+        node = waiting.pop()
+        waiting += node.named_children
+        if node.type.endswith(_CPP_STATEMENTS) and node.type != "compound_statement":
+            yield range(node.start_point[0] + 1, node.end_point[0] + 2)
 
 
 def _python_files(root: Path) -> Iterator[Path]:

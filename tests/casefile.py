@@ -15,6 +15,8 @@ An expectation has one line for each node, entity and finding, sorted: `node`, `
 `default`, `bound`, `pattern` or `unknown` where the name is not exact, `conditional`, and `assumed`
 for a node that nothing starts; `finding CODE file:line`. Entities of the client
 library are left out unless a line `show system` stands among the expectations; `show findings` adds their messages.
+A ```cpp block without a name is `main.cpp`, a program that no CMakeLists.txt builds. The files before the first section belong to every case of the
+document.
 `options:` before the files passes arguments on (`options: distro=humble`); `known:` says what rosward still
 does otherwise than it is written; `fails:` names the exception by which the real program ends.
 """
@@ -36,6 +38,8 @@ WORDS = {
     EntityKind.ACTION_SERVER: "as",
     EntityKind.ACTION_CLIENT: "ac",
 }
+SUFFIXES = {"python": "py"}
+"""The ends of file names, where the word behind the backticks is another."""
 _BLOCK = re.compile(r"^```(\w+)[ \t]*([^\n]*)\n(.*?)^```[ \t]*$", re.MULTILINE | re.DOTALL)
 
 
@@ -59,14 +63,16 @@ class Case(NamedTuple):
 def read_cases(file: Path) -> list[Case]:
     """All cases of a document."""
     cases = []
-    for section in re.split(r"^## ", file.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+    head, *sections = re.split(r"^## ", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    common = {name.strip(): text for _, name, text in _BLOCK.findall(head)}
+    for section in sections:
         title, _, body = section.partition("\n")
-        files, expected = {}, []
+        files, expected = dict(common), []
         for kind, name, text in _BLOCK.findall(body):
             if kind == "expect":
                 expected = text.splitlines()
             else:
-                files[name.strip() or "main.py"] = text
+                files[name.strip() or f"main.{SUFFIXES.get(kind, kind)}"] = text
         given = re.search(r"^options: (.*)$", body, re.MULTILINE)
         options = dict(o.split("=", 1) for o in given.group(1).split()) if given else {}
         known = re.search(r"^known: (.*)$", body, re.MULTILINE)

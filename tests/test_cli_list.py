@@ -14,6 +14,8 @@ from rosward.cli import main
 from rosward.cli.listing import _KINDS
 from rosward.explanation.listing import KINDS
 
+pytestmark = pytest.mark.usefixtures("remembered")
+
 EXAMPLES = str(Path(__file__).parents[1] / "examples")
 NODE = """\
 import rclpy

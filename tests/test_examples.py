@@ -20,6 +20,8 @@ import xmlschema
 import rosward
 from rosward.cli import main
 
+pytestmark = pytest.mark.usefixtures("remembered")
+
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 SCHEMAS = resources.files("rosward.outputs") / "schemas"
@@ -56,6 +58,10 @@ EXPECTED = """
 /porter/battery_monitor sub /porter/battery default
 /porter/camera pub /porter/camera/camera_info conditional
 /porter/camera pub /porter/camera/image_raw conditional
+/porter/compartment pub /porter/cargo/full conditional
+/porter/compartment pub /porter/cargo/weight conditional
+/porter/compartment pub /porter/heartbeat
+/porter/compartment ss /porter/compartment/lock conditional
 /porter/delivery_planner as /porter/deliver
 /porter/delivery_planner pub /porter/heartbeat
 /porter/delivery_planner pub /porter/teleop/mux/planner
@@ -68,6 +74,10 @@ EXPECTED = """
 /porter/dock_detector ss /porter/dock/find
 /porter/dock_detector sub /porter/camera/camera_info default
 /porter/dock_detector sub /porter/camera/image_raw default
+/porter/lidar pub /diagnostics
+/porter/lidar pub /porter/heartbeat
+/porter/lidar pub /porter/sensors/front/scan default
+/porter/lidar ss /porter/lidar/motor
 /porter/lidar_filter pub /porter/heartbeat
 /porter/lidar_filter pub /porter/scan
 /porter/lidar_filter sub /porter/sensors/front/scan default
@@ -115,6 +125,10 @@ EACH_ROBOT = """
 /ROBOT/battery_monitor pub /fleet/heartbeat
 /ROBOT/battery_monitor pub /ROBOT/battery_low
 /ROBOT/battery_monitor sub /ROBOT/battery bound
+/ROBOT/compartment pub /fleet/heartbeat
+/ROBOT/compartment pub /ROBOT/cargo/full conditional
+/ROBOT/compartment pub /ROBOT/cargo/weight conditional
+/ROBOT/compartment ss /ROBOT/compartment/lock conditional
 /ROBOT/delivery_planner as /ROBOT/deliver
 /ROBOT/delivery_planner pub /fleet/heartbeat
 /ROBOT/delivery_planner pub /ROBOT/teleop/mux/planner
@@ -126,6 +140,18 @@ EACH_ROBOT = """
 /ROBOT/lidar_filter sub /ROBOT/sensors/front/scan bound
 /ROBOT/lidar_filter sub /ROBOT/sensors/mast/scan bound
 /ROBOT/lidar_filter sub /ROBOT/sensors/rear/scan bound
+/ROBOT/lidar_front pub /diagnostics
+/ROBOT/lidar_front pub /fleet/heartbeat
+/ROBOT/lidar_front pub /ROBOT/sensors/front/scan bound
+/ROBOT/lidar_front ss /ROBOT/lidars/front/motor
+/ROBOT/lidar_mast pub /diagnostics
+/ROBOT/lidar_mast pub /fleet/heartbeat
+/ROBOT/lidar_mast pub /ROBOT/sensors/mast/scan bound
+/ROBOT/lidar_mast ss /ROBOT/lidars/mast/motor
+/ROBOT/lidar_rear pub /diagnostics
+/ROBOT/lidar_rear pub /fleet/heartbeat
+/ROBOT/lidar_rear pub /ROBOT/sensors/rear/scan bound
+/ROBOT/lidar_rear ss /ROBOT/lidars/rear/motor
 /ROBOT/localisation pub /fleet/heartbeat
 /ROBOT/localisation pub /ROBOT/pose
 /ROBOT/localisation pub /tf
@@ -153,6 +179,8 @@ CAMERA = """
 /porter1/eye pub /porter1/eye/camera_info conditional
 /porter1/eye pub /porter1/eye/image_raw conditional
 """
+CONTAINERS = {"/porter1/lidars", "/porter2/lidars"}
+"""Nodes that have nothing but what the client library gives them."""
 PORTER_1, PORTER_2 = (EACH_ROBOT.replace("ROBOT", name) for name in ("porter1", "porter2"))
 
 
@@ -225,6 +253,8 @@ def test_default_names_say_which_parameter_they_depend_on(network: dict[str, Any
 def test_each_node_is_a_process_of_its_own_with_its_executable(network: dict[str, Any]) -> None:
     assert {n["process"] for n in network["nodes"]} == {
         *(f"delivery_base/{n}" for n in ("base_driver", "battery_monitor", "teleop_mux")),
+        "delivery_cargo/compartment",
+        "delivery_drivers/lidar_driver",
         *(f"delivery_fleet/{n}" for n in ("door_gateway", "fleet_gateway", "monitor")),
         *(f"delivery_navigation/{n}" for n in ("delivery_planner", "localisation")),
         *(f"delivery_perception/{n}" for n in ("camera", "dock_detector", "lidar_filter")),
@@ -237,10 +267,10 @@ def test_outputs_are_valid_by_their_schemas(written: Path, network: dict[str, An
     jsonschema.Draft202012Validator(schema).validate(network)
     policy = xmlschema.XMLSchema10(str(SCHEMAS / "policy.xsd"))
     policies = [written / "policy.xml", *sorted((written / "policies").rglob("policy.xml"))]
-    assert len(policies) == 12
+    assert len(policies) == 14
     for file in policies:
         policy.validate(str(file))
-    assert len(list((written / "permissions").rglob("permissions.xml"))) == 11
+    assert len(list((written / "permissions").rglob("permissions.xml"))) == 13
     ET.parse(written / "graph.svg")
 
 
@@ -270,7 +300,7 @@ def fleet_network(fleet: Path) -> dict[str, Any]:
 def test_the_launched_fleet_is_found_and_nothing_else(fleet_network: dict[str, Any]) -> None:
     expected = [row for table in (BUILDING, PORTER_1, PORTER_2, CAMERA) for row in table.split("\n")[1:-1]]
     assert rows_of(fleet_network) == sorted(expected)
-    assert {n["fqn"] for n in fleet_network["nodes"]} == {row.split()[0] for row in expected}
+    assert {n["fqn"] for n in fleet_network["nodes"]} == {row.split()[0] for row in expected} | CONTAINERS
     assert fleet_network["diagnostics"] == []
 
 
@@ -287,6 +317,7 @@ def test_bound_names_say_which_parameter_binds_them(fleet_network: dict[str, Any
         ("dock_detector", "camera"),
         ("gateway", "robots"),
         ("lidar_filter", "inputs"),
+        *((f"lidar_{place}", "place") for place in ("front", "mast", "rear")),
         ("watch", "topics.heartbeat"),
     }
 
@@ -296,20 +327,26 @@ def test_each_launched_process_says_where_it_is_started(fleet_network: dict[str,
     executables = {n["fqn"]: f"{n['package']}/{n['executable']}" for n in fleet_network["nodes"]}
     assert executables["/fleet/watch"] == "delivery_fleet/monitor"
     assert executables["/porter1/eye"] == "delivery_perception/camera"
-    assert len({n["process"] for n in fleet_network["nodes"]}) == len(executables) == 18
+    assert len(executables) == 28
+    assert len({n["process"] for n in fleet_network["nodes"]}) == 22
     for each in fleet_network["nodes"]:
         place = each["launched_by"]
         line = (launch / place["file"]).read_text(encoding="utf-8").splitlines()[place["line"] - 1]
-        assert "<node " in line or "Node(" in line, place
+        assert "<node " in line or "Node(" in line or "Container(" in line, place
 
 
-def test_the_policy_of_the_fleet_has_an_enclave_for_each_node(fleet: Path, fleet_network: dict[str, Any]) -> None:
-    nodes = {n["fqn"] for n in fleet_network["nodes"]}
+def test_the_policy_of_the_fleet_has_an_enclave_for_each_process(fleet: Path, fleet_network: dict[str, Any]) -> None:
+    """That is one for each node, but for the lidars of a robot, which share the enclave of their container."""
+    nodes: dict[str, list[str]] = {}
+    for each in fleet_network["nodes"]:
+        robot, is_lidar = each["fqn"].split("/")[1], "/lidar_" in each["fqn"] and "filter" not in each["fqn"]
+        nodes.setdefault(f"/{robot}/lidars" if is_lidar else each["fqn"], []).append(each["fqn"])
     policy = ET.parse(fleet / "policy.xml")
     profiles = {
-        e.get("path"): [f"{p.get('ns')}/{p.get('node')}" for p in e.iter("profile")] for e in policy.iter("enclave")
+        e.get("path"): sorted(f"{p.get('ns')}/{p.get('node')}" for p in e.iter("profile"))
+        for e in policy.iter("enclave")
     }
-    assert profiles == {name: [name] for name in nodes}
+    assert profiles == {enclave: sorted(names) for enclave, names in nodes.items()}
     xmlschema.XMLSchema10(str(SCHEMAS / "policy.xsd")).validate(str(fleet / "policy.xml"))
 
 
@@ -324,7 +361,7 @@ def test_no_robot_may_do_anything_with_the_names_of_the_other(fleet: Path) -> No
 def test_the_list_of_enclaves_names_the_option_for_each(fleet: Path, fleet_network: dict[str, Any]) -> None:
     _, *paragraphs = (fleet / "enclaves.txt").read_text(encoding="utf-8").strip().split("\n\n")
     starts = dict(p.split("\n", 1) for p in paragraphs)
-    assert set(starts) == {n["fqn"] for n in fleet_network["nodes"]}
+    assert set(starts) == {n["enclave"] for n in fleet_network["nodes"]}
     for enclave, start in starts.items():
         assert re.search(rf"--enclave\W+{enclave}\b", start), start
 
@@ -333,7 +370,8 @@ def test_the_launch_tree_shows_each_process_with_its_program(capsys: pytest.Capt
     assert main(["launch-tree", str(ROOT / "examples"), "--launch", FLEET]) == 0
     shown = capsys.readouterr().out
     assert len(re.findall(r"^\W*program +\S+\.py$", shown, re.MULTILINE)) == 17
-    assert len(re.findall(r"^\W*program +declared: ", shown, re.MULTILINE)) == 1
+    assert len(re.findall(r"^\W*program +\S+\.cpp$", shown, re.MULTILINE)) == 8
+    assert len(re.findall(r"^\W*program +declared: ", shown, re.MULTILINE)) == 3
 
 
 def test_other_systems_of_the_same_launch_files(tmp_path: Path) -> None:

@@ -11,10 +11,9 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Final, NamedTuple
-
-import pytest
 
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
 LONGEST: Final = 400
@@ -66,11 +65,18 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
 }
 """What each folder (or module at the top) may import, also where only type checkers read it."""
 
-ON_DEMAND: Final = {("pipeline.py", "rosward.analysis.launched")}
+ON_DEMAND: Final = {
+    ("pipeline.py", "rosward.analysis.launched"),
+    ("analysis/read.py", "rosward.analysis.compiled"),
+    ("analysis/process.py", "rosward.analysis.linked"),
+    ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
+}
 """What is imported in a function because most runs do not need it."""
 
 _PROCEDURES: Final = frozenset({"list", "dict", "set", "defaultdict", "OrderedDict", "deque", "Counter", "bytearray"})
 _DISPLAYS: Final = (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.DictComp, ast.SetComp)
+_MAY_CHANGE: Final = re.compile(r"\bglobal\b|cache\b")
+"""What stands in every text that says `global`, or keeps what a function returned."""
 _CONSTANT: Final = re.compile(r"_?[A-Z][A-Z0-9_]*|__\w+__")
 
 
@@ -83,8 +89,27 @@ class Use(NamedTuple):
     inside: bool
 
 
-def modules() -> list[Path]:
-    return sorted(p for p in ROOT.rglob("*.py") if "__pycache__" not in p.parts)
+class Module(NamedTuple):
+    """What is to be known of a module; its tree is not kept, as there are many."""
+
+    file: str
+    lines: list[str]
+    docstring: str
+    uses: list[Use]
+    changing: list[str]
+
+
+@cache
+def modules() -> tuple[Module, ...]:
+    """All modules, each read once."""
+    return tuple(_module(p) for p in sorted(ROOT.rglob("*.py")) if "__pycache__" not in p.parts)
+
+
+def _module(path: Path) -> Module:
+    text = path.read_text(encoding="utf-8")
+    tree = ast.parse(text)
+    uses = list(_walk(tree.body, name_of(path), inside=False))
+    return Module(name_of(path), text.splitlines(), ast.get_docstring(tree) or "", uses, list(_changing(tree, text)))
 
 
 def name_of(path: Path) -> str:
@@ -126,11 +151,9 @@ def _walk(body: list[ast.stmt], file: str, *, inside: bool) -> Iterator[Use]:
                 yield from _walk(inner, file, inside=deeper)
 
 
-def uses() -> list[Use]:
-    found: list[Use] = []
-    for path in modules():
-        found += _walk(ast.parse(path.read_text(encoding="utf-8")).body, name_of(path), inside=False)
-    return found
+def uses() -> Iterator[Use]:
+    for module in modules():
+        yield from module.uses
 
 
 def _layer_of_target(target: str) -> str:
@@ -143,7 +166,7 @@ def _told(found: list[str]) -> str:
 
 def test_every_part_has_its_place() -> None:
     """A new folder or module at the top is entered in `ALLOWED` (and in docs/architecture.md)."""
-    assert {layer_of(name_of(p)) for p in modules()} <= set(ALLOWED)
+    assert {layer_of(module.file) for module in modules()} <= set(ALLOWED)
 
 
 def test_imports_point_one_way() -> None:
@@ -156,11 +179,11 @@ def test_imports_point_one_way() -> None:
 
 
 def test_the_engine_asks_a_language_by_its_record_alone() -> None:
-    """What is Python's own stands in `engine/python`; only the list of languages names its record."""
+    """What is Python's own stands in `engine/python`; only the list of languages names its record, and a language that is made of parts of it."""
     wrong = [
         f"{use.file}:{use.line} imports {use.target}"
         for use in uses()
-        if use.file.startswith("engine/") and not use.file.startswith("engine/python/")
+        if use.file.startswith("engine/") and not use.file.startswith(("engine/python/", "engine/cpp/"))
         if use.target.startswith("rosward.engine.python.") and use.file != "engine/languages.py"
     ]
     assert not wrong, _told(wrong)
@@ -209,29 +232,35 @@ def _cycle(graph: dict[str, set[str]], start: str) -> list[str]:
     return []
 
 
-@pytest.mark.parametrize("path", modules(), ids=name_of)
-def test_a_module_is_short_and_says_what_it_is(path: Path) -> None:
-    text = path.read_text(encoding="utf-8")
-    lines = text.splitlines()
-    assert lines[0] == "# SPDX-License-Identifier: Apache-2.0"
-    assert len(lines) <= LONGEST
-    docstring = ast.get_docstring(ast.parse(text))
-    assert docstring, "a module opens with the question that it settles"
-    assert lines[1].startswith('"""'), "the docstring stands first"
+def test_a_module_is_short_and_says_what_it_is() -> None:
+    wrong: list[str] = []
+    for module in modules():
+        if module.lines[0] != "# SPDX-License-Identifier: Apache-2.0":
+            wrong.append(f"{module.file}: no license in the first line")
+        if len(module.lines) > LONGEST:
+            wrong.append(f"{module.file}: {len(module.lines)} lines")
+        if not module.docstring or not module.lines[1].startswith('"""'):
+            wrong.append(f"{module.file}: a module opens with the question that it settles")
+    assert not wrong, _told(wrong)
 
 
-@pytest.mark.parametrize("path", modules(), ids=name_of)
-def test_nothing_that_changes_lives_in_a_module(path: Path) -> None:
+def test_nothing_that_changes_lives_in_a_module() -> None:
     """Lists, dicts and sets at module level are constants: named so, or `Final`; no function says `global`."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    wrong = [f"line {n.lineno}: global {', '.join(n.names)}" for n in ast.walk(tree) if isinstance(n, ast.Global)]
+    wrong = [f"{module.file}:{each}" for module in modules() for each in module.changing]
+    assert not wrong, _told(wrong)
+
+
+def _changing(tree: ast.Module, text: str) -> Iterator[str]:
     for node in tree.body:
         if isinstance(node, ast.AnnAssign) and "Final" not in ast.unparse(node.annotation):
-            wrong += _mutable([node.target], node.value)
+            yield from _mutable([node.target], node.value)
         elif isinstance(node, ast.Assign):
-            wrong += _mutable(node.targets, node.value)
-    wrong += [f"line {n.lineno}: {ast.unparse(n)[:60]}" for n in _caches(tree)]
-    assert not wrong, _told(wrong)
+            yield from _mutable(node.targets, node.value)
+    for inner in ast.walk(tree) if _MAY_CHANGE.search(text) else ():
+        if isinstance(inner, ast.Global):
+            yield f"{inner.lineno}: global {', '.join(inner.names)}"
+        elif isinstance(inner, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            yield from (f"{n.lineno}: {ast.unparse(n)[:60]}" for n in _caches(inner))
 
 
 def _mutable(targets: list[ast.expr], value: ast.expr | None) -> list[str]:
@@ -239,16 +268,14 @@ def _mutable(targets: list[ast.expr], value: ast.expr | None) -> list[str]:
         isinstance(value, ast.Call) and ast.unparse(value.func).rpartition(".")[2] in _PROCEDURES
     )
     names = [ast.unparse(t) for t in targets]
-    return [f"line {targets[0].lineno}: {n}" for n in names if made and not _CONSTANT.fullmatch(n)]
+    return [f"{targets[0].lineno}: {n}" for n in names if made and not _CONSTANT.fullmatch(n)]
 
 
-def _caches(tree: ast.Module) -> Iterator[ast.expr]:
+def _caches(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.expr]:
     """Decorators that keep what a function once returned: state of the module by another name."""
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            for decorator in node.decorator_list:
-                if ast.unparse(decorator).partition("(")[0].rpartition(".")[2] in {"cache", "lru_cache"}:
-                    yield decorator
+    for decorator in function.decorator_list:
+        if ast.unparse(decorator).partition("(")[0].rpartition(".")[2] in {"cache", "lru_cache"}:
+            yield decorator
 
 
 _STUB_FOLDER: Final = ROOT / "models" / "stubs"
@@ -269,9 +296,9 @@ _WORDS_OF_ROS: Final = re.compile(
 """Words by which ROS would be known in the engine. A node, as a thing that effects speak of, is none of them."""
 
 
-def _code_without_docs(path: Path) -> str:
+def _code_without_docs(text: str) -> str:
     """A module without comments, docstrings and imports."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = ast.parse(text)
     for node in ast.walk(tree):
         body = getattr(node, "body", None)
         if isinstance(body, list):
@@ -286,10 +313,11 @@ def _is_text(node: ast.stmt) -> bool:
 
 def test_the_engine_has_no_word_of_ros() -> None:
     """What it must know of client libraries, the marks of their stubs say (`models/facts.py`)."""
+    texts = {m.file: "\n".join(m.lines) for m in modules() if m.file.startswith("engine/")}
     found = [
-        f"{name_of(path)}: {line.strip()}"
-        for path in sorted((ROOT / "engine").rglob("*.py"))
-        for line in _code_without_docs(path).splitlines()
+        f"{file}: {line.strip()}"
+        for file, text in texts.items()
+        for line in (_code_without_docs(text).splitlines() if _WORDS_OF_ROS.search(text) else ())
         if _WORDS_OF_ROS.search(line)
     ]
     assert not found, _told(found)

@@ -73,8 +73,27 @@ def test_in_yaml(text: str, expected: object) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("f();  // rosward: ignore[RW102]\n", [((1,), ("RW102",))]),
+        ("  // rosward: ignore\nf();\n", [((1, 2), None)]),
+        ("f();\n/* rosward: ignore[RW101]\n */\ng();\n", [((2, 3, 4), ("RW101",))]),
+        ('auto s = "// rosward: ignore";\n', []),
+        ('auto s = R"x(\n// rosward: ignore\n)x";  // rosward: ignore\n', [((3,), None)]),
+        ("char c = '\"';  // rosward: ignore\n", [((1,), None)]),
+        ("// see rosward: ignore\n", []),
+    ],
+)
+def test_in_cpp(text: str, expected: object) -> None:
+    assert found(text, ".cpp") == expected
+
+
+@pytest.mark.parametrize(
     ("text", "suffix"),
     [
+        ("/*" * 300_000 + "rosward:", ".cpp"),
+        ('R"(' * 300_000 + "rosward:", ".hpp"),
+        ('"' + '\\"' * 300_000 + "rosward:", ".cpp"),
         ("<!-- rosward: ignore -->" * 60_000, ".xml"),
         ("<!--" * 300_000 + "rosward:", ".xml"),
         ("<![CDATA[" * 100_000 + "rosward: -->", ".xml"),

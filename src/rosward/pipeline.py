@@ -207,8 +207,11 @@ def _extract(
         gathered = of_sources(read, request.params, progress, assumed=assumed)
     findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
-    files = (*workspace.files, *workspace.launch_files)
+    known = (*workspace.files, *workspace.launch_files, *workspace.cpp_sources)
+    headers = sorted(read.sources.cpp_files.keys() - {f.relative for f in known})
+    files = (*known, *(SourceFile(workspace.root / name, name) for name in headers))
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
+    read.library.given_back()
     return Result(
         _network(read, gathered, findings, unknown, wanted),
         workspace.root,

@@ -94,12 +94,8 @@ _TABLE: Final = (
         _E,
         "Add the package of this module to the analysis. What it creates is missing.",
     ),
-    Rule(
-        "RW017",
-        "invalid package.xml",
-        _W,
-        "Fix it: the ROS tools reject the package. Its folder was still read.",
-    ),
+    Rule("RW017", "invalid package.xml", _W, "Fix it: the ROS tools reject the package. Its folder was still read."),
+    Rule("RW018", "C++ cannot be read", _E, "Install the missing packages. No program in C++ is in the result."),
     # Names and types
     Rule("RW101", "unknown name", _E, "Give the missing value a default in the source."),
     Rule("RW102", "partially known name", _W, "Supply the missing part, or accept the wildcard in the policy."),

@@ -41,11 +41,18 @@ def page(window: Page) -> Page:
 
 
 def test_it_opens_with_all_nodes_and_without_system_entities(page: Page) -> None:
-    assert len(shapes(page, "node.node")) == 18
+    assert len(shapes(page, "node.node")) == 28
     assert "/rosout" not in shapes(page, "node.topic")
-    assert "18 nodes" in page.locator("#facts").inner_text()
+    assert "28 nodes" in page.locator("#facts").inner_text()
     assert "Nothing was executed." in page.locator("#facts").inner_text()
-    assert shapes(page, "node.frame") == ["/building", "/fleet", "/porter1", "/porter2", "teleop", "teleop"]
+    assert shapes(page, "node.frame") == [
+        "/building",
+        "/fleet",
+        "/porter1",
+        "/porter2",
+        *["lidars"] * 2,
+        *["teleop"] * 2,
+    ]
 
 
 def test_no_two_shapes_lie_on_each_other(page: Page) -> None:
@@ -149,7 +156,7 @@ def test_each_filter(page: Page) -> None:
     page.get_by_label("Loose ends").check()
 
     page.locator("#filter-namespace").select_option("/porter1")
-    assert len(shapes(page, "node.node")) == 9
+    assert len(shapes(page, "node.node")) == 14
     page.locator("#filter-package").select_option("delivery_navigation")
     assert len(shapes(page, "node.node")) == 2
     page.get_by_role("button", name="Reset").click()
@@ -171,12 +178,12 @@ def test_focus_leaves_what_is_near(page: Page) -> None:
     page.get_by_label("How far").select_option("2")
     assert len(shapes(page, "node.node")) > 3
     page.get_by_role("button", name="End focus").click()
-    assert len(shapes(page, "node.node")) == 18
+    assert len(shapes(page, "node.node")) == 28
 
 
 def test_grouping(page: Page) -> None:
     page.get_by_label("Group by").select_option("process")
-    assert len(shapes(page, "node.frame")) == 18
+    assert len(shapes(page, "node.frame")) == 22
     page.get_by_label("Group by").select_option("enclave")
     assert "/porter1/base_driver" in shapes(page, "node.frame")
     page.get_by_label("Group by").select_option("none")
@@ -195,13 +202,13 @@ def test_nodes_only(page: Page) -> None:
 
 def test_frames_close_and_open(page: Page) -> None:
     page.get_by_role("button", name="Close all frames").click()
-    assert "/porter1\n9 nodes" in shapes(page, "node.group")
+    assert "/porter1\n14 nodes" in shapes(page, "node.group")
     page.evaluate("location.hash = '#n/porter1/localisation'")
     title(page).wait_for()
     assert "localisation" in shapes(page, "node.node")
-    assert "/porter2\n6 nodes" in shapes(page, "node.group")
+    assert "/porter2\n11 nodes" in shapes(page, "node.group")
     page.get_by_role("button", name="Open all frames").click()
-    assert len(shapes(page, "node.node")) == 18
+    assert len(shapes(page, "node.node")) == 28
 
 
 def test_a_policy_is_copied_as_it_is_in_the_file(browser: Browser, fleet: str, tmp_path: Path) -> None:

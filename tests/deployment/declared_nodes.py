@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from rosward.deployment.declared.effects import Declarations, declared
+from rosward.deployment.declared.declarations import Declarations
+from rosward.deployment.declared.effects import declared
 from rosward.deployment.declared.found import ReadFile
 from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern

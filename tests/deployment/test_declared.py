@@ -7,7 +7,8 @@ import itertools
 
 import pytest
 
-from rosward.deployment.declared.effects import MODELS, Declarations, declared
+from rosward.deployment.declared.declarations import MODELS, Declarations
+from rosward.deployment.declared.effects import declared
 from rosward.deployment.declared.shapes import PackageDeclaration
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import Const, Hole, Text, Unknown, Value

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rosward.deployment.declared.effects import Declarations
+from rosward.deployment.declared.declarations import Declarations
 from rosward.deployment.declared.read import read_package
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,22 @@ MACHINE = re.compile(r"(?<![\w.$~/<-])/(?:home|work|root|Users)/(?!me\b)\w+")
 
 def text_of(page: Path) -> str:
     return page.read_text(encoding="utf-8")
+
+
+@cache
+def anchors_of(page: Path) -> set[str]:
+    return anchors(text_of(page))
+
+
+@cache
+def commands() -> set[str]:
+    """The anchors that the reference of the command line has."""
+    return {name.replace(" ", "-") for name in commands_of(command_line())}
+
+
+@cache
+def files_of_the_site() -> set[str]:
+    return {place_in_site(p) for p in [*PAGES, *linked_files(), *(p for p in DOCS.rglob("*") if p.is_file())]}
 
 
 def site() -> Any:
@@ -63,19 +80,17 @@ def test_links_and_anchors_lead_somewhere(page: Path) -> None:
         assert target.exists(), link.file
         if link.anchor:
             generated = page.name == "command-line.md" or target.name == "command-line.md"
-            known = anchors(text_of(target)) | (
-                {name.replace(" ", "-") for name in commands_of(command_line())} if generated else set()
+            assert link.anchor in anchors_of(target) or (generated and link.anchor in commands()), (
+                f"{link.file}#{link.anchor}"
             )
-            assert link.anchor in known, f"{link.file}#{link.anchor}"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
 def test_links_lead_somewhere_in_the_site(page: Path) -> None:
-    there = {place_in_site(p) for p in [*PAGES, *linked_files(), *(p for p in DOCS.rglob("*") if p.is_file())]}
     here = os.path.dirname(place_in_site(page))  # noqa: PTH120
     for link in links(for_the_site(text_of(page), page)):
         if link.file and not link.external:
-            assert os.path.normpath(os.path.join(here, link.file)) in there, link.file  # noqa: PTH118
+            assert os.path.normpath(os.path.join(here, link.file)) in files_of_the_site(), link.file  # noqa: PTH118
 
 
 def test_links_of_the_repository_are_made_for_the_site() -> None:

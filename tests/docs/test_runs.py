@@ -6,6 +6,8 @@ python -m pytest tests/docs/test_runs.py --update-pages     writes what is print
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -15,19 +17,30 @@ from docsite.pages import pages
 
 from rosward.cli import command_line
 
+pytestmark = pytest.mark.usefixtures("remembered")
+
 PAGES = [page for page in pages() if runs_of(page.read_text(encoding="utf-8"))]
 SHOWN_OTHERWISE = {"serve"}
 """Commands that do not end by themselves."""
 
 
+@pytest.fixture
+def folder(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """An empty folder, the current one. All pages have the same, so that what they ask of the examples is the same."""
+    made = tmp_path_factory.getbasetemp() / "page"
+    made.mkdir()
+    monkeypatch.chdir(made)
+    yield made
+    shutil.rmtree(made)
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_a_page_shows_what_is_printed(
-    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
+    page: Path, folder: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
-    monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "100")
     text = page.read_text(encoding="utf-8")
-    results = list(perform(text, tmp_path))
+    results = list(perform(text, folder))
     if request.config.getoption("--update-pages"):
         assert page.read_text(encoding="utf-8") == text, "the page was changed meanwhile"
         page.write_text(rewritten(text, results), encoding="utf-8")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import re
 import subprocess
 import sys
@@ -12,12 +13,16 @@ from pathlib import Path
 import pytest
 from docsite.pages import DOCS, OUTSIDE, ROOT
 
+pytestmark = pytest.mark.slow
+
 LOADED = re.compile(r"""(?:\bsrc|<link\b[^>]*\bhref)=["'](https?:|//)[^"']*|@import|url\(["']?(?:https?:|//)""")
 
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if importlib.util.find_spec("material") is None:
+        if "docs" in os.environ.get("ROSWARD_TESTS_REQUIRE", "").split():
+            pytest.fail("docs is required here: no mkdocs-material", pytrace=False)
         pytest.skip("mkdocs-material is not installed")
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(folder)]

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 from outputs.networks import node
 
 from rosward.enclaves.suggestion import Wish, suggest
@@ -21,7 +22,7 @@ from .systems import nodes
 
 
 @given(nodes(), st.integers(1, 9), st.booleans())
-@settings(max_examples=100)
+@settings(max_examples=examples(2))
 def test_a_suggestion_that_is_written_and_read_is_what_was_suggested(
     tmp_path_factory: pytest.TempPathFactory, made: tuple[Node, ...], most: int, ignore_given: bool
 ) -> None:

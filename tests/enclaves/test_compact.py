@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 from outputs.networks import entity, fleet, node, pub, sub
 
 from rosward.enclaves.compact import compact
@@ -47,7 +48,7 @@ def told(widened: tuple[Widened, ...]) -> set[Privilege]:
 
 
 @given(nodes(enclave="/all"), st.integers(3_000, 9_000))
-@settings(max_examples=40)
+@settings(max_examples=examples(0.8))
 def test_the_laws_of_compaction(made: tuple[Node, ...], largest: int) -> None:
     network = connect("jazzy", made)
     compaction = compact(network.nodes, largest=largest)
@@ -84,7 +85,6 @@ def test_the_laws_of_compaction(made: tuple[Node, ...], largest: int) -> None:
 
 
 @given(nodes(enclave="/all"))
-@settings(max_examples=50)
 def test_the_size_is_that_of_the_document(made: tuple[Node, ...]) -> None:
     network = connect("jazzy", made)
     documents = permissions(network)

@@ -10,6 +10,7 @@ from itertools import pairwise
 import jsonschema
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 from outputs.networks import entity, node, pub, sub
 
 from rosward.enclaves.grouping import cut_at
@@ -49,7 +50,7 @@ def counted(suggestion: Suggestion, all_nodes: tuple[Node, ...]) -> Price:
 
 
 @given(nodes(), st.integers(1, 9), st.booleans())
-@settings(max_examples=80)
+@settings(max_examples=examples(1.6))
 def test_the_price_is_what_a_count_by_hand_says(made: tuple[Node, ...], most: int, ignore_given: bool) -> None:
     found = suggest(made, Wish.MOST, most, ignore_given=ignore_given)
     assert found.ladder.totals[found.cut.steps] == counted(found, made)
@@ -59,7 +60,7 @@ def test_the_price_is_what_a_count_by_hand_says(made: tuple[Node, ...], most: in
 
 
 @given(nodes())
-@settings(max_examples=80)
+@settings(max_examples=examples(1.6))
 def test_each_step_costs_and_saves_an_enclave(made: tuple[Node, ...]) -> None:
     found = suggest(made)
     for before, after in pairwise(found.ladder.totals):
@@ -73,7 +74,7 @@ def test_each_step_costs_and_saves_an_enclave(made: tuple[Node, ...]) -> None:
 
 
 @given(nodes(), st.randoms(use_true_random=False))
-@settings(max_examples=60)
+@settings(max_examples=examples(1.2))
 def test_the_order_of_nodes_does_not_matter(made: tuple[Node, ...], random: object) -> None:
     shuffled = list(made)
     random.shuffle(shuffled)  # type: ignore[attr-defined]
@@ -81,7 +82,7 @@ def test_the_order_of_nodes_does_not_matter(made: tuple[Node, ...], random: obje
 
 
 @given(nodes(), st.integers(1, 9))
-@settings(max_examples=60)
+@settings(max_examples=examples(1.2))
 def test_every_process_is_in_one_enclave_and_paths_differ(made: tuple[Node, ...], most: int) -> None:
     found = suggest(made, Wish.MOST, most)
     processes = [process.process for enclave in found.enclaves for process in enclave.processes]

@@ -129,7 +129,7 @@ def read(folder: Path, text: str, **others: str) -> SourcesRead:
     found = discover([folder])
     workspace = replace(found, files=(*found.files, SourceFile(folder / "talker.toy", "talker.toy")))
     sources = SourceTree(workspace, front_ends=(FRONT_END, *FRONT_ENDS))
-    library = Library(sources, own_models(), languages=(*LANGUAGES, TOY))
+    library = Library(sources, own_models(), languages={**LANGUAGES, "toy": lambda: TOY})
     plan = make_plan(workspace, sources, library)
     return SourcesRead(workspace, sources, plan, library, (), Distro.JAZZY, Budget())
 

@@ -4,7 +4,7 @@
     apart(lambda: len("x" * 10**12))  ->  Ended(value=None, error='… MemoryError')
     apart(lambda: 1 + 1)              ->  Ended(value=2, error='')
 
-The process is a fork, so that nothing is imported anew for each of many tests.
+The process is a fork, so that nothing is imported anew for each of many tests, nor any model of a library that all of them use.
 """
 
 from __future__ import annotations
@@ -15,10 +15,17 @@ import os
 import resource
 import select
 import signal
+import tempfile
 import time
 import traceback
 from collections.abc import Callable
+from functools import cache
+from pathlib import Path
 from typing import Any, Final, NamedTuple
+
+import rosward
+from hostile.fuzz import GOOD, GOOD_LAUNCH
+from rosward.deployment.request import Request
 
 SECONDS: Final = 60.0
 HANGING: Final = 1_800.0
@@ -37,6 +44,7 @@ class Ended(NamedTuple):
 
 def apart(work: Callable[[], object], *, seconds: float = SECONDS, megabytes: int = MEGABYTES) -> Ended:
     """Do the work in a process of its own, with `seconds` of the processor's time, and `megabytes` of memory beside the stack that is reserved."""
+    _have_models_read()
     read, write = os.pipe()
     start = time.monotonic()
     child = os.fork()
@@ -65,6 +73,16 @@ def apart(work: Callable[[], object], *, seconds: float = SECONDS, megabytes: in
         return Ended(None, f"ended by signal or exit: {status}", spent, size)
     value, error = json.loads(told)
     return Ended(value, error, spent, size)
+
+
+@cache
+def _have_models_read() -> None:
+    """What a run has from the run before."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "good.py").write_text(GOOD, encoding="utf-8")
+        (Path(folder) / "good.launch.xml").write_text(GOOD_LAUNCH, encoding="utf-8")
+        for launched in (False, True):
+            rosward.extract(folder, request=Request(all_launch=launched))
 
 
 def _work(work: Callable[[], object], write: int, seconds: float, megabytes: int) -> None:

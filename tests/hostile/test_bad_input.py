@@ -177,7 +177,7 @@ def node_behind(text: str) -> str:
     "text",
     [
         pytest.param("x = " + " + ".join(["'a'"] * 20_000), id="20,000 terms"),
-        pytest.param("x = ''" + " + str(1)" * 20_000, id="20,000 unknown terms"),
+        pytest.param("x = ''" + " + str(1)" * 20_000, id="20,000 unknown terms", marks=pytest.mark.slow),
         pytest.param("x = 'a' * 10**9", id="a string of a gigabyte"),
         pytest.param("x = 10 ** 10 ** 10", id="a large number"),
         pytest.param("x = 1 << 10**10", id="a far shift"),
@@ -188,8 +188,12 @@ def node_behind(text: str) -> str:
         pytest.param("x = [0] * 10**9", id="a long list"),
         pytest.param("x = list(range(10**9))", id="a long range"),
         pytest.param("x = '{' + ', '.join(f'{i}: {i}' for i in range(10)) + '}'", id="text of a dict"),
-        pytest.param("x = {" + ", ".join(f"'k{i}': {i}" for i in range(30_000)) + "}", id="a dict of 30,000"),
-        pytest.param("x = [" + ", ".join(map(str, range(30_000))) + "]", id="a list of 30,000"),
+        pytest.param(
+            "x = {" + ", ".join(f"'k{i}': {i}" for i in range(30_000)) + "}",
+            id="a dict of 30,000",
+            marks=pytest.mark.slow,
+        ),
+        pytest.param("x = [" + ", ".join(map(str, range(30_000))) + "]", id="a list of 30,000", marks=pytest.mark.slow),
         pytest.param("x = 'ab'\nfor _ in range(60):\n    x = x + x", id="doubling"),
         pytest.param("x = 'ab'\nfor _ in range(60):\n    x = f'{x}{x}'", id="doubling f-string"),
         pytest.param("x = 'ab'\nfor _ in range(60):\n    x = x.replace('a', x)", id="doubling by replace"),
@@ -257,7 +261,7 @@ def test_what_never_returns_ends_the_analysis_of_its_process_only(tmp_path: Path
         pytest.param("def f(n):\n    if n: f(n - 1)\nf(10000)", id="recursion 10,000 deep"),
         pytest.param("def f(n):\n    if n > 0: return f(n - 1) + f(n - 2)\n    return 1\nf(60)", id="Fibonacci"),
         pytest.param("def f(x):\n    if x: return [f(x[1:])]\nf(input())", id="recursion over an unknown"),
-        pytest.param(CALL_TREE, id="exponential call tree"),
+        pytest.param(CALL_TREE, id="exponential call tree", marks=pytest.mark.slow),
         pytest.param(
             "for a in range(300):\n  for b in range(300):\n    for c in range(300): pass", id="27,000,000 turns"
         ),

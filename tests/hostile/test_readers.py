@@ -31,6 +31,38 @@ NODE: Final = GOOD.replace("'good'", "'bad'")
 CMAKE: Final = GOOD_CMAKE.replace("good", "bad")
 
 
+_KEYS: Final = "  k: {type: string_array, default_value: [" + ", ".join(f"k{i}" for i in range(100)) + "]}\n"
+ENDLESS_FUNCTION: Final = "from launch import LaunchDescription\nfrom launch.actions import GroupAction, OpaqueFunction\ndef f(context):\n    return [OpaqueFunction(function=f), OpaqueFunction(function=f)]\ndef generate_launch_description():\n    return LaunchDescription([OpaqueFunction(function=f)])\n"
+COUNTING_INCLUDE: Final = "<launch><arg name='a' default='0'/><include file='$(dirname)/b.launch.xml'><arg name='a' value=\"$(eval '$(var a) + 1')\"/></include><include file='$(dirname)/b.launch.xml'/></launch>"
+MANY_ARGUMENTS: Final = "launch:\n" + "- arg: {name: a}\n" * 25_000
+MANY_EXECUTABLES: Final = "executables:\n" + "  a: {}\n" * 30_000
+WRONG_DEFAULTS: Final = "bad:\n" + "".join(f"  p{i}: {{type: string, default_value: {i}}}\n" for i in range(6_000))
+MANY_PARAMETERS: Final = "bad:\n" + "".join(f"  p{i}: {{type: string, default_value: x}}\n" for i in range(1_400))
+MAPS_60_DEEP: Final = (
+    "bad:\n" + _KEYS + "".join("  " * n + "__map_k:\n" for n in range(1, 60)) + "  " * 60 + "p: {type: int}"
+)
+MAPS_9_DEEP: Final = (
+    "bad:\n" + _KEYS + "".join("  " * n + "__map_k:\n" for n in range(1, 9)) + "  " * 9 + "p: {type: int}"
+)
+LONG: Final = frozenset(
+    {
+        ENDLESS_FUNCTION,
+        COUNTING_INCLUDE,
+        MANY_ARGUMENTS,
+        MANY_EXECUTABLES,
+        WRONG_DEFAULTS,
+        MANY_PARAMETERS,
+        MAPS_60_DEEP,
+        MAPS_9_DEEP,
+    }
+)
+"""What takes several seconds, most of it until a bound is reached."""
+
+
+def marks(text: str) -> list[pytest.MarkDecorator]:
+    return [pytest.mark.slow] if text in LONG else []
+
+
 def workspace(folder: Path) -> Path:
     """A workspace with the sound package, and the beginning of a bad one."""
     ws = folder / "ws"
@@ -160,7 +192,7 @@ HOSTILE: Final = [
     ),
     (
         "launch/b.launch.xml",
-        "<launch><arg name='a' default='0'/><include file='$(dirname)/b.launch.xml'><arg name='a' value=\"$(eval '$(var a) + 1')\"/></include><include file='$(dirname)/b.launch.xml'/></launch>",
+        COUNTING_INCLUDE,
     ),
     (
         "launch/b.launch.xml",
@@ -190,7 +222,7 @@ HOSTILE: Final = [
     ("launch/b.launch.yaml", "launch: &a\n- group: *a\n"),
     ("launch/b.launch.yaml", "launch: " + "[" * 100_000),
     ("launch/b.launch.yaml", "launch:\n- include: {file: $(find-pkg-share bad)/launch/b.launch.yaml}\n"),
-    ("launch/b.launch.yaml", "launch:\n" + "- arg: {name: a}\n" * 25_000),
+    ("launch/b.launch.yaml", MANY_ARGUMENTS),
     (
         "launch/b.launch.py",
         "from launch import LaunchDescription\ndef generate_launch_description():\n    x = []\n    while True:\n        x.append(LaunchDescription(x))\n    return LaunchDescription(x)\n",
@@ -201,14 +233,16 @@ HOSTILE: Final = [
     ),
     (
         "launch/b.launch.py",
-        "from launch import LaunchDescription\nfrom launch.actions import GroupAction, OpaqueFunction\ndef f(context):\n    return [OpaqueFunction(function=f), OpaqueFunction(function=f)]\ndef generate_launch_description():\n    return LaunchDescription([OpaqueFunction(function=f)])\n",
+        ENDLESS_FUNCTION,
     ),
     ("msg/X.msg", "string<=999999999999999999999 x\n" * 20_000),
     ("msg/" + "X" * 200 + ".msg", "\0\0\0"),
 ]
 
 
-@pytest.mark.parametrize(("name", "text"), HOSTILE, ids=[f"{n}: {t[:40]!r}"[:70] for n, t in HOSTILE])
+@pytest.mark.parametrize(
+    ("name", "text"), [pytest.param(n, t, id=f"{n}: {t[:40]!r}"[:70], marks=marks(t)) for n, t in HOSTILE]
+)
 def test_no_file_costs_the_others(tmp_path: Path, name: str, text: str) -> None:
     ws = workspace(tmp_path)
     path = ws / "bad" / name
@@ -242,16 +276,15 @@ def test_parameter_files(tmp_path: Path, text: str) -> None:
     sound(apart(lambda: nodes(ws, params=(str(file),)), seconds=SECONDS))
 
 
-_KEYS: Final = "  k: {type: string_array, default_value: [" + ", ".join(f"k{i}" for i in range(100)) + "]}\n"
 DESCRIPTIONS: Final = [
     "bad:\n  p: " + BOMB,
     "bad: " + "[" * 50_000,
     "bad: " + "{a: " * 20_000,
     "bad:\n" + "".join(f"{' ' * n}g{n}:\n" for n in range(1, 90)) + " " * 90 + "p: {type: int}",
-    "bad:\n" + "".join(f"  p{i}: {{type: string, default_value: {i}}}\n" for i in range(6_000)),
-    "bad:\n" + "".join(f"  p{i}: {{type: string, default_value: x}}\n" for i in range(1_400)),
-    "bad:\n" + _KEYS + "".join("  " * n + "__map_k:\n" for n in range(1, 9)) + "  " * 9 + "p: {type: int}",
-    "bad:\n" + _KEYS + "".join("  " * n + "__map_k:\n" for n in range(1, 60)) + "  " * 60 + "p: {type: int}",
+    WRONG_DEFAULTS,
+    MANY_PARAMETERS,
+    MAPS_9_DEEP,
+    MAPS_60_DEEP,
     f"bad:\n  p: {{type: int, default_value: 0x{'f' * 200_000}}}",
     "bad:\n  p: {type: string_fixed_" + "9" * 5_000 + "}",
     "bad:\n  p: {type: string, default_value: !!python/object/apply:os.system [id]}",
@@ -260,7 +293,7 @@ DESCRIPTIONS: Final = [
 ]
 
 
-@pytest.mark.parametrize("text", DESCRIPTIONS, ids=[repr(t[:50]) for t in DESCRIPTIONS])
+@pytest.mark.parametrize("text", [pytest.param(t, id=repr(t[:50]), marks=marks(t)) for t in DESCRIPTIONS])
 def test_descriptions_of_parameters(tmp_path: Path, text: str) -> None:
     ws = workspace(tmp_path)
     (ws / "bad" / "bad.yaml").write_text(text)
@@ -274,7 +307,7 @@ def test_descriptions_of_parameters(tmp_path: Path, text: str) -> None:
 MODELS: Final = [
     ("nodes/foreign.yaml", "nodl_version: 2\npackage: foreign\nexecutables: " + BOMB),
     ("nodes/foreign.yaml", "[" * 100_000),
-    ("nodes/foreign.yaml", "executables:\n" + "  a: {}\n" * 30_000),
+    ("nodes/foreign.yaml", MANY_EXECUTABLES),
     ("nodes/foreign.yaml", "nodl_version: 2\npackage: foreign\nexecutables:\n  x: {same_as: y}\n  y: {same_as: x}\n"),
     (
         "nodes/foreign.yaml",
@@ -290,7 +323,9 @@ MODELS: Final = [
 ]
 
 
-@pytest.mark.parametrize(("name", "text"), MODELS, ids=[f"{n}: {t[:30]!r}" for n, t in MODELS])
+@pytest.mark.parametrize(
+    ("name", "text"), [pytest.param(n, t, id=f"{n}: {t[:30]!r}", marks=marks(t)) for n, t in MODELS]
+)
 def test_models_of_the_user(tmp_path: Path, name: str, text: str) -> None:
     ws = workspace(tmp_path)
     (ws / "good" / "launch" / "f.launch.xml").write_text("<launch><node pkg='foreign' exec='x'/></launch>")
@@ -368,6 +403,7 @@ def test_thousands_of_files_and_deep_folders(tmp_path: Path) -> None:
     sound(apart(lambda: nodes(ws), seconds=SECONDS))
 
 
+@pytest.mark.slow
 def test_includes_in_a_circle_with_changing_arguments(tmp_path: Path) -> None:
     ws = workspace(tmp_path)
     for one, other in (("a", "b"), ("b", "a")):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Promise: every program of `tests/cases` has, under the real rclpy, the graph that rosward says it has.
+"""Promise: every Python program of `tests/cases` has, under the real rclpy, the graph that rosward says it has.
 
 Each is run twice: once spinning returns, once it is interrupted as by Ctrl-C. All that the real graph shows must be covered, and what
-is not conditional must be there where the main body came to its end.
+is not conditional must be there where the main body came to its end. Programs in C++ are compiled and run in `tests/cpp`.
 """
 
 from __future__ import annotations
@@ -18,13 +18,23 @@ pytest.importorskip("rclpy")
 from casefile import Case, read_cases
 
 import rosward
+from rosward.source.walk import CPP_SOURCES
 
 from .agreement import judge
 from .casebook import programs_of, runnable
 from .harness import RealRclpy
 
+
+def _in_python(case: Case) -> bool:
+    """Whether rclpy can run all of a case: not where a part of it is in C++."""
+    return any(name.endswith(".py") for name in case.files) and not any(n.endswith(CPP_SOURCES) for n in case.files)
+
+
 CASES: Final = [
-    case for file in sorted((Path(__file__).parents[1] / "cases").glob("*.md")) for case in read_cases(file)
+    case
+    for file in sorted((Path(__file__).parents[1] / "cases").glob("*.md"))
+    for case in read_cases(file)
+    if _in_python(case)
 ]
 LEAST: Final = 150
 """How many programs have to run at least, besides the generated ones."""

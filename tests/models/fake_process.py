@@ -60,6 +60,7 @@ class FakeProcess:
         self.asked: set[tuple[str, str, str]] = set()
         self.raised = 0
         self.choosing = False
+        self.language_name = "python"
         self.via: str | None = None
         self.handled: Value = NONE
         self.environment: Mapping[str, Value | None] = {}
@@ -77,6 +78,9 @@ class FakeProcess:
 
     def keep_end(self) -> None:
         raise NotImplementedError
+
+    def note_creation(self) -> None:
+        pass
 
     def throw(self, exception: Value) -> None:
         raise NotImplementedError

@@ -16,16 +16,21 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from casefile import read_cases, run_case
 
 from rosward.analysis.source_tree import SourceTree
 from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown
+from rosward.engine import model_library
 from rosward.engine.library import Library
+from rosward.engine.model_library import ModelLibrary
 from rosward.engine.model_units import units
 from rosward.engine.stub_files import STUBS, StubFiles
 from rosward.models.tables import own_models
 from rosward.source.discover import discover
+
+CASES = Path(__file__).parents[1] / "cases"
 
 MODELS = sorted(
     ".".join(path.relative_to(STUBS).with_suffix("").parts).removesuffix(".__init__") for path in STUBS.rglob("*.pyi")
@@ -34,16 +39,16 @@ LIBRARIES = [name for name in MODELS if "." not in name]
 _READ = StubFiles(())  # every stub is read once: what is tried is in which order they are run
 
 
-def _library(folder: Path, names: Iterable[str]) -> Library:
+def _library(names: Iterable[str]) -> ModelLibrary:
     """A library that was asked for models in this order."""
-    library = Library(SourceTree(discover([folder])), own_models())
+    library = ModelLibrary(own_models())
     library._stubs = _READ
     for name in names:
         _module(library, name)
     return library
 
 
-def _module(library: Library, name: str) -> ModuleValue:
+def _module(library: ModelLibrary, name: str) -> ModuleValue:
     found = library.find(name, 0, None)
     assert found is not None
     return library.load_model(found)
@@ -55,7 +60,7 @@ def _needed(name: str) -> tuple[str, ...]:
     return tuple(sorted({member for unit in units(_READ, name) for member in unit}))
 
 
-def _shape(library: Library, name: str) -> object:
+def _shape(library: ModelLibrary, name: str) -> object:
     """All that can be reached from a module."""
     numbers: dict[int, int] = {}
     shapes: list[object] = []
@@ -99,21 +104,52 @@ def _shape(library: Library, name: str) -> object:
 
 
 @pytest.fixture(scope="module")
-def alone(tmp_path_factory: pytest.TempPathFactory) -> dict[str, object]:
+def alone() -> dict[str, object]:
     """Each model in a library in which nothing else was asked for."""
-    folder = tmp_path_factory.mktemp("alone")
-    return {name: _shape(_library(folder, ()), name) for name in MODELS}
+    return {name: _shape(_library(()), name) for name in MODELS}
 
 
+def test_the_last_first_gives_the_same_models() -> None:
+    forward, backward = _library(MODELS), _library(reversed(MODELS))
+    assert [name for name in MODELS if _shape(forward, name) != _shape(backward, name)] == []
+
+
+def test_no_program_changes_a_model(tmp_path: Path) -> None:
+    """The next analysis takes over the models that the one before has used."""
+    cases = [c for name in ("builtin_subclasses", "classes", "functions") for c in read_cases(CASES / f"{name}.md")]
+    for number, case in enumerate(cases):
+        assert run_case(case, tmp_path / str(number)) == case.expected
+    (used,) = model_library._SPARE
+    fresh = _library(used._models)
+    assert [name for name in used._models if _shape(used, name) != _shape(fresh, name)] == []
+
+
+def test_models_in_use_are_nobody_elses(tmp_path: Path) -> None:
+    def library(*, net: bool = True) -> Library:
+        return Library(SourceTree(discover([tmp_path])), own_models(), net=net)
+
+    first, second = library(), library()
+    assert first._models is not second._models
+    first.given_back()
+    assert library(net=False)._models is not first._models  # and the spare one is gone
+    second.given_back()
+    third = library()
+    assert third._models is second._models
+    third._models._waiting.add("left in the middle")
+    third.given_back()
+    assert library()._models is not third._models
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("order", ["forward", "backward", "inner first", *range(4)])
-def test_any_order_gives_the_same_models(order: str | int, alone: dict[str, object], tmp_path: Path) -> None:
+def test_any_order_gives_the_same_models(order: str | int, alone: dict[str, object]) -> None:
     """Whatever was loaded before, a model is what it is alone."""
     names = sorted(MODELS, reverse=order == "backward", key=lambda n: (n.count("."), n))
     if order == "inner first":
         names.sort(key=lambda n: -n.count("."))
     if isinstance(order, int):
         random.Random(order).shuffle(names)
-    library = _library(tmp_path, names)
+    library = _library(names)
     assert [name for name in MODELS if _shape(library, name) != alone[name]] == []
 
 
@@ -123,22 +159,23 @@ def _pairs() -> list[tuple[str, str]]:
     return [(one, other) for one in every for other in every if one < other]
 
 
-def test_two_libraries_in_both_orders(alone: dict[str, object], tmp_path: Path) -> None:
+@pytest.mark.slow
+def test_two_libraries_in_both_orders(alone: dict[str, object]) -> None:
     """Each pair of libraries is the same in both orders."""
     for one, other in _pairs():
         for names in ((one, other), (other, one)):
-            library = _library(tmp_path, names)
+            library = _library(names)
             assert _shape(library, one) == alone[one], names
             assert _shape(library, other) == alone[other], names
 
 
-def test_no_model_needs_what_is_not_there_yet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_model_needs_what_is_not_there_yet(monkeypatch: pytest.MonkeyPatch) -> None:
     """None of our stubs imports a name from one that has not come so far."""
     early = []
     monkeypatch.setattr(
-        Library, "expect", lambda _self, importer, module, name, _value: early.append((importer, module, name))
+        ModelLibrary, "expect", lambda _self, importer, module, name, _value: early.append((importer, module, name))
     )
-    library = _library(tmp_path, MODELS)
+    library = _library(MODELS)
     running = {name for _, module, name in early if name in library.at(module.address).attrs}
     assert not running
 
@@ -151,7 +188,7 @@ def test_names_of_a_cycle_come_later(tmp_path: Path) -> None:
     (tmp_path / "ring/two.pyi").write_text("from ring.one import One\nclass Two: ...\ndef other() -> One: ...\n")
     shapes = []
     for first in ("ring", "ring.one", "ring.two"):
-        library = Library(SourceTree(discover([tmp_path])), own_models(), (tmp_path,))
+        library = ModelLibrary(own_models(), (tmp_path,))
         _module(library, first)
         shapes.append([_shape(library, name) for name in ("ring", "ring.one", "ring.two")])
         for name, imported in (("ring.one", "Two"), ("ring.two", "One")):
@@ -165,7 +202,7 @@ def test_a_model_changes_no_other(tmp_path: Path) -> None:
     (tmp_path / "more.pyi").write_text("import base\nbase.names.append('b')\nbase.Base.extra = 1\n")
     shapes = []
     for order in (("base", "more"), ("more", "base"), ("base",)):
-        library = Library(SourceTree(discover([tmp_path])), own_models(), (tmp_path,))
+        library = ModelLibrary(own_models(), (tmp_path,))
         for name in order:
             _module(library, name)
         shapes.append(_shape(library, "base"))
@@ -182,7 +219,7 @@ def test_what_a_function_imports_comes_when_it_is_called(tmp_path: Path) -> None
     (tmp_path / "more.pyi").write_text("MORE = 1\n")
     shapes = []
     for order in itertools.permutations(("late", "given", "called")):
-        library = Library(SourceTree(discover([tmp_path])), own_models(), (tmp_path,))
+        library = ModelLibrary(own_models(), (tmp_path,))
         for name in order:
             _module(library, name)
         assert "more" not in library._models

@@ -10,8 +10,8 @@ from typing import Final
 
 import pytest
 
-from rosward.engine.handed import AT_MAKING
 from rosward.engine.python.implicit import FOLLOWED
+from rosward.engine.python.own_methods import AT_MAKING
 
 PAGE: Final = Path(__file__).parents[2] / "docs" / "special-methods.md"
 WAYS: Final = ("followed", "any time", "making", "name")

@@ -13,6 +13,7 @@ from collections import Counter
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 
 from rosward.network.connect import connect
 from rosward.network.graph import Network
@@ -210,7 +211,7 @@ def networks(draw: st.DrawFn) -> Network:
     return connect("jazzy", nodes)
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(2))
 @given(networks())
 def test_whatever_has_the_same_name_has_an_identity_of_its_own(network: Network) -> None:
     drawing = Drawing(graph_mermaid(network))
@@ -284,7 +285,7 @@ def test_a_name_is_shown_as_it_is_and_a_control_character_as_its_escape() -> Non
     assert Drawing(graph_mermaid(hostile("a\nb"))).labels("t") == [r"/a\x0ab"]
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(2))
 @given(st.text(st.characters(), max_size=12) | st.sampled_from(HOSTILE))
 def test_no_name_breaks_the_drawing_or_the_block(name: str) -> None:
     text = graph_mermaid(hostile(name))

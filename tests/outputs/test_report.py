@@ -12,6 +12,7 @@ from pathlib import Path
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 
 from rosward.network.connect import connect
 from rosward.outputs.report import page
@@ -117,7 +118,7 @@ def test_text_from_the_sources_stays_text() -> None:
         assert text in [f["message"] for f in json.loads(shown.document)["findings"]]
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(0.3))
 @given(st.text(alphabet=st.characters(), max_size=10))
 def test_any_text_gives_the_same_page_around_it(text: str) -> None:
     written = report_html(hostile(text))

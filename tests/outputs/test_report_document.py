@@ -10,6 +10,7 @@ import jsonschema
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 
 from rosward.enclaves.widened import Widened
 from rosward.network.connect import connect
@@ -326,7 +327,7 @@ def test_loose_ends_are_told_unless_they_are_taken_away() -> None:
     assert Report(network, Background(loose=()))["findings"] == []
 
 
-@settings(max_examples=100)
+@settings(max_examples=examples(2))
 @given(st.text(alphabet=st.characters(), max_size=10))
 def test_any_text_gives_a_document_of_the_same_form(text: str) -> None:
     """Policies are as their files; the schema refuses control characters elsewhere."""

@@ -10,6 +10,7 @@ from typing import Final
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from laws import examples
 
 import rosward
 from rosward.outputs.policies.permissions import permissions
@@ -62,7 +63,7 @@ def names_in(text: str) -> list[str]:
     return [found[1] or found[2] or "" for found in NAMED.finditer(text)]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(0.8), deadline=None)
 @given(programs())
 def test_a_pattern_has_a_finding_that_names_it(program: str) -> None:
     with TemporaryDirectory() as folder:

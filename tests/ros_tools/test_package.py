@@ -36,7 +36,7 @@ ROSDEP: Final = {
     "graphviz-pure": "graphviz",  # draws where graphviz-pure is not
 }
 """The key of rosdep for each dependency."""
-WITHOUT_KEY: Final = {"tomli"}
+WITHOUT_KEY: Final = {"tomli", "tree-sitter", "tree-sitter-cpp"}
 
 
 @pytest.fixture(scope="module")

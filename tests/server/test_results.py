@@ -175,7 +175,7 @@ def test_a_folder_without_programs_says_so(real_page: Page, tmp_path: Path) -> N
     result = real_page.wait(real_page.post("/api/workspaces", {"path": str(tmp_path / "empty")})["id"])
     assert (result["state"], result["message"]) == (
         "failed",
-        "It contains no Python or launch files. C++ is not analysed.",
+        "It contains no Python, C++ or launch files.",
     )
 
 

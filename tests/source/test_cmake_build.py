@@ -37,6 +37,8 @@ def sources(tmp_path: Path, build: Build, name: str) -> list[str]:
         "set(S src/a.cpp)\nlist(APPEND S src/b.cpp)\nadd_executable(${N}talker ${S})",
         "file(GLOB S src/[ab].cpp)\nadd_executable(talker ${S} include/demo/a.hpp)",
         "file(GLOB_RECURSE S CONFIGURE_DEPENDS src/*.cpp)\nlist(FILTER S EXCLUDE REGEX main)\nadd_executable(talker ${S})",
+        "file(GLOB_RECURSE S src/*.cpp)\nlist(FILTER S EXCLUDE REGEX \".*/ma.*\")\nadd_executable(talker ${S})",
+        "project(d VERSION 2.1)\nif(PROJECT_VERSION_MAJOR EQUAL 2 AND d_VERSION_MINOR EQUAL 1)\nadd_executable(talker src/a.cpp src/b.cpp)\nendif()",
         "foreach(s a b)\nlist(APPEND S src/${s}.cpp)\nendforeach()\nadd_executable(talker ${S})",
         "function(program name)\nadd_executable(${name} ${ARGN})\nendfunction()\nprogram(talker src/a.cpp src/b.cpp)",
         "macro(put)\nset(S src/a.cpp src/b.cpp)\nendmacro()\nput()\nadd_executable(talker ${S})",

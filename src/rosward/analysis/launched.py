@@ -21,8 +21,9 @@ from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead,
 from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
-from rosward.analysis.unreached import unreached
+from rosward.analysis.unreached import unreached_of
 from rosward.deployment.declared.effects import declared
+from rosward.deployment.declared.shapes import PluginNode
 from rosward.deployment.launched import Launched
 from rosward.deployment.request import Request
 from rosward.deployment.undeclared import undeclared
@@ -148,7 +149,10 @@ def _of_systems(
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
     missing = "unreachable code is not reported"
     told = guarded(
-        lambda: list(unreached(runs.all(), read, outset.library.facts)), Place("", 0), missing, net=outset.budget.net
+        lambda: unreached_of(runs.all(), read, outset.library.facts, sources, everywhere=False),
+        Place("", 0),
+        missing,
+        net=outset.budget.net,
     )
     findings.update((told,) if isinstance(told, Finding) else told)
     return Gathered(nodes, list(findings))
@@ -180,8 +184,12 @@ class _Runs:
         return list(self._runs.values())
 
     def of(self, program: Launched) -> _Made:
-        """The nodes of a program and its findings."""
-        log, done = self._log(program)
+        """The nodes of a program and its findings; with those of classes of the sources that it loads, though it is declared."""
+        log, done, loaded = self._log(program)
+        made = [self._made(program, log, done), *(self.of(each) for each in loaded)]
+        return _Made(tuple(n for m in made for n in m.nodes), tuple(f for m in made for f in m.findings))
+
+    def _made(self, program: Launched, log: EffectLog, done: frozenset[tuple[object, ...]]) -> _Made:
         started = program.started
         place = started.place if started.place.file else None
         process = Process(
@@ -203,11 +211,21 @@ class _Runs:
         about = tuple(node.fqn for node in nodes)
         return _Made(tuple(nodes), (*log.findings, *doubts, *(f._replace(nodes=about) for f in own)))
 
-    def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]]]:
+    def _log(self, program: Launched) -> tuple[EffectLog, frozenset[tuple[object, ...]], list[Launched]]:
         outset = self._outset
+        loaded: list[Launched] = []
+
+        def take(node: PluginNode) -> bool:
+            entry = outset.plugin(node.plugin)
+            if entry is not None:
+                own = replace(program.configuration, component=node.words)
+                conditional = program.conditional or not node.certain
+                loaded.append(program._replace(entry=entry, program=None, configuration=own, conditional=conditional))
+            return entry is not None
+
         if program.entry is not None:
             found = self._run(program.entry, program.configuration)
-            return found.log, found.done
+            return found.log, found.done, loaded
         if program.program is not None:
             log = declared(
                 program.program,
@@ -216,18 +234,20 @@ class _Runs:
                 outset.declarations,
                 outset.distro,
                 outset.text_at,
+                take,
             )
         else:
             log = undeclared(program)
         done = frozenset[tuple[object, ...]]()
         for index, end in enumerate(log.ends):
             done = end if index == 0 else done & end
-        return log, done
+        return log, done, loaded
 
     def _run(self, entry: Entry, configuration: Configuration) -> Run:
         key = (
             entry,
             configuration.words,
+            configuration.component,
             tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
             tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
         )
@@ -253,7 +273,9 @@ def _of_packages(sources: SourceTree, workspace: Workspace, packages: set[str]) 
         if name not in wanted:
             wanted.add(name)
             work += [d for d in depends[name] if d in depends]
-    owners = {f.relative: f.package.name if f.package is not None else "" for f in workspace.files}
+    owners = {
+        f.relative: f.package.name if f.package is not None else "" for f in (*workspace.files, *workspace.cpp_sources)
+    }
     return [f for f in sources.findings if owners.get(f.place.file, "") in wanted | {""}]
 
 

@@ -8,6 +8,7 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 from rosward.analysis.source_tree import SourceTree
@@ -31,6 +32,13 @@ class Plan(NamedTuple):
     files: dict[str, SourceFile]
     related: frozenset[str] = frozenset()  # the files that can have to do with ROS
     findings: tuple[Finding, ...] = ()
+    programs: tuple[
+        Entry, ...
+    ] = ()  # what a launch file can start that is linked, whether or not it can have to do with ROS
+
+    def with_programs(self, programs: Sequence[Entry], related: Sequence[Entry]) -> Plan:
+        """With the processes of programs that are linked."""
+        return self._replace(entries=tuple(_distinct([*self.entries, *related])), programs=tuple(programs))
 
     def for_file(self, file: str) -> Entry:
         """The process that runs a file that nothing else does."""

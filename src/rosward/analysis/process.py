@@ -26,6 +26,7 @@ from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.reads import Reads
+from rosward.engine.shared import Shared
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
@@ -69,8 +70,11 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
     machine = Interpreter(library, budget, log)
     imported = _Imported()
     try:
-        _give_words(machine, entry, configuration)
-        _main(machine, entry, imported)
+        if entry.program:
+            _start_linked(machine, entry, configuration)
+        else:
+            _give_words(machine, entry, configuration)
+            _main(machine, entry, imported)
     except LimitReachedError as limit:
         place = limit.place
         log.findings.add(
@@ -88,7 +92,8 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
     machine.frames.clear()
     machine.catchers.clear()
     try:
-        _schedule_hook(machine)
+        if not entry.program:
+            _schedule_hook(machine)
         machine.spin()
         handed.follow(machine)
         log.tell_spun()
@@ -125,6 +130,13 @@ def _reached(error: Exception) -> Place | None:
             found = frame.place
         step = step.tb_next
     return found
+
+
+def _start_linked(machine: Interpreter, entry: Entry, configuration: Configuration | None) -> None:
+    """Of a language with a linker; what runs it is loaded where there is such a program."""
+    from rosward.analysis.linked import start
+
+    start(machine, entry, configuration)
 
 
 def _give_words(machine: Interpreter, entry: Entry, configuration: Configuration | None) -> None:
@@ -167,7 +179,7 @@ def _main(machine: Interpreter, entry: Entry, imported: _Imported) -> None:
         imported.nodes, imported.entities = tuple(machine.log.nodes), frozenset(machine.log.entities)
     for qualname in entry.classes:
         found = machine.at(address).attrs.get(qualname)
-        if isinstance(found, Class) and _is_node(found, machine.library.node_classes):
+        if isinstance(found, Class) and _is_node(found, machine.library):
             assumed.make(machine, found)
         elif isinstance(found, Class):
             machine.trace.handed[found] = found.place  # whoever calls it from outside has it
@@ -181,24 +193,27 @@ def _needs_nothing(function: Value) -> bool:
     )
 
 
-def node_classes(runs: Iterable[Run], nodes: tuple[Class, ...]) -> dict[str, list[str]]:
+def node_classes(runs: Iterable[Run], library: Shared) -> dict[str, list[str]]:
     """The node classes that no process instantiates and no other class inherits from, by file: their names."""
-    return _by_file(c for c in _unmade(runs) if _is_node(c, nodes))
+    return _by_file(c for c in _unmade(runs) if _is_node(c, library))
 
 
-def called_from_outside(runs: Iterable[Run], nodes: tuple[Class, ...]) -> dict[str, list[str]]:
+def called_from_outside(runs: Iterable[Run], library: Shared) -> dict[str, list[str]]:
     """The classes that no process instantiates, but a framework may, by file: their names.
 
     class ArmEnv(gymnasium.Env)                                    a framework that is not read makes what derives from its classes
     class Driver: def init(self, robot, properties), def step      Webots makes what has these methods
     """
     return _by_file(
-        c for c in _unmade(runs) if not _is_node(c, nodes) and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
+        c
+        for c in _unmade(runs)
+        if not _is_node(c, library) and (_derives_from_outside(c) or _is_webots_plugin(runs, c))
     )
 
 
-def _is_node(cls: Class, nodes: tuple[Class, ...]) -> bool:
-    return any(node in cls.mro for node in nodes)
+def _is_node(cls: Class, library: Shared) -> bool:
+    """Whether a class derives from one of nodes; their models are not run for programs that leave no class to ask about."""
+    return any(node in cls.mro for node in library.node_classes)
 
 
 def _derives_from_outside(cls: Class) -> bool:

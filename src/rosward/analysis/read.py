@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.analysis.plan import Plan, make_plan, plain_plan
 from rosward.analysis.source_tree import SourceTree
@@ -26,6 +26,9 @@ from rosward.source.exclude import Exclusion, exclusions_of
 from rosward.source.surroundings import surroundings
 from rosward.source.workspace import Workspace
 
+if TYPE_CHECKING:
+    from rosward.analysis.compiled import Compiled
+
 __all__ = ["EVERYTHING", "NothingToReadError", "Progress", "SourcePath", "SourcesRead", "read_sources", "silent"]
 
 SourcePath = str | PathLike[str]
@@ -36,7 +39,7 @@ EVERYTHING: Final = Request()
 
 
 class NothingToReadError(Exception):
-    """None of the paths holds a Python file."""
+    """None of the paths holds a file that can be read."""
 
 
 class SourcesRead(NamedTuple):
@@ -83,11 +86,10 @@ def read_sources(
         environment=variables,
         net=bounds.net,
     )
-    if not (workspace.files or workspace.launch_files or request.nodes):
-        raise NothingToReadError(
-            f"nothing to read: no Python or launch file in {', '.join(map(str, wanted))} (C++ is not analysed)"
-        )
-    sources = SourceTree(workspace, [Path(u) for u in underlays], net=bounds.net)
+    if not (workspace.files or workspace.launch_files or workspace.cpp_sources or request.nodes):
+        raise NothingToReadError(f"nothing to read: no Python, C++ or launch file in {', '.join(map(str, wanted))}")
+    compiled = _compiled(workspace, distro, bounds) if workspace.cpp_sources else None
+    sources = SourceTree(workspace, [Path(u) for u in underlays], net=bounds.net, compiled=compiled)
     tell = progress or silent
     sources.read_all(lambda done: tell("reading", done, len(workspace.files)))
     folders = tuple(Path(m) for m in models)
@@ -96,8 +98,17 @@ def read_sources(
     missing = "each file is analysed as a program of its own, under its own name"
     made = steps(lambda: make_plan(workspace, sources, library), None, missing)
     plan = made or plain_plan(workspace)
+    if compiled is not None:
+        plan = plan.with_programs(compiled.all, compiled.related)
     plan = plan._replace(findings=(*plan.findings, *steps.findings))
     return SourcesRead(workspace, sources, plan, library, folders, distro, bounds)
+
+
+def _compiled(workspace: Workspace, distro: Distro, budget: Budget) -> Compiled:
+    """The programs in C++: what reads them is loaded where there are some."""
+    from rosward.analysis.compiled import Compiled
+
+    return Compiled(workspace, distro, net=budget.net)
 
 
 def silent(_what: str, _done: int, _all: int) -> None:

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Final, final
+from typing import TYPE_CHECKING, Final, final
 
+from rosward.effects.entry import Entry
 from rosward.engine.found import FoundModule
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
@@ -24,6 +25,10 @@ from rosward.source.text import place_name, read_bytes, read_source
 from rosward.source.workspace import Package, SourceFile, Workspace
 from rosward.source.yaml_nodes import Malformed
 
+if TYPE_CHECKING:
+    from rosward.analysis.compiled import Compiled
+    from rosward.frontends.cpp.symbols import CppSymbols
+
 _CODES: Final = {"syntax": "RW001", "python2": "RW006", "depth": "RW005", "null": "RW001"}
 
 
@@ -38,14 +43,15 @@ class SourceTree:
         *,
         net: bool = True,
         front_ends: Sequence[FrontEnd] = FRONT_ENDS,
+        compiled: Compiled | None = None,
     ) -> None:
         self.workspace = workspace
         self._front_ends = front_ends
+        self._compiled = compiled
         self.files = Installed(workspace, underlays)
-        self.findings = Findings()
+        self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
-        self.files_read = 0
-        self.lines_read = 0
+        self._read_of_python = [0, 0]  # files, lines
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
@@ -68,12 +74,35 @@ class SourceTree:
             self.module(file.relative)
         progress(len(self.workspace.files))
 
+    @property
+    def files_read(self) -> int:
+        """How many files were read."""
+        return self._read_of_python[0] + len(self.cpp_files)
+
+    @property
+    def lines_read(self) -> int:
+        """How many lines they have."""
+        return self._read_of_python[1] + sum(self.cpp_files.values())
+
+    @property
+    def cpp_files(self) -> Mapping[str, int]:
+        """The files of the programs in C++ that were asked for, headers included, and how many lines each has."""
+        return {} if self._compiled is None else self._compiled.lines
+
     def module(self, file: str) -> Module | None:
         """The lowered file; None where it cannot be read."""
         if file not in self._modules:
             source = self._files.get(file) or self.files.file(file)
             self._modules[file] = None if source is None else self._read(source.path, file)
         return self._modules[file]
+
+    def program(self, name: str) -> CppSymbols | None:
+        """The names of a program in C++."""
+        return None if self._compiled is None else self._compiled.program(name)
+
+    def plugin(self, name: str) -> Entry | None:
+        """How a class in C++ starts that is loaded by its name."""
+        return None if self._compiled is None else self._compiled.plugin(name)
 
     def _read(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
@@ -91,8 +120,8 @@ class SourceTree:
             return None
         if text.finding is not None:
             self.findings.add(text.finding)
-        self.files_read += 1
-        self.lines_read += text.text.count("\n") + (not text.text.endswith("\n"))
+        self._read_of_python[0] += 1
+        self._read_of_python[1] += text.text.count("\n") + (not text.text.endswith("\n"))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:

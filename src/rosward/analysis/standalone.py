@@ -13,10 +13,11 @@ from typing import NamedTuple
 
 from rosward.analysis.process import Run, called_from_outside, node_classes, run
 from rosward.analysis.read import Progress, SourcesRead
-from rosward.analysis.unreached import unreached
+from rosward.analysis.unreached import unreached_of
 from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
 from rosward.effects.configuration import Configuration
+from rosward.effects.entry import Entry
 from rosward.effects.variables import Variables, not_given
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
@@ -68,7 +69,9 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
             findings.update(made[1])
     modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
     missing = "unreachable code is not reported"
-    told = guarded(lambda: list(unreached(everything, modules, read.library.facts)), Place("", 0), missing, net=net)
+    told = guarded(
+        lambda: unreached_of(everything, modules, read.library.facts, read.sources), Place("", 0), missing, net=net
+    )
     findings.update((told,) if isinstance(told, Finding) else told)
     asked = Variables()
     for each in everything:
@@ -84,7 +87,8 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
     total = len(plan.entries)
     for number, entry in enumerate(plan.entries):
         progress("analysing", number, total)
-        runs.append(run(library, entry, budget, configuration))
+        if not entry.assumed or (assumed and not _is_made(read, entry, runs)):
+            runs.append(run(library, entry, budget, configuration))
     progress("analysing", total, total)
     entered = {code for r in runs for code in r.entered}
     for file in sorted(plan.related):
@@ -92,15 +96,23 @@ def _run_all(read: SourcesRead, configuration: Configuration | None, progress: P
         if module is not None and module.code.key not in entered:
             runs.append(run(library, plan.for_file(file), budget, configuration))
             entered |= runs[-1].entered
-    for file, names in node_classes(runs, library.node_classes).items() if assumed else ():
+    for file, names in node_classes(runs, library).items() if assumed else ():
         for name in names:  # nothing says that two of them share a process
             runs.append(run(library, plan.for_class(file, name), budget, configuration))
-    for file, names in called_from_outside(runs, library.node_classes).items():
+    for file, names in called_from_outside(runs, library).items():
         for name in names:
             each = run(library, plan.for_framework(file, name, alone=len(names) == 1), budget, configuration)
             if each.log.nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
                 runs.append(each)
     return runs
+
+
+def _is_made(read: SourcesRead, entry: Entry, runs: Sequence[Run]) -> bool:
+    """Whether an executable makes the component that an entry is about: then nobody has to be assumed who does."""
+    program = read.sources.program(entry.program)
+    made = {place for each in runs for place in each.instantiated}
+    *scope, name = entry.classes[0].removeprefix("::").split("::")
+    return program is not None and any(symbol.place in made for symbol in program.at(tuple(scope), name))
 
 
 def _tells(probe: Run) -> bool:

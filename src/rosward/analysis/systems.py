@@ -10,7 +10,7 @@ Each launch file is executed by itself (never for real); `--node` and `--params`
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import partial
@@ -19,7 +19,7 @@ from typing import Final, NamedTuple
 
 from rosward.analysis.cases import Executed, in_each_case
 from rosward.analysis.read import SourcesRead
-from rosward.deployment.declared.effects import Declarations
+from rosward.deployment.declared.declarations import Declarations
 from rosward.deployment.execution.execution import Execution
 from rosward.deployment.files import WorkspaceFiles
 from rosward.deployment.given import parameter_files
@@ -32,6 +32,7 @@ from rosward.deployment.shown import entry
 from rosward.deployment.started import Started, StartKind
 from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration
+from rosward.effects.entry import Entry
 from rosward.effects.shell import Shell
 from rosward.effects.variables import Variables
 from rosward.engine.budget import Budget
@@ -76,14 +77,28 @@ class Outset(NamedTuple):
     files: WorkspaceFiles
     declarations: Declarations
     related: frozenset[str]
+    linked: tuple[Entry, ...]
     distro: Distro
     budget: Budget
+    plugin: Callable[[str], Entry | None]
+    """How a class starts that is loaded by its name; None where the sources do not have it."""
 
     @classmethod
     def of(cls, read: SourcesRead) -> Outset:
         """That of sources which were read."""
         files, declarations = WorkspaceFiles(read.sources.files), Declarations(read.models, net=read.budget.net)
-        return cls(read.workspace, read.library, files, declarations, read.plan.related, read.distro, read.budget)
+        plan = read.plan
+        return cls(
+            read.workspace,
+            read.library,
+            files,
+            declarations,
+            plan.related,
+            plan.programs,
+            read.distro,
+            read.budget,
+            read.sources.plugin,
+        )
 
     def text_at(self, path: Value) -> str | None:
         """The text of the file at a path; None where it is not among the sources."""
@@ -235,7 +250,14 @@ def _execute(file: str, arguments: dict[str, str], outset: Outset, asked: Variab
 
 def _programs(outset: Outset) -> Programs:
     workspace = outset.workspace
-    return Programs(workspace.executables, workspace.targets, outset.declarations, outset.related, outset.files)
+    return Programs(
+        workspace.executables,
+        workspace.targets,
+        outset.declarations,
+        outset.related,
+        outset.files,
+        outset.linked,
+    )
 
 
 def _system(name: str, file: str, started: Sequence[Started], programs: Programs) -> System:

@@ -16,6 +16,7 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import final
 
 from rosward.analysis.process import Run
+from rosward.analysis.source_tree import SourceTree
 from rosward.domain.compound import External
 from rosward.domain.values import Class, Unknown, Value
 from rosward.engine.escape import name_of
@@ -25,6 +26,20 @@ from rosward.ir.op import walk
 from rosward.ir.program import Code, Module, OpKey
 from rosward.models.facts import LibraryFacts
 from rosward.source.location import Place
+
+
+def unreached_of(
+    runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFacts, sources: SourceTree, *, everywhere: bool = True
+) -> list[Finding]:
+    """What `unreached` finds, and the same of the programs that are linked."""
+    found = unreached(runs, modules, facts)
+    names = dict.fromkeys(run.entry.program for run in runs if run.entry.program)
+    if names:
+        from rosward.analysis.unreached_linked import unreached_linked
+
+        programs = [p for p in map(sources.program, names) if p is not None]
+        found += unreached_linked(runs, programs, facts.creating, everywhere=everywhere)
+    return found
 
 
 def unreached(runs: Sequence[Run], modules: Iterable[Module], facts: LibraryFacts) -> list[Finding]:

@@ -91,13 +91,18 @@ def label_of(target: str) -> str:
     return f"{CONTAINER}{target}"
 
 
+def is_container(program: Program) -> bool:
+    """Whether a declared program has the service that loads components."""
+    return any(_has_service(shape.group) for shape in program.nodes)
+
+
 def _may_load(launched: Launched) -> bool:
     kind = launched.started.kind
     if kind in (StartKind.COMPONENT, StartKind.CONTAINER):
         return kind is StartKind.CONTAINER
     if launched.program is not None:
-        return any(_has_service(shape.group) for shape in launched.program.nodes)
-    return launched.entry is None
+        return is_container(launched.program)
+    return launched.entry is None or bool(launched.entry.program)
 
 
 def _has_service(group: EndpointGroup) -> bool:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final, Protocol, final
 
-from rosward.deployment.containers import Containers, label_of, loaded, target_of
+from rosward.deployment.containers import Containers, is_container, label_of, loaded, target_of
 from rosward.deployment.launched import Launched
 from rosward.deployment.started import Started, StartKind
 from rosward.domain.choice import options, reasons_of
@@ -83,12 +83,14 @@ class Programs:
         declared: DeclaredInterfaces,
         related: frozenset[str],
         file_of: FileOf,
+        linked: Iterable[Entry] = (),
     ) -> None:
         self._executables: dict[tuple[str, str], Executable] = {}
         for executable in executables:
             self._executables.setdefault((executable.package.name, executable.name), executable)
         self._targets = {(t.package.name, t.name): t for t in targets}
         self._plugins = {(t.package.name, t.plugin): t for t in targets if t.plugin}
+        self._linked = {(e.package, e.executable or e.classes[0]): e for e in linked if e.executable or e.classes}
         self._declared = declared
         self._related = related
         self._file_of = file_of
@@ -150,7 +152,10 @@ class Programs:
         known = self._executables.get((package, executable))
         if known is not None and known.file is not None:
             return made._replace(entry=entry_of(known))
+        linked = self._linked.get((package, executable))
         program = self._declared.executable(package, executable)
+        if linked is not None and not (program is not None and is_container(program)):
+            return made._replace(entry=linked)
         if program is not None:
             return made._replace(program=program)
         return made._replace(unknown=self._why(package, executable, known), cause=self._cause(package, executable))
@@ -163,7 +168,7 @@ class Programs:
         if known is not None:
             return "its source file is not among the sources"
         if (package, executable) in self._targets:
-            return "it is written in C++, which is not analysed"
+            return "it is written in C++, and its sources are not among those that are read"
         if self._file_of.has_package(package):
             return f"the package {package} has no such executable among the sources"
         return f"the package {package} is neither among the sources nor declared"
@@ -171,6 +176,9 @@ class Programs:
     def _component(self, made: Launched) -> Launched:
         plugin = _readable(made.started.plugin)
         made = made._replace(process=f"{made.package or 'unknown'}/{plugin}", executable=plugin)
+        linked = self._linked.get((made.package, plugin))
+        if linked is not None:
+            return made._replace(entry=linked)
         program = self._declared.component(made.package or "", plugin)
         if program is not None:
             return made._replace(program=program)
@@ -178,7 +186,7 @@ class Programs:
             return made._replace(unknown=f"its package is unknown{_because(made.started.package)}")
         inside = self._file_of.has_package(made.package)
         why = (
-            "it is written in C++, which is not analysed"
+            "it is written in C++, and its sources are not among those that are read"
             if inside
             else f"the package {made.package} is neither among the sources nor declared"
         )

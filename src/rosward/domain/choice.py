@@ -11,9 +11,10 @@ from collections.abc import Callable, Iterable
 from typing import Final
 
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
+from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
 from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Text, Unbound, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unbound, Unknown, Value
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
@@ -23,11 +24,19 @@ MAX_CALLABLES: Final = 256
 MAX_REASONS: Final = 4
 _NOWHERE: Final = Place("", 0)
 _BEHAVIOUR: Final = "functions"
+_APART: Final = frozenset((Ref, Pointer, Slot, Function, Class, BoundMethod, Partial, External))
+"""Values that joins leave as they are: they are the same as another, or stand beside it."""
+_FINITE: Final = frozenset((Ref, Function, Class))
+"""Of these a program has finitely many: widenings leave them as they are."""
 
 
 def options(value: Value) -> tuple[Value, ...]:
     """The alternatives of a value: itself alone unless it is a `Choice`."""
     return value.options if value.__class__ is Choice else (value,)
+
+
+def _members(value: Value) -> frozenset[Value]:
+    return value.members if value.__class__ is Choice else frozenset((value,))
 
 
 def join(left: Value, right: Value) -> Value:
@@ -38,8 +47,14 @@ def join(left: Value, right: Value) -> Value:
         return right
     if right is UNBOUND:
         return left
-    if left.__class__ is Choice and all(o in left.options for o in options(right)):
-        return left  # most joins are of what is known already
+    if left.__class__ is Choice:  # most joins are of what is known already
+        new = [o for o in options(right) if o not in left.members]
+        if not new:
+            return left
+        if all(o.__class__ in _APART for o in new):
+            last = left.options[-1]
+            found = (*left.options[:-1], *new, last) if last.__class__ is Unknown else (*left.options, *new)
+            return _bounded(found) if len(found) > MAX_NUMBERS else Choice(found)
     return join_all((*options(left), *options(right)))
 
 
@@ -160,14 +175,18 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
     apart, since there are finitely many of them.
     """
     joined = join(old, new)
-    if joined == old:
-        return old
-    joined = _kept_small(old, joined, reason)
+    known = _members(old)
+    if joined == old or all(o.__class__ in _FINITE for o in options(joined) if o not in known):
+        return old if joined == old else joined
+    joined = _anywhere(known, joined, reason)
+    joined = _kept_small(known, joined, reason)
     if joined == old:
         return old
     absorbed = {_kind(o) for o in options(old) if o.__class__ is Unknown}
-    new_ones = [o for o in options(joined) if o not in options(old) and o.__class__ in (Const, Text, Tuple)]
+    new_ones = [o for o in options(joined) if o not in known and o.__class__ in (Const, Text, Tuple)]
     plain = [o for o in new_ones if _kind(o) not in ("NoneType", "bool")]  # of those there are finitely many
+    if not absorbed & {"", "str"} and not _grow(old, joined):
+        plain = [o for o in plain if _kind(o) != "str"]
     moving = {_kind(o) for o in plain}
     if moving and (absorbed & moving or "" in absorbed):  # an unknown of that type is there already: it covers them
         gone = {o for o in plain if "" in absorbed or _kind(o) in absorbed}
@@ -192,15 +211,51 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
     return join_all(keep)
 
 
+_FEW: Final = 3
+_SOME: Final = 16
+
+
+def _grow(old: Value, joined: Value) -> bool:
+    """Whether the texts of a loop may be new in each turn. Some that come at once, none of them made of one before, are those of a list that it
+    goes through: they are kept apart a few times."""
+    before = [o for o in options(old) if _is_text(o)]
+    after = [o for o in options(joined) if _is_text(o)]
+    if len(before) > _FEW or len(after) > _SOME or any(o.__class__ is not Const for o in after):
+        return True
+    known = [str(o.value) for o in before if o.__class__ is Const and o.value]
+    return any(k in str(o.value) for o in after if o not in before and o.__class__ is Const for k in known)
+
+
+def _anywhere(known: frozenset[Value], joined: Value, reason: Reason) -> Value:
+    """Iterators that move on from turn to turn: of several into one container the position is not known."""
+    places: dict[tuple[Value, str], list[Value]] = {}
+    for option in options(joined):
+        slot = option.target if option.__class__ is Pointer else option
+        if slot.__class__ is Slot and slot.key.__class__ is Const and slot.key.value.__class__ is int:
+            places.setdefault((slot.base, slot.kind), []).append(option)
+    moving = {
+        o for several in places.values() if len(several) > 1 and any(o not in known for o in several) for o in several
+    }
+    if not moving:
+        return joined
+    return join_all(_without_position(o, reason) if o in moving else o for o in options(joined))
+
+
+def _without_position(value: Value, reason: Reason) -> Value:
+    if value.__class__ is Pointer:
+        return Pointer(_without_position(value.target, reason))
+    return value._replace(key=Unknown((reason,), "int")) if value.__class__ is Slot else value
+
+
 _GROWING: Final = (External, Partial, Range, Slice)
 _MOST: Final = 8
 """Values that are made of values (or of names) and can grow for ever: so many of them are kept apart by a widening."""
 
 
-def _kept_small(old: Value, joined: Value, reason: Reason) -> Value:
+def _kept_small(known: frozenset[Value], joined: Value, reason: Reason) -> Value:
     """Without the growing options that are new, where there are enough of them: one Unknown stands for them."""
     grown = {o for o in options(joined) if o.__class__ in _GROWING}
-    fresh = grown.difference(options(old))
+    fresh = grown - known
     if not fresh or len(grown) <= _MOST:
         return joined
     return join_all([*(o for o in options(joined) if o not in fresh), Unknown((reason,))])

@@ -8,7 +8,7 @@ from typing import Final, NamedTuple, final
 from rosward.domain.values import Choice, Reduced, Value
 
 
-class _Record(Value):
+class Record(Value):
     """Compares the named tuple that it is mixed into with others of the same class only."""
 
     __slots__ = ()
@@ -72,26 +72,26 @@ class Tuple(Value):
         return f"Tuple{self.items!r}"
 
 
-class External(_Record, NamedTuple("_External", [("name", "str")])):
+class External(Record, NamedTuple("_External", [("name", "str")])):
     """Something of a library that is neither among the sources nor modelled, by its dotted name: `std_msgs.msg.String`, `cv2.imread`."""
 
     __slots__ = ()
 
 
-class Native(_Record, NamedTuple("_Native", [("name", "str")])):
+class Native(Record, NamedTuple("_Native", [("name", "str")])):
     """A builtin type or function, or one that a model implements in code, by its dotted name: `builtins.str`, `str.join`, `os.path.join`."""
 
     __slots__ = ()
 
 
-class BoundMethod(_Record, NamedTuple("_BoundMethod", [("receiver", "Value"), ("function", "Value")])):
+class BoundMethod(Record, NamedTuple("_BoundMethod", [("receiver", "Value"), ("function", "Value")])):
     """`receiver.function`: a callable that passes receiver first."""
 
     __slots__ = ()
 
 
 class Partial(
-    _Record,
+    Record,
     NamedTuple(
         "_Partial",
         [("function", "Value"), ("arguments", "tuple[Value, ...]"), ("keywords", "tuple[tuple[str, Value], ...]")],
@@ -103,7 +103,7 @@ class Partial(
 
 
 class Descriptor(
-    _Record,
+    Record,
     NamedTuple(
         "_Descriptor", [("kind", "str"), ("getter", "Value"), ("setter", "Value | None"), ("deleter", "Value | None")]
     ),
@@ -113,19 +113,19 @@ class Descriptor(
     __slots__ = ()
 
 
-class Super(_Record, NamedTuple("_Super", [("after", "Value"), ("receiver", "Value")])):
+class Super(Record, NamedTuple("_Super", [("after", "Value"), ("receiver", "Value")])):
     """`super()`: attributes of receiver, looked up behind class `after` in its mro."""
 
     __slots__ = ()
 
 
-class Slice(_Record, NamedTuple("_Slice", [("lower", "Value"), ("upper", "Value"), ("step", "Value")])):
+class Slice(Record, NamedTuple("_Slice", [("lower", "Value"), ("upper", "Value"), ("step", "Value")])):
     """`lower:upper:step`."""
 
     __slots__ = ()
 
 
-class Range(_Record, NamedTuple("_Range", [("start", "Value"), ("stop", "Value"), ("step", "Value")])):
+class Range(Record, NamedTuple("_Range", [("start", "Value"), ("stop", "Value"), ("step", "Value")])):
     """`range(start, stop, step)`."""
 
     __slots__ = ()

@@ -20,6 +20,7 @@ from rosward.source.location import Place
 MAX_LENGTH: Final = 4096
 MAX_PARTS: Final = 32
 _NOWHERE: Final = Place("", 0)
+_PATHS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES))
 
 
 def parts_of(value: Value) -> tuple[str | Hole, ...]:
@@ -36,6 +37,12 @@ def parts_of(value: Value) -> tuple[str | Hole, ...]:
         holes = [p for option in value.options for p in parts_of(option) if isinstance(p, Hole)]
         return (Hole(tuple(dict.fromkeys(r for hole in holes for r in hole.reasons))[:4]),)
     return (Hole(()),)
+
+
+def is_path(value: Value) -> bool:
+    """Whether a text begins with the folder of a package or of the sources: then it is absolute, and surely a str."""
+    first = parts_of(value)[0]
+    return isinstance(first, Hole) and bool(first.reasons) and all(r.cause in _PATHS for r in first.reasons)
 
 
 def origins_of(value: Value) -> Origins:

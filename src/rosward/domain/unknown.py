@@ -40,6 +40,7 @@ class Cause(enum.Enum):
     LIMIT = "limit of the analysis"
     LIVE = "state of the running system"
     OTHER = "value that is not the default"
+    SET = "environment variable, where it is set"
     ERROR = "expression that fails at run time"
 
 
@@ -59,7 +60,9 @@ class Reason(NamedTuple):
         return f"{text} ({self.place})" if self.place.file else text
 
 
-_SET_BY_NAME: Final = frozenset((Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT))
+INSTEAD: Final = frozenset((Cause.OTHER, Cause.SET))
+"""What somebody gives where the program itself has a value otherwise: beside that, it is one instance of many."""
+_SET_BY_NAME: Final = frozenset((Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT, Cause.SET))
 
 
 def causes_of(reasons: Iterable[Reason], place: Place) -> tuple[str, ...]:

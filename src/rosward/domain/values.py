@@ -142,15 +142,16 @@ class Unknown(Value):
 class Choice(Value):
     """One of several values: at least two options, none of them a Choice, at most one Unknown. Made by `choice.join` only."""
 
-    __slots__ = ("_hash", "options")
+    __slots__ = ("_hash", "members", "options")
 
     def __init__(self, options: tuple[Value, ...]) -> None:
         self.options = options
-        self._hash = hash(frozenset(options))
+        self.members = frozenset(options)  # the same, to ask whether one is among them
+        self._hash = hash(self.members)
 
     def __eq__(self, other: object) -> bool:
         return self is other or (
-            other.__class__ is Choice and self._hash == other._hash and set(self.options) == set(other.options)
+            other.__class__ is Choice and self._hash == other._hash and self.members == other.members
         )
 
     def __hash__(self) -> int:

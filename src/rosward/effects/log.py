@@ -52,6 +52,9 @@ class Execution(Protocol):
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
 
+    def note_creation(self) -> None:
+        """Here something is created: what runs now is worth to be followed call by call."""
+
     def obj(self, ref: Ref) -> Obj:
         """The heap record behind a reference."""
 
@@ -117,6 +120,7 @@ class EffectLog:
         self.sent: dict[SentEffect, tuple[Place, ...]] = {}  # with the calls that first led to each
         self.parameters: dict[ParameterEffect, None] = {}
         self.findings = Findings()
+        self.open: dict[int, Findings] = {}  # why the interface of the node at an address is not wholly known
         self.failures: dict[int, Findings] = {}  # what to tell of an exception of a library that nothing catches
         self.classes: dict[Class, None] = {}
         self.functions: dict[str, Code] = {}
@@ -137,6 +141,11 @@ class EffectLog:
             self.paths[effect] = machine.path
         self._done(machine, self.key(effect))
 
+    def add_parameter(self, machine: Execution, effect: ParameterEffect) -> None:
+        """Record a parameter."""
+        machine.note_creation()
+        self.parameters[effect] = None
+
     @staticmethod
     def key(effect: EntityEffect) -> tuple[object, ...]:
         """What tells an entity from others of its node."""
@@ -144,6 +153,7 @@ class EffectLog:
 
     @staticmethod
     def _done(machine: Execution, key: tuple[object, ...]) -> None:
+        machine.note_creation()
         state = machine.state
         if key not in state.done:
             state.done |= {key}

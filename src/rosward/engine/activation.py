@@ -15,6 +15,7 @@ from rosward.domain.values import NONE, UNBOUND, Function, Value
 from rosward.engine import declared
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher
+from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.frame import Frame
 from rosward.engine.summaries import Summary
 from rosward.engine.throwing import note, rethrow
@@ -33,7 +34,11 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     depth = sum(1 for f in machine.frames if f.code is code)
     limit = machine.budget.recursion
     if machine.precision.coarse:
-        limit = 0 if _is_large(machine, function) else 1
+        recursive = code.key in machine.summaries.recursive
+        if recursive or code.key not in machine.trace.creating:
+            limit = 0 if recursive or _is_large(machine, function) else 1
+    if depth:
+        machine.summaries.recursive.add(code.key)
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return _summarised(machine, function, registers)
     key = (function, tuple(registers), machine.state.version, bool(machine.catchers))
@@ -126,8 +131,12 @@ def left_by(machine: Engine, frame: Frame, *, alive: bool) -> tuple[Value, State
 
 
 def context_of(machine: Engine, code: Code, caller: Frame | None) -> int:
-    """The context of a call: the chain of calls that led to it. What one operation calls (`map`, `sum`) is told apart by its turn."""
-    if machine.precision.coarse:
+    """The context of a call: the chain of calls that led to it. What one operation calls (`map`, `sum`) is told apart by its turn.
+
+    Where precision is given up, functions are contexts, but for those of libraries and those that create something: what these do for one
+    caller is no other's business.
+    """
+    if machine.precision.coarse and not code.file.startswith(MODEL_PREFIX) and code.key not in machine.trace.creating:
         return machine.context("coarse", code.key)
     if caller is None:
         return 0
@@ -147,6 +156,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
         summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
         machine.summaries.provisional += 1  # what is computed from it now may not be its last word
+        machine.asked_for |= summary.asked_for
         if summary.after is None:
             return UNBOUND
         machine.state = summary.after.copy()
@@ -161,17 +171,22 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
         before = (list(summary.registers), summary.before.version)
         summary.registers = [widening(a, b) for a, b in zip(summary.registers, registers, strict=True)]
         summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, widening)
-        if before == (summary.registers, summary.before.version):  # a call like those before
+        known = not summary.provisional or not machine.summaries.running or summary.turn == machine.summaries.turns
+        if known and before == (summary.registers, summary.before.version):  # a call like those before
             machine.summaries.finished[key] = summary
+            machine.summaries.provisional += summary.provisional and bool(machine.summaries.running)
             return _of_summary(machine, summary, done)
+    outermost = not machine.summaries.running
     machine.summaries.running[key] = summary
     if machine.precision.coarse:
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
+    asked_for, machine.asked_for = machine.asked_for, summary.asked_for
     try:
-        for _ in range(machine.budget.fixpoint):
-            reads, seen = machine.summaries.provisional, summary.versions
+        for _ in range(machine.budget.fixpoint * 4):
+            reads, seen, changes = machine.summaries.provisional, summary.versions, machine.summaries.changes
+            machine.summaries.turns += outermost
             machine.state = summary.before.copy()
             value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:
@@ -181,15 +196,19 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
                     if summary.after is None
                     else join_states(summary.after, machine.state.copy(), machine.fresh_version, widening)
                 )
-            if machine.summaries.provisional == reads:
-                break  # nothing inside asked for the summary: this turn was exact
-            if seen == summary.versions:
-                break
+            summary.provisional = machine.summaries.provisional != reads
+            summary.turn = machine.summaries.turns
+            if not summary.provisional:
+                break  # nothing inside asked for an unfinished summary: this turn was exact
+            machine.summaries.changes += seen != summary.versions
+            if machine.summaries.changes == changes or (not outermost and machine.precision.coarse):
+                break  # (of one inside another the turns are those of the outermost)
         else:
             machine.report("RW201", f"the recursion of {function.code.name} did not converge")
     finally:
         del machine.summaries.running[key]
         machine.catchers = outer
+        machine.asked_for = asked_for
     if summary.catcher is not None:
         machine.summaries.finished[key] = summary
     return _of_summary(machine, summary, done)
@@ -197,6 +216,7 @@ def _summarised(machine: Engine, function: Function, registers: list[Value]) -> 
 
 def _of_summary(machine: Engine, summary: Summary, done: frozenset[EventKey]) -> Value:
     """What a call gives by its summary, where `done` had surely happened before it."""
+    machine.asked_for |= summary.asked_for  # of the body, which may not have run for this call
     if summary.catcher is not None:
         rethrow(machine, summary.catcher)
     if summary.after is None:

@@ -109,7 +109,14 @@ class Answers:
 
     def new_cells(self: Engine, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
-        return [self.place_at(("cell", context, code.key, n), Obj("cell", NONE)) for n in range(len(code.cells))]
+        keys = [("cell", context, code.key, n) for n in range(len(code.cells))]
+        outlive = self.languages[code.language].cells_outlive
+        if keys and (outlive or any(f.code is code and f.context == context for f in self.frames)):
+            return [self.place_at(key, Obj("cell", NONE)) for key in keys]
+        cells = [self.place_key(key) for key in keys]
+        for address in cells:
+            self.put(address, Obj("cell", NONE))
+        return cells
 
     def load_attr(self: Engine, value: Value, name: str) -> Value:
         """value.name."""
@@ -244,13 +251,18 @@ class Answers:
         return not any(f.uncertain for f in self.frames)
 
     @property
+    def language_name(self: Engine) -> str:
+        """The name of the language that runs."""
+        return self.language.name
+
+    @property
     def environment(self: Engine) -> Mapping[str, Value | None]:
         """What is known of the environment of every process that is not given another."""
         return self.library.environment
 
     def function_record(self: Engine, function: Function) -> Obj | None:
         """The heap record of a function that was given attributes."""
-        return self.state.heap.get(self.library.function_address(function))
+        return self.own(self.library.function_address(function))
 
     def interface_definition(self: Engine, dotted: str) -> Definition | None:
         """The fields of a message by the dotted name of its class."""

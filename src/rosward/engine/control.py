@@ -9,15 +9,17 @@ while unknown: …               anything else runs until nothing changes, widen
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join, widen
+from rosward.domain.choice import join, options, widen
+from rosward.domain.state import EventKey
 from rosward.domain.suspended import ANY_TURN
-from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import UNBOUND, Value
+from rosward.domain.unknown import INSTEAD, Cause, Reason
+from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.throwing import note
 from rosward.ir import ops
+from rosward.models.ros import parameter_table
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -31,11 +33,16 @@ def branch(machine: Engine, op: ops.If, frame: Frame) -> bool | None:
     if decided is not None:
         return machine.run(op.then if decided else op.orelse, frame) or False
     before = machine.snapshot(frame)
+    test = frame.registers[op.test]
     frame.uncertain += 1
     try:
+        if test.__class__ is Choice:
+            parameter_table.follow(machine, test, sense=True)
         first = machine.run(op.then, frame)
         after = Snapshot(frame.registers, machine.state) if first else None
         machine.resume(frame, before)
+        if test.__class__ is Choice:
+            parameter_table.follow(machine, test, sense=False)
         second = machine.run(op.orelse, frame)
     finally:
         frame.uncertain -= 1
@@ -96,6 +103,15 @@ def end_turn(machine: Engine, frame: Frame, *, alive: bool) -> bool:
     return alive
 
 
+_FEW: Final = 16
+"""So many turns of a loop within which something is created are followed one by one where precision is given up."""
+
+
+def roughly(machine: Engine, frame: Frame, turns: int) -> bool:
+    """Whether a loop of so many turns is to be joined at once: where precision is given up, but for short ones that create something."""
+    return machine.precision.coarse and (turns > _FEW or frame.code.key not in machine.trace.creating)
+
+
 def loop(
     machine: Engine, op: ops.While, frame: Frame, begun: tuple[int, Callable[[], bool]] | None = None
 ) -> bool | None:
@@ -105,7 +121,8 @@ def loop(
     frame.exits.broken = frame.exits.continued = None
     forever = bool(op.condition) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
     limit = machine.budget.unroll_forever if forever else machine.budget.unroll_while
-    alive, number = True, 0
+    alive, number, doubts = True, 0, 0
+    sure: frozenset[EventKey] | None = None  # what had happened before the first turn of which there may be none
     machine.precision.begin_loop(op, frame)
     if begun is not None:
         number, finish = begun
@@ -127,7 +144,16 @@ def loop(
         alive = machine.run(op.condition, frame)
         if not alive:
             break
-        decided = machine.language.truth(machine, frame.registers[op.test])
+        test = frame.registers[op.test]
+        decided = machine.language.truth(machine, test)
+        ways = _named_ways(test) if decided is None and op.counted else frozenset()
+        if ways:  # defaults and alternatives say how many turns there are
+            if len(ways) > 1:
+                frame.exits.broken = join_into(machine, frame.exits.broken, machine.snapshot(frame))
+            decided = True in ways
+            sure = machine.state.done if sure is None else sure
+            frame.uncertain += 1
+            doubts += 1
         if decided is False:
             alive = machine.run(op.orelse, frame)
             break
@@ -135,7 +161,7 @@ def loop(
             decided is None
             or number >= limit
             or machine.precision.turns >= machine.budget.turns
-            or machine.precision.coarse
+            or roughly(machine, frame, number)
         ):
             _enter_turn(machine, op, frame, context, ANY_TURN)
             alive = until_stable(machine, op, frame, seen[1], None) and machine.run(op.orelse, frame)
@@ -157,9 +183,20 @@ def loop(
         number += 1
         machine.precision.turns += 1
         machine.check_time()
+    frame.uncertain -= doubts
+    if sure is not None:
+        machine.state.done = sure
     machine.precision.end_loop(op, frame)
     frame.context = context
     return behind(machine, frame, alive, saved)
+
+
+def _named_ways(test: Value) -> frozenset[bool]:
+    """How a test comes out for the values that are known; none where something else may be there than what is given in place of a default."""
+    known = [o for o in options(test) if not (isinstance(o, Unknown) and all(r.cause in INSTEAD for r in o.reasons))]
+    if not all(isinstance(o, Const) for o in known):
+        return frozenset()
+    return frozenset(bool(o.value) for o in known if isinstance(o, Const))
 
 
 def _enter_turn(machine: Engine, op: ops.While, frame: Frame, context: int, number: int) -> None:

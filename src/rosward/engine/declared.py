@@ -44,7 +44,8 @@ def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bo
     return function.module.name not in facts.raising_nothing and _RAISES_NOTHING not in function.effects
 
 
-_NAME: Final = re.compile(r"[~/]?[A-Za-z_{}/][A-Za-z0-9_{}/]*")
+_TOKEN: Final = "[A-Za-z_{}][A-Za-z0-9_{}]*"
+_NAME: Final = re.compile(rf"~|/|~?/?{_TOKEN}(?:/{_TOKEN})*")
 
 
 def _fits(value: Value) -> bool:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Partial, Tuple
+from rosward.domain.slots import Pointer
 from rosward.domain.values import Class, Const, Function, Ref, Unknown, Value
 from rosward.engine import declared, named
 from rosward.engine.havoc import change, contents, holds_node
@@ -67,6 +68,7 @@ def name_of(value: Value) -> str:
 
 def _reach(machine: Engine, value: Value, library: str, depth: int, seen: set[int]) -> None:
     for option in options(value):
+        option = option.target if isinstance(option, Pointer) else option  # noqa: PLW2901 - what a pointer leads to
         if isinstance(option, (Function, BoundMethod, Partial)):
             if not _is_library(option):
                 machine.schedule(option, None, BY_LIBRARY)

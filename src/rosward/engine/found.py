@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from rosward.ir.program import Module
 from rosward.models.file_paths import Files
 from rosward.source.definitions import Definition
+
+if TYPE_CHECKING:
+    from rosward.ir.symbols import Symbols
 
 
 class FoundModule(NamedTuple):
@@ -32,6 +35,9 @@ class Sources(Protocol):
 
     def module(self, file: str) -> Module | None:
         """The lowered file; None where it cannot be read (a finding has said so)."""
+
+    def program(self, name: str) -> Symbols | None:
+        """The names of a program of a language with a linker (`Entry.program`); None where it cannot be read (a finding has said so)."""
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """Whether `package.msg` (srv, action) has an interface of that name; None where the package is not known."""

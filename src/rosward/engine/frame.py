@@ -79,6 +79,7 @@ class Frame:
     `cells` are the heap addresses of own, then captured cells. `namespace` is the class body's heap address, or -1.
     `context` identifies the chain of calls and loop turns that led here; objects made at one place in different contexts are different.
     `op` is the operation that is running.
+    `fresh` is what the last call gave by value, so that nobody else has it.
     `uncertain` counts the enclosing branches of which it is not known whether they run. Where a generator runs, `yielded` collects what it
     gives, and `turns` holds for each loop that is running, by the number of the operation, its turn and what it keeps between two of them.
     """
@@ -88,6 +89,7 @@ class Frame:
         "code",
         "context",
         "exits",
+        "fresh",
         "module",
         "namespace",
         "op",
@@ -113,6 +115,7 @@ class Frame:
         self.op = code.entry
         self.sequence = 0  # how many calls and objects the current operation has made
         self.uncertain = 0
+        self.fresh: Value = UNBOUND
         self.yielded: Yielded | None = None
         self.turns: dict[int, tuple[Any, ...]] = {}
 

@@ -13,17 +13,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.compound import BoundMethod, Descriptor
-from rosward.domain.values import Class, Function, Ref, Value
+from rosward.domain.compound import BoundMethod, External
+from rosward.domain.values import Class, Function, Ref, Unknown, Value
 from rosward.engine import named
 from rosward.engine.escape import BY_LIBRARY, BY_PYTHON
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
-
-AT_MAKING: Final = frozenset({"__init__", "__new__", "__init_subclass__", "__set_name__", "__class_getitem__"})
-"""Called when a class or an object is made, never later."""
 
 _ROUNDS: Final = 10
 """How often a library may be handed something by what it called itself."""
@@ -53,19 +50,6 @@ def follow(machine: Engine) -> None:
     machine.report("RW201", "ever more objects are passed to libraries; what they do with the last ones may be missing")
 
 
-def own_methods(machine: Engine, cls: Class, ref: Ref) -> Iterator[tuple[str, Value]]:
-    """The methods that sources, not models, define for an object and that others may call on it: name and bound method."""
-    for base in cls.mro:
-        if base.__class__ is Class and not base.stub:
-            for name, value in machine.at(base.address).attrs.items():
-                if name in AT_MAKING:
-                    continue
-                if value.__class__ is Function:
-                    yield name, BoundMethod(ref, value)
-                elif value.__class__ is Descriptor and value.kind in ("staticmethod", "classmethod"):
-                    yield name, machine.language.bind(machine, value, ref, cls)
-
-
 def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
     """Of a class, the class itself; of an object, its methods: where nothing else calls them."""
     if isinstance(value, Class):
@@ -73,10 +57,14 @@ def _not_called(machine: Engine, value: Value) -> Iterator[Value]:
             yield value
     elif isinstance(value, Ref):
         cls = machine.obj(value).cls
-        if isinstance(cls, Class) and not machine.log.is_node(value.address):
-            for name, method in own_methods(machine, cls, value):
+        if isinstance(cls, Class) and (not machine.log.is_node(value.address) or _has_unknown_base(cls)):
+            for name, method in machine.language.own_methods(machine, cls, value):
                 if not _called(machine, name, method):
                     yield method
+
+
+def _has_unknown_base(cls: Class) -> bool:
+    return any(isinstance(base, (External, Unknown)) for base in cls.mro)
 
 
 def _called(machine: Engine, name: str, method: Value) -> bool:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, options
 from rosward.domain.compound import External, Tuple
 from rosward.domain.heap import Obj
+from rosward.domain.slots import Pointer
 from rosward.domain.state import element
 from rosward.domain.unknown import Cause
 from rosward.domain.values import UNBOUND, Class, Const, Ref, Text, Unknown, Value
@@ -28,13 +29,17 @@ _DEPTH: Final = 4
 """How many containers and objects deep something may change."""
 
 
-def change(machine: Engine, value: Value, library: str) -> None:
-    """A value is handed to a library: what it refers to may hold something else when the call returns."""
-    _change(machine, value, machine.unknown(Cause.CALL, library), 0, set())
+def change(machine: Engine, value: Value, library: str, *, informed: bool = False) -> None:
+    """A value is handed to a library: what it refers to may hold something else when the call returns.
+
+    `informed`: the code that gets it may know every class of the program; otherwise the language says what it can see of one.
+    """
+    _change(machine, value, machine.unknown(Cause.CALL, library), 0, set(), informed)
 
 
-def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set[int]) -> None:
+def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set[int], informed: bool) -> None:
     for option in options(value):
+        option = option.target if isinstance(option, Pointer) else option  # noqa: PLW2901 - what a pointer leads to
         if isinstance(option, Tuple):
             inner: list[Value] = list(option.items)
         elif isinstance(option, Ref) and option.address not in seen:
@@ -43,6 +48,8 @@ def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set
             if obj.kind in ("list", "set", "dict"):
                 inner = contents(obj)
                 changed = _changed_dict(obj, unknown) if obj.kind == "dict" else _changed_list(obj, unknown)
+            elif obj.kind == "instance" and not informed and not machine.language.is_open(machine, obj):
+                continue
             elif obj.kind == "instance" and not holds_node(machine, option):
                 inner = [v for n, v in obj.attrs.items() if not n.startswith("__")]
                 changed = message_fields.opened(machine, _changed_object(obj, unknown))
@@ -54,7 +61,7 @@ def _change(machine: Engine, value: Value, unknown: Value, depth: int, seen: set
             continue
         if depth < _DEPTH:
             for each in inner:
-                _change(machine, each, unknown, depth + 1, seen)
+                _change(machine, each, unknown, depth + 1, seen, informed)
 
 
 def contents(obj: Obj) -> list[Value]:
@@ -75,6 +82,7 @@ def _holds_node(machine: Engine, obj: Obj, depth: int, seen: set[int]) -> bool:
     work = list(obj.attrs.values()) if obj.kind == "instance" else contents(obj)
     for value in work:
         for option in options(value):
+            option = option.target if isinstance(option, Pointer) else option  # noqa: PLW2901
             if isinstance(option, Tuple):
                 work.extend(option.items)
             elif isinstance(option, Ref) and option.address not in seen:

@@ -62,11 +62,15 @@ class Interpreter(Answers):
         self.raised = 0
         self.noted = 0  # what Python may have raised by itself in the call that is running, as a level
         self.handling: list[tuple[Value, int]] = []  # the exceptions whose handlers are running, innermost last
-        self.unheld: set[int] = set()  # messages of the last time that callbacks ran, which nothing holds (`unheld.py`)
+        self.unheld: set[int] = (
+            set()
+        )  # messages and cells of the last time that callbacks ran, which nothing holds (`unheld.py`)
         self.ended_at: dict[Place, Value] = {}  # the classes of uncaught exceptions, by where they are raised
         self.advancing: dict[int, Running] = {}  # the generators that run now, by address
         self.ways: dict[str, dict[int, Way]] = {}  # how each body, by its key, leads to its yields
         self.ends: State | None = None  # where the program ends early, joined
+        self.asked_for: set[int] = set()  # the addresses whose records were read since it was emptied last
+        self.linked: object = None  # what a language with a linker keeps of its program
         self._versions = 0
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
@@ -125,6 +129,10 @@ class Interpreter(Answers):
         else:
             self.ends = join_states(self.ends, self.state.copy(), self.fresh_version)
 
+    def note_creation(self) -> None:
+        """Here something is created: what runs now is followed call by call, also where precision is given up."""
+        self.trace.creating.update(frame.code.key for frame in self.frames)
+
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
         self.precision.check_time(self)
@@ -159,9 +167,15 @@ class Interpreter(Answers):
 
     def at(self, address: int) -> Obj:
         """The record at an address."""
+        self.asked_for.add(address)
         page = self.state.heap.pages.get(address >> SHIFT)  # `Heap.get`, without the call: nothing is asked as often
         found = None if page is None else page[address & MASK]
         return found if found is not None else self.library.at(address)
+
+    def own(self, address: int) -> Obj | None:
+        """The record that this process has at an address; None where it has none."""
+        self.asked_for.add(address)
+        return self.state.heap.get(address)
 
     def put(self, address: int, obj: Obj) -> None:
         """Replace the record at an address."""

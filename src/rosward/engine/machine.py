@@ -59,6 +59,12 @@ class Engine(Machine, Protocol):
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]
     ends: State | None
+    asked_for: set[int]
+    """The addresses whose records were read; who wants to know which are read from now on empties it."""
+    language: Language
+    """That of the code that runs."""
+    linked: object
+    """What a language with a linker keeps of the program that runs."""
 
     @property
     def library(self) -> Shared:
@@ -71,10 +77,6 @@ class Engine(Machine, Protocol):
     @property
     def languages(self) -> Mapping[str, Language]:
         """Every language that code may be written in, by its name."""
-
-    @property
-    def language(self) -> Language:
-        """That of the code that runs."""
 
     def run_module(self, module: ModuleValue, name: str, turn: int = 0) -> bool:
         """Run the top level of a module as its language does; False where it does not come to its end."""
@@ -99,6 +101,9 @@ class Engine(Machine, Protocol):
 
     def at(self, address: int) -> Obj:
         """The record at an address."""
+
+    def own(self, address: int) -> Obj | None:
+        """The record that this process has at an address; None where it has none."""
 
     def put(self, address: int, obj: Obj) -> None:
         """Replace the record at an address."""
@@ -167,6 +172,8 @@ class Language:
     table: Mapping[type[ops.Op], Handler]
     run_noting: Callable[[Engine, ops.Block, Frame], bool]
     """Run a block inside of a `try`: what its operations may raise is noted."""
+    cells_outlive: bool
+    """Whether a variable may be used when the call that has it has ended."""
 
     # Values
     truth: Callable[[Engine, Value], bool | None]
@@ -199,6 +206,10 @@ class Language:
     call_function: Callable[[Engine, Function, tuple[Value, ...], dict[str, Value]], Value]
     """What a function of this language does with arguments, whoever calls it."""
     call_method: Callable[[Engine, Value, str, tuple[Value, ...]], Value]
+    is_open: Callable[[Engine, Obj], bool]
+    """Whether code that knows nothing of the program may change the attributes of an object that it gets."""
+    own_methods: Callable[[Engine, Class, Ref], Iterable[tuple[str, Value]]]
+    """The methods that sources, not models, define for an object and that others may call on it: name and bound method."""
     implicit_calls: Callable[[Engine], Iterable[Value]]
     """What the language itself calls, at times that nobody sees: conversions, hooks."""
 

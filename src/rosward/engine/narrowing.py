@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 _MOST: Final = 32
 """So many values that a test names are told apart."""
+_TRUTHS: Final = {"true": True, "empty": False}
+"""The tests that ask whether a value counts as true: what is empty does not."""
 
 
 def narrowed(machine: Engine, value: Value, test: str, other: Value | None, sense: bool) -> Value | None:
@@ -40,9 +42,13 @@ def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: b
     if not is_open(value):
         return value
     named = _named(machine, test, other)
-    if test == "true":
-        wrong = isinstance(value, Const) and bool(value.value) is not sense
-        return _given(machine, value, sense) if wrong else value
+    if test in _TRUTHS:
+        wanted = sense is _TRUTHS[test]
+        wrong = isinstance(value, Const) and bool(value.value) is not wanted
+        return _given(machine, value, wanted) if wrong else value
+    if test in ("<", ">"):
+        wrong = isinstance(value, Const) and other is not None and not _may_be(machine, value, test, other, sense)
+        return _another(machine, value) if wrong else value
     if named is None:
         return value
     if isinstance(value, Const) and (value in [Const(n.value, value.origins) for n in named]) is sense:
@@ -53,6 +59,15 @@ def _one(machine: Engine, value: Value, test: str, other: Value | None, sense: b
     source = origins_of(value)
     same = [Const(n.value, n.origins | source) for n in named if n.value.__class__ is kind]
     return join_all(same) if len(same) == len(named) else value
+
+
+def _may_be(machine: Engine, value: Const, test: str, other: Value, sense: bool) -> bool:
+    """Whether the test of a default may come out so while nobody gives another value."""
+    return machine.language.may(machine, Const(value.value), test, _as_given(other), sense)
+
+
+def _as_given(value: Value) -> Value:
+    return Const(value.value) if isinstance(value, Const) else value
 
 
 def is_open(value: Value) -> bool:
@@ -78,9 +93,9 @@ def _named(machine: Engine, test: str, other: Value | None) -> list[Const] | Non
 
 
 def _given(machine: Engine, value: Value, sense: bool) -> Value:
-    """What somebody gives in place of a default, so that it is true, or false."""
+    """What somebody gives in place of a default, so that it is true, or false. An empty text is one of the names that they may give."""
     content = value.value if isinstance(value, Const) else None
-    if sense is False and isinstance(content, (bool, int, float, str)):
+    if sense is False and isinstance(content, (bool, int, float)):
         return Const(content.__class__(), origins_of(value))
     if content is False:
         return Const(True, origins_of(value))

@@ -2,6 +2,7 @@
 """What did the interpretation of a process read?
 
     import util                              ("find", "util", 0, "talker.py"), ("module", "util.py")
+    ros2 run demo pump                       ("program", "demo/pump", the digest of all its files)
     open(share + "/config/names.yaml")       ("read", "demo", "config/names.yaml")
     os.environ["ROBOT"]                      the variable ROBOT
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from rosward.engine.budget import Budget
     from rosward.engine.found import FoundModule, Sources
     from rosward.ir.program import Module
+    from rosward.ir.symbols import Symbols
     from rosward.models.file_paths import Files
     from rosward.source.definitions import Definition
 
@@ -77,6 +79,12 @@ class RecordedSources:
         """See `Sources`."""
         self._note("module", file)
         return self._sources.module(file)
+
+    def program(self, name: str) -> Symbols | None:
+        """See `Sources`. What its files become for it is noted with it."""
+        found = self._sources.program(name)
+        self._note("program", name, "" if found is None else found.digest)
+        return found
 
     def interface_has(self, module: str, name: str) -> bool | None:
         """See `Sources`."""

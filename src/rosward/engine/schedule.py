@@ -21,7 +21,8 @@ from rosward.engine.escape import BY_BASE, BY_LIBRARY, BY_PYTHON
 from rosward.engine.frame import Frame
 from rosward.engine.scheduled import Scheduled
 from rosward.engine.throwing import throw
-from rosward.engine.unheld import arrive, unheld_messages
+from rosward.engine.unchanged import is_unchanged, remembered
+from rosward.engine.unheld import arrive, unheld
 from rosward.findings import Finding, Findings
 from rosward.ir.ops import Op
 from rosward.ir.program import Code, CodeKind, Parameters
@@ -172,14 +173,15 @@ def _run(machine: Engine, frames: Sequence[Frame]) -> None:
 
     for round_ in range(machine.budget.rounds * 3):
         start = (len(book.entries), machine.state.version)
-        machine.unheld = unheld_messages(machine, book.entries.values(), frames)
+        machine.unheld = unheld(machine, book.entries.values(), frames)
         merge = join if round_ < machine.budget.widen_after else widening
         for entry in [e for e in book.entries.values() if not e.exhausted]:
+            if is_unchanged(machine, entry) or not _afford(machine, entry):
+                continue
             base = machine.state
             machine.state = base.copy()
-            if not _afford(machine, entry):
-                continue
-            _call(machine, entry)
+            with remembered(machine, entry, base):
+                _call(machine, entry)
             machine.state = join_states(base, machine.state, machine.fresh_version, merge)
         if start == (len(book.entries), machine.state.version):
             return

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple, final
 from rosward.domain.values import UNBOUND, Value
 
 if TYPE_CHECKING:
+    from rosward.domain.heap import Obj
     from rosward.domain.state import State
     from rosward.engine.frame import Frame
     from rosward.source.location import Place
@@ -26,7 +27,20 @@ class Naming(NamedTuple):
 class Scheduled:
     """One thing that may be called: with `args` (None: with anything), since `state`, registered at `place`."""
 
-    __slots__ = ("answered", "args", "callback", "coarse", "context", "event", "exhausted", "place", "state")
+    __slots__ = (
+        "answered",
+        "args",
+        "around",
+        "callback",
+        "coarse",
+        "context",
+        "event",
+        "exhausted",
+        "place",
+        "read",
+        "runs",
+        "state",
+    )
 
     def __init__(
         self, callback: Value, args: tuple[Value, ...] | None, event: str, place: Place, state: State, context: int
@@ -40,6 +54,9 @@ class Scheduled:
         self.coarse = False  # it took many steps: from now on it is followed with less precision
         self.answered: Value | None = None  # what is called with each result
         self.exhausted = False  # it hit a limit: it is not run again
+        self.runs = 0  # how often it ran
+        self.read: list[tuple[int, Obj | None]] = []  # the records that it asked for when it ran last, as it found them
+        self.around: tuple[object, ...] = ()  # what else it may have asked for (`unchanged.py`)
 
 
 @final

@@ -60,6 +60,9 @@ class Shared(Protocol):
     def native(self, name: str) -> NativeFunction | None:
         """The model in code of a dotted name."""
 
+    def add_natives(self, natives: Mapping[str, NativeFunction]) -> None:
+        """Further models in code: of a language that not every analysis has."""
+
     def function_address(self, function: Function) -> int:
         """Where the attributes of a function object are kept."""
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class Summary:
     """What is known so far of a recursive function: the join of the calls inside it, of its results and of the states behind."""
 
-    __slots__ = ("after", "before", "catcher", "registers", "value")
+    __slots__ = ("after", "asked_for", "before", "catcher", "provisional", "registers", "turn", "value")
 
     def __init__(self, registers: list[Value], before: State) -> None:
         self.registers = registers
@@ -24,6 +24,9 @@ class Summary:
         self.value: Value = UNBOUND
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
+        self.asked_for: set[int] = set()  # the addresses whose records its body read
+        self.provisional = False  # it was made of another summary that was unfinished then
+        self.turn = -1  # the turn of the outermost summary in which it was made last
 
     @property
     def versions(self) -> tuple[object, ...]:
@@ -36,7 +39,7 @@ class Summary:
 class Summaries:
     """What one process remembers of its calls."""
 
-    __slots__ = ("finished", "large", "memo", "provisional", "running")
+    __slots__ = ("changes", "finished", "large", "memo", "provisional", "recursive", "running", "turns")
 
     def __init__(self) -> None:
         self.memo: dict[object, tuple[Value, int]] = {}  # results, and what Python may raise
@@ -44,3 +47,6 @@ class Summaries:
         self.finished: dict[object, Summary] = {}  # of recursions and large functions; in coarse mode only
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
+        self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
+        self.turns = 0  # of all summaries that are in no other one
+        self.changes = 0  # how often a summary became another one

@@ -14,9 +14,10 @@ from rosward.source.location import Place
 class Trace:
     """What the interpretation of one process came by."""
 
-    __slots__ = ("asked", "entered", "handed", "instantiated", "reached")
+    __slots__ = ("asked", "creating", "entered", "handed", "instantiated", "reached")
 
     def __init__(self) -> None:
+        self.creating: set[str] = set()  # the key of each code body within which something of ROS was created
         self.entered: set[str] = set()  # the key of each code body that was run
         self.reached: set[OpKey] = set()  # each operation that was run and reads a method that creates an entity
         self.instantiated: set[Place] = set()  # where the classes stand of which there are objects

@@ -128,7 +128,7 @@ def _make_function(machine: Engine, op: ops.MakeFunction, frame: Frame) -> None:
 def _assume(machine: Engine, op: ops.Assume, frame: Frame) -> bool | None:
     value = frame.registers[op.src]
     frame.registers[op.dst] = value
-    if value.__class__ is not Choice and op.test != "true" and not narrowing.is_open(value):
+    if value.__class__ is not Choice and op.test not in ("true", "empty") and not narrowing.is_open(value):
         return None
     other = frame.registers[op.other] if op.other != ops.NO_REGISTER else None
     kept = narrowing.narrowed(machine, value, op.test, other, op.sense)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which messages does nothing hold any more, when the callbacks run once more?
+"""Which messages and variables does nothing hold any more, when the callbacks run once more?
 
 def on_timer(self):
     msg = String()           the message of the last time is gone: here is one new message, not one of several
-    self.pub.publish(msg)
+    self.pub.publish(msg)    (so is the cell of a local variable that an inner function captures, or, in C++, whose address is taken)
 def on_scan(self, msg):
     self.last = msg          held: the next one that arrives is another one beside it
 """
@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Super, Tuple
 from rosward.domain.heap import Alternatives, Obj
 from rosward.domain.memory import SHIFT
+from rosward.domain.slots import Overloads, Pointer, Slot
 from rosward.domain.suspended import Suspension
 from rosward.domain.values import Choice, Const, Function, Ref, Text, Unknown, Value
 
@@ -30,15 +31,18 @@ ARRIVING: Final = ("message", "service")
 _LEAVES: Final = frozenset((Const, Text, Unknown, Native, External))
 
 
-def unheld_messages(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame]) -> set[int]:
-    """The addresses of messages that nothing refers to: no other object, no frame of the main body, no callback but the one that gets them."""
+def unheld(machine: Engine, entries: Iterable[Scheduled], frames: Iterable[Frame]) -> set[int]:
+    """The addresses of messages and cells that nothing refers to: no other object, no frame of the main body, no callback.
+
+    A callback refers to the message that arrives with it only if it is given another time, too.
+    """
     if machine.advancing:
         return set()  # generators that are running hold values elsewhere
     held: set[int] = set()
-    inside: dict[int, list[Ref]] = {}  # what messages themselves hold
+    inside: dict[int, list[Ref]] = {}  # what messages and cells themselves hold
     for address, obj in machine.state.heap.items():
         found = list(_held_by(obj))
-        if obj.kind == "instance" and obj.cls.__class__ is External:
+        if obj.kind == "cell" or (obj.kind == "instance" and obj.cls.__class__ is External):
             inside[address] = found
         else:
             held.update(r.address for r in found)
@@ -46,11 +50,13 @@ def unheld_messages(machine: Engine, entries: Iterable[Scheduled], frames: Itera
         return set()
     arriving: Counter[int] = Counter()
     for entry in entries:
-        for ref in _refs((entry.callback, *(entry.args or ()))):
+        held.update(r.address for r in _refs((entry.callback,)))
+        for ref in _refs(entry.args or ()):
             arriving[ref.address] += 1 if entry.event in ARRIVING else 2
         held.update(r.address for obj in _only_there(machine, entry) for r in _held_by(obj))
     held.update(address for address, count in arriving.items() if count > 1)
     for frame in frames:
+        held.update(frame.cells)
         held.update(r.address for r in _refs(frame.registers))
         held.update(r.address for r in _refs((frame.exits.value,)))
     held.update(r.address for r in _refs(machine.trace.handed))
@@ -115,7 +121,14 @@ def _refs(values: Iterable[Value]) -> Iterator[Ref]:
         elif isinstance(value, Partial):
             yield from _refs((value.function, *value.arguments, *(v for _, v in value.keywords)))
         elif isinstance(value, Function):
+            yield from map(Ref, value.cells)
             yield from _refs((*value.defaults, *(v for _, v in value.kwdefaults)))
+        elif isinstance(value, Pointer):
+            yield from _refs((value.target,))
+        elif isinstance(value, Slot):
+            yield from _refs((value.base, *((value.key,) if isinstance(value.key, Value) else ())))
+        elif isinstance(value, Overloads):
+            yield from _refs((*value.functions, *(() if value.receiver is None else (value.receiver,))))
         elif isinstance(value, Super):
             yield from _refs((value.receiver,))
         elif isinstance(value, Descriptor):

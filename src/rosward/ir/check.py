@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Final, final
 
-from rosward.ir import ops
+from rosward.ir import cpp, cpp_registers, ops
 from rosward.ir.ops import NO_REGISTER, Argument, Block, Op
 from rosward.ir.program import Code, CodeKind
 
@@ -21,7 +21,7 @@ _WORDS: Final[Mapping[type, tuple[str, frozenset[str]]]] = {
     ops.Unary: ("operator", frozenset({"not", "-", "+", "~"})),
     ops.Binary: ("operator", _BINARY),
     ops.Compare: ("operator", _COMPARE),
-    ops.Assume: ("test", frozenset({"true", "is", "==", "in", "isinstance"})),
+    ops.Assume: ("test", frozenset({"true", "empty", "is", "==", "<", ">", "in", "isinstance"})),
     ops.Build: ("kind", frozenset({"list", "tuple", "set", "dict"})),
     ops.Delete: ("kind", frozenset({"local", "cell", "global", "name", "attr", "item"})),
 }
@@ -45,7 +45,7 @@ def reads(op: Op) -> Iterator[int]:
 
 def writes(op: Op) -> tuple[int, ...]:
     """The registers that an operation itself writes."""
-    if isinstance(op, ops.Unpack):
+    if isinstance(op, (ops.Unpack, cpp.Destructure)):
         return op.dsts
     if isinstance(op, ops.ForEach):
         return (op.item,)
@@ -77,6 +77,7 @@ _READS: Final[Mapping[type, tuple[str, ...]]] = {
     ops.With: ("context",),
     ops.Return: ("src",),
     ops.Raise: ("src", "cause"),
+    **cpp_registers.READS,
 }
 
 
@@ -106,6 +107,7 @@ def _function_reads(op: ops.MakeFunction) -> Iterator[int]:
 
 
 _READS_MANY: Final[Mapping[type, Callable[[Any], Iterator[int]]]] = {
+    **cpp_registers.READS_MANY,
     ops.Call: lambda op: _arguments(op.arguments),
     ops.MakeClass: lambda op: _arguments(op.arguments),
     ops.MakeFunction: _function_reads,
@@ -155,11 +157,11 @@ class _Checker:
         word = _WORDS.get(kind)
         if word is not None and getattr(op, word[0]) not in word[1]:
             self._fault(op, f"unknown {word[0]} {getattr(op, word[0])!r}")
-        if kind in (ops.LoadCell, ops.StoreCell, ops.NewCell, ops.LoadName):
+        if kind in (ops.LoadCell, ops.StoreCell, ops.NewCell, ops.LoadName, cpp.CellSlot):
             self._cell(op, getattr(op, "cell"), optional=kind is ops.LoadName)  # noqa: B009
         if kind in (ops.LoadName, ops.StoreName) and self.code.kind is not CodeKind.CLASS:
             self._fault(op, "outside of a class body")
-        if isinstance(op, (ops.MakeFunction, ops.MakeClass)):
+        if isinstance(op, (ops.MakeFunction, ops.MakeClass, cpp.MakeLambda)):
             self._made(op)
         if isinstance(op, ops.Delete) and op.kind == "cell":
             self._cell(op, op.obj)
@@ -182,7 +184,7 @@ class _Checker:
         if not (0 <= cell < self.cells or (optional and cell == NO_REGISTER)):
             self._fault(op, f"cell {cell} out of range")
 
-    def _made(self, op: ops.MakeFunction | ops.MakeClass) -> None:
+    def _made(self, op: ops.MakeFunction | ops.MakeClass | cpp.MakeLambda) -> None:
         if len(op.captures) != len(op.code.free):
             self._fault(op, f"{len(op.captures)} captures for {len(op.code.free)} free cells")
         for cell in op.captures:
@@ -209,6 +211,24 @@ class _Checker:
             self._block(op.body, in_loop)
         elif isinstance(op, ops.Try):
             self._try(op, in_loop)
+        elif isinstance(op, cpp.Initialise):
+            self._initialise(op)
+        elif isinstance(op, cpp.Spread):
+            self.written.update(op.items)
+            self._block(op.body, False)
+            self._registers(op, [op.result], ())
+        elif isinstance(op, cpp.StaticLocal):
+            self._block(op.body, False)
+            self._registers(op, [op.result], ())
+        elif isinstance(op, cpp.Default):
+            self._block(op.body, False)
+
+    def _initialise(self, op: cpp.Initialise) -> None:
+        for member in op.members:
+            self._block(member.type_body, False)
+            self._registers(op, [member.type], ())
+            self._block(member.body, False)
+            self._registers(op, [argument.register for argument in member.arguments], ())
 
     def _try(self, op: ops.Try, in_loop: bool) -> None:
         self._block(op.body, in_loop)

@@ -29,12 +29,18 @@ class If(Op):
 
 @final
 class While(Op):
-    """Run `condition`, and while register test is true `body`; `orelse` when it ends without break."""
+    """Run `condition`, and while register test is true `body`; `orelse` when it ends without break.
 
-    __slots__ = ("body", "condition", "orelse", "test")
+    `counted`: the loop counts up to something, like one over a `range`: where that is a default, there are so many turns.
+    """
 
-    def __init__(self, line: int, column: int, condition: Block, test: int, body: Block, orelse: Block) -> None:
+    __slots__ = ("body", "condition", "counted", "orelse", "test")
+
+    def __init__(
+        self, line: int, column: int, condition: Block, test: int, body: Block, orelse: Block, *, counted: bool = False
+    ) -> None:
         super().__init__(line, column)
+        self.counted = counted
         self.condition = condition
         self.test = test
         self.body = body

@@ -30,6 +30,23 @@ Constant = None | bool | int | float | complex | str | bytes
 """What a `Const` can hold; `...` is the global name `Ellipsis`."""
 
 
+@final
+class CharText(str):
+    """The text of a literal, which is a pointer to characters and no string object until one is made of it; what is computed from it is none.
+
+    It is a text like any other wherever that is not asked: two constants are one whether their texts know it or not.
+    """
+
+    __slots__ = ()
+
+    @property  # type: ignore[misc]
+    def __class__(self) -> type[str]:  # type: ignore[override]  # only `type()` tells
+        return str
+
+    def __reduce__(self) -> tuple[type, tuple[str]]:
+        return CharText, (str.__str__(self),)
+
+
 NO_REGISTER: Final = -1
 
 
@@ -246,7 +263,8 @@ class MakeFunction(Op):
 class Assume(Op):
     """Narrow register src to the values for which `test` holds (where `sense`) or does not; nothing left: the path is dead.
 
-    test is 'true' (truthiness), 'is', '==' or 'in' against register `other`, or 'isinstance' with the class in `other`.
+    test is 'true' (truthiness), 'empty' (of a text or container), 'is', '==', '<', '>' or 'in' against register `other`, or 'isinstance' with
+    the class in `other`.
     The result is written to dst.
     """
 

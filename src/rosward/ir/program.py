@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What operations are grouped in: code bodies and modules."""
+"""What operations are grouped in: code bodies with what a call has to know of them, and modules."""
 
 from __future__ import annotations
 
 import enum
-from typing import Final, final
+from typing import Final, Literal, NamedTuple, final
 
 from rosward.ir.op import Block, Op, walk
 
@@ -48,9 +48,69 @@ class Parameters:
 
 
 PYTHON: Final = "python"
+CPP: Final = "c++"
 
 OpKey = tuple[str, int]
 """What names an operation for good: the key of its body, and its number in it."""
+
+
+Scope = tuple[str, ...]
+"""Namespaces and classes, outermost first; '' for an unnamed namespace."""
+
+
+class TypePattern(NamedTuple):
+    """A type as it is written, for deduction and overloads: `const std::vector<T> &` is std, vector (T), reference, const.
+
+    `names` is empty for what is no name (`auto`, a function type, `decltype`), and `builtin` then its words (`unsigned int`, `auto`).
+    """
+
+    names: tuple[str, ...] = ()
+    arguments: tuple[TypePattern, ...] = ()
+    builtin: str = ""
+    pointers: int = 0
+    reference: Literal["", "&", "&&"] = ""
+    const: bool = False
+    pack: bool = False
+    """An argument that is a pack: `Args…`."""
+    size: str = ""
+    """The name that stands for the number of elements: `T (&items)[N]`."""
+
+
+class ParameterSymbol(NamedTuple):
+    """A parameter of a function: its type, whether it has a default, whether it is a pack."""
+
+    name: str
+    type: TypePattern
+    default: bool = False
+    pack: bool = False
+
+
+class TemplateParameter(NamedTuple):
+    """A parameter of a template; `default` is a thunk, whose parameters are the ones before it; so is `type`, of a parameter that is a value
+    and of which the type is computed (`std::enable_if_t<…, int> = 0`)."""
+
+    name: str
+    pack: bool = False
+    default: Code | None = None
+    type: Code | None = None
+
+
+class Signature(NamedTuple):
+    """How the registers of a function are filled: `leading` ones come first (`this`, then what a lambda has captured by copy), then those
+    of the template, then the parameters. A pack arrives as one value, a tuple. What got no argument is unbound: the body begins with its
+    `Default`, and converts each parameter by value to its type.
+
+    `reference`: it returns one. `using`: the namespaces of its `using namespace`. `owned`: which of its free cells a lambda has to itself, so
+    that a copy of it has others. `constant`: a member function of constant objects, too.
+    """
+
+    parameters: tuple[ParameterSymbol, ...] = ()
+    leading: int = 0
+    template: tuple[TemplateParameter, ...] = ()
+    reference: bool = False
+    using: tuple[Scope, ...] = ()
+    owned: tuple[int, ...] = ()
+    constant: bool = False
 
 
 @final
@@ -65,6 +125,7 @@ class Code:
     `key` names the body for good: its file (`unit` where it is of no whole file) and which one of that it is (`index`); with the number
     of an operation it names that (`OpKey`). `entry` is where it begins, before its first operation.
     `language` is the name of the language that it is written in, which says what its operations mean (`engine/machine.py`).
+    `signature` says of a language with overloads what a call has to know of a function.
     `annotations` and `returns` keep annotations as source text, `doc` the docstring. `is_stub`: the body is `...` alone.
     """
 
@@ -88,6 +149,7 @@ class Code:
         "qualname",
         "registers",
         "returns",
+        "signature",
         "variables",
     )
 
@@ -114,7 +176,9 @@ class Code:
         index: int = 0,
         language: str = PYTHON,
         unit: str = "",
+        signature: Signature | None = None,
     ) -> None:
+        self.signature = signature
         self.key = f"{unit or file}#{index}"
         self.language = language
         self.entry = Op(line, 1)

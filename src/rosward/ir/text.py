@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, final
 
-from rosward.ir import ops
+from rosward.ir import cpp_text, ops
 from rosward.ir.ops import NO_REGISTER, Argument, Block, Op
 from rosward.ir.program import Code, Parameters
 
@@ -210,6 +210,7 @@ def _try(p: _Printer, op: ops.Try) -> None:
 
 
 _PRINT: Final[Mapping[type, Callable[[_Printer, Any], str | None]]] = {
+    **cpp_text.PRINT,
     ops.Const: lambda p, op: f"{p.r(op.dst)} = {op.value!r}",
     ops.Move: lambda p, op: f"{p.r(op.dst)} = {p.r(op.src)}",
     ops.LoadGlobal: lambda p, op: f"{p.r(op.dst)} = global {op.name}",

@@ -67,6 +67,10 @@ class Machine(Execution, Protocol):
     """How many exceptions were raised so far: a call in which it grows is not remembered."""
 
     @property
+    def language_name(self) -> str:
+        """The name of the language that runs, as `ir.program` has it."""
+
+    @property
     def log(self) -> EffectLog:
         """What the process does to ROS, and what is worth telling."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, NamedTuple
 
@@ -15,7 +15,8 @@ from rosward.models.native import NativeFunction
 from rosward.models.ros.facts import OWN
 
 _TABLE: Final[dict[str, NativeFunction]] = {}
-"""What `own_models` has collected: the modules of the package never change."""
+_CPP_TABLE: Final[dict[str, NativeFunction]] = {}
+"""What `own_models` and `cpp_natives` have collected: the modules of the package never change."""
 
 
 class Models(NamedTuple):
@@ -25,19 +26,38 @@ class Models(NamedTuple):
     facts: LibraryFacts
 
 
+_CPP: Final = "rosward.models.cpp"
+
+
+def cpp_natives() -> Mapping[str, NativeFunction]:
+    """The models in code that only C++ needs: loaded where there is a program in C++."""
+    if not _CPP_TABLE:
+        _CPP_TABLE.update(_collected(importlib.import_module(_CPP).__path__, f"{_CPP}."))
+    return MappingProxyType(_CPP_TABLE)
+
+
 def own_models() -> Models:
     """The union of the `NATIVES` tables of the modules of this package (a name in two of them is an error), and the facts of its stubs."""
     if not _TABLE:
-        _TABLE.update(_collected())
+        _TABLE.update(_collected(rosward.models.__path__, "rosward.models.", without=_CPP))
     return Models(MappingProxyType(_TABLE), OWN)
 
 
-def _collected() -> dict[str, NativeFunction]:
+def _collected(path: Iterable[str], prefix: str, without: str = "") -> dict[str, NativeFunction]:
     table: dict[str, NativeFunction] = {}
-    for info in sorted(pkgutil.walk_packages(rosward.models.__path__, "rosward.models."), key=lambda i: i.name):
+    for info in sorted(_modules(path, prefix, without), key=lambda i: i.name):
         module = importlib.import_module(info.name)
         for name, function in getattr(module, "NATIVES", {}).items():
             if name in table:
                 raise ValueError(f"two models of {name}")
             table[name] = function
     return table
+
+
+def _modules(path: Iterable[str], prefix: str, without: str) -> Iterator[pkgutil.ModuleInfo]:
+    for info in pkgutil.iter_modules(path, prefix):
+        if info.name == without:
+            continue
+        yield info
+        if info.ispkg:
+            yield from _modules(importlib.import_module(info.name).__path__, f"{info.name}.", without)

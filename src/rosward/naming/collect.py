@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Final, NamedTuple
 
@@ -72,10 +72,15 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
         for identity in _identities(log, effect, findings):
             own = Findings()
             node = _node(log, effect, identity, process, distro, own)
+            own.update(more := log.open.get(effect.address, Findings()))
             findings.update(f._replace(nodes=(node.fqn,)) for f in own)
-            nodes.append(node)
-    lacks = tuple(f"{f.code}: {f.message}" for f in log.findings if f.code in _MAY_HAVE_MORE)
+            nodes.append(replace(node, lacks=_told(more)))
+    lacks = _told(f for f in log.findings if f.code in _MAY_HAVE_MORE)
     return [_with_interface(n, process, lacks) for n in _merged(nodes)], list(findings)
+
+
+def _told(findings: Iterable[Finding]) -> tuple[str, ...]:
+    return tuple(f"{f.code}: {f.message}" for f in findings)
 
 
 def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Node:
@@ -84,7 +89,10 @@ def _with_interface(node: Node, process: Process, lacks: tuple[str, ...]) -> Nod
     if interface is Interface.UNKNOWN:
         return replace(node, interface=interface, lacks=given)
     nameless = sorted({e.kind.value for e in node.entities if e.resolution is Resolution.UNKNOWN and not e.system})
-    reasons = (*dict.fromkeys((*given, *lacks)), *(f"RW101: the name of a {kind} is unknown" for kind in nameless))
+    reasons = (
+        *dict.fromkeys((*given, *node.lacks, *lacks)),
+        *(f"RW101: the name of a {kind} is unknown" for kind in nameless),
+    )
     return replace(node, interface=Interface.PARTIAL if reasons else interface, lacks=reasons)
 
 
@@ -365,6 +373,7 @@ def _merged(nodes: list[Node]) -> list[Node]:
                 entities=(*known.entities, *node.entities),
                 parameters=_union(known.parameters, node.parameters),
                 conditional=known.conditional and node.conditional,
+                lacks=tuple(dict.fromkeys((*known.lacks, *node.lacks))),
             )
             result[key] = merged
     return list(result.values())

@@ -15,7 +15,7 @@ from typing import Final, NamedTuple
 from rosward.domain.choice import lift, options, reasons_of
 from rosward.domain.compound import Tuple
 from rosward.domain.series import Series
-from rosward.domain.text import make, origins_of, parts_of, pattern
+from rosward.domain.text import is_path, make, origins_of, parts_of, pattern
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Choice, Const, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
@@ -174,7 +174,7 @@ def _rule_value(value: ParameterValue, word: Value) -> Value:
     text = behind(word, ":=")
     if isinstance(text, Const):
         return from_plain(with_stars(value.value) if isinstance(value.value, str) else value.value, text)
-    if value.type == "string" and isinstance(text, Text):
+    if isinstance(text, Text) and (value.type == "string" or is_path(text)):
         return text
     reasons = tuple(r for p in parts_of(text) if not isinstance(p, str) for r in p.reasons)
     return Unknown(reasons, "")

@@ -21,6 +21,7 @@ _REMEDY: Final = {
     Cause.ARGUMENT: "give the argument a default",
     Cause.LAUNCH_ARGUMENT: "give it a value (--arg NAME:=VALUE)",
     Cause.ENVIRONMENT: "give it a value (--env {}=VALUE)",
+    Cause.SET: "give it a value (--env {}=VALUE)",
     Cause.MODULE: "add its package to the analysis",
     Cause.CALL: "describe the call in a stub file (--models)",
     Cause.CALLER: "add the code that makes the call to the analysis",

@@ -86,6 +86,7 @@ def of_client_library(
         lifecycle=switch("lifecycle", False),
         lifecycle_services=switch("lifecycle_services", True),
         start_parameter_event_publisher=switch("start_parameter_event_publisher", True),
+        topic_statistics=switch("enable_topic_statistics", False),
         client_library=_client_library(switches.get("client_library")),
     )
     every = _named(wanted(), effect, identity, fqn)

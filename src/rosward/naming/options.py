@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import External
 from rosward.domain.text import common, origins_of, pattern
-from rosward.domain.unknown import Cause, Origins, Reason
+from rosward.domain.unknown import INSTEAD, Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Value
 from rosward.holes import HOLE, Holed
 from rosward.ros.entities import Resolution
@@ -49,7 +49,7 @@ def name_options(value: Value) -> list[NameOption]:
     if len(several) > 1:  # None among others is no name: the call fails there
         several = tuple(o for o in several if not (isinstance(o, Const) and o.value is None)) or several
     found = [_name(option) for option in several]
-    others = [name for name in found if name.reasons and all(r.cause is Cause.OTHER for r in name.reasons)]
+    others = [name for name in found if name.reasons and all(r.cause in INSTEAD for r in name.reasons)]
     if len(others) == len(found):
         return found
     settable = {d for name in others for d in name.depends_on}
@@ -75,7 +75,7 @@ def _name(value: Value) -> NameOption:
     return NameOption(HOLE, Resolution.UNKNOWN, _depends(depends, reasons), reasons)
 
 
-_SETTABLE: Final = (Cause.OTHER, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
+_SETTABLE: Final = (*INSTEAD, Cause.PARAMETER, Cause.ARGUMENT, Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT)
 
 
 def _depends(known: tuple[str, ...], reasons: tuple[Reason, ...]) -> tuple[str, ...]:

@@ -78,6 +78,10 @@ def _settled(node: Node) -> Node:
 def _merged(entities: list[Entity]) -> Entity:
     """One entity for several that are the same to the outside: it is surely there if one of them is."""
     first = entities[0]
+    if len(entities) == 1 and all(
+        len(part) < 2 for part in (first.depends_on, first.created_at, first.reasons, first.causes)
+    ):
+        return first
     callbacks = _union((e.callback,) for e in entities if e.callback is not None)
     vias = {e.via for e in entities}
     return replace(

@@ -27,6 +27,9 @@ class DistroFacts(NamedTuple):
     environment: Mapping[str, str]
     """The variables that its setup files set where nobody has set them before (ros_environment)."""
 
+    rclcpp: tuple[int, int, int]
+    """The version of rclcpp, for `RCLCPP_VERSION_GTE`."""
+
     type_description: bool = False
     """A node serves `~/get_type_description`."""
 
@@ -73,25 +76,27 @@ class Distro(enum.Enum):
         return _FACTS[self]
 
 
-_HUMBLE: Final = DistroFacts(environment={"ROS_LOCALHOST_ONLY": "0"})
+_HUMBLE: Final = DistroFacts(environment={"ROS_LOCALHOST_ONLY": "0"}, rclcpp=(16, 0, 11))
 _IRON: Final = DistroFacts(
     environment={"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"},
+    rclcpp=(21, 0, 7),
     type_description=True,
     logger_services=True,
     service_events=True,
     components_have_conditions=True,
     logical_substitutions=True,
 )
-_JAZZY: Final = _IRON._replace(actions_are_remapped=True)
-_KILTED: Final = _JAZZY._replace(action_service_events=True)
+_JAZZY: Final = _IRON._replace(rclcpp=(28, 1, 6), actions_are_remapped=True)
+_KILTED: Final = _JAZZY._replace(rclcpp=(29, 5, 0), action_service_events=True)
+_LYRICAL: Final = _KILTED._replace(rclcpp=(32, 0, 1))
 
 _FACTS: Final[Mapping[Distro, DistroFacts]] = {
     Distro.HUMBLE: _HUMBLE,
     Distro.IRON: _IRON,
     Distro.JAZZY: _JAZZY,
     Distro.KILTED: _KILTED,
-    Distro.LYRICAL: _KILTED,
-    Distro.ROLLING: _KILTED,
+    Distro.LYRICAL: _LYRICAL,
+    Distro.ROLLING: _LYRICAL,
 }
 
 DISTROS: Final[tuple[str, ...]] = tuple(distro.value for distro in Distro)

@@ -9,8 +9,8 @@ distribution has stands in `distro.py`. The rows of rclpy are read from rclpy (n
 type_description_service.py, time_source.py, lifecycle/node.py) and rcl (logging_rosout.h, com_interface.c,
 service_event_publisher.c), oldest to newest, and compared with the real rclpy of kilted in tests/live.
 Those of rclcpp are read from rclcpp and rclcpp_lifecycle (node.cpp, lifecycle_node.cpp, time_source.cpp,
-node_logging.cpp, node_type_descriptions.cpp, parameter_service.cpp). They differ in one thing: the time source of a C++ node
-subscribes to /parameter_events.
+node_logging.cpp, node_type_descriptions.cpp, parameter_service.cpp). The time source of a C++ node
+subscribes to /parameter_events, and where a node measures its subscriptions, it measures this one, too.
 """
 
 from __future__ import annotations
@@ -40,6 +40,7 @@ class _Switch(enum.Enum):
     PARAMETER_SERVICES = enum.auto()
     TYPE_DESCRIPTION = enum.auto()
     LOGGER_SERVICE = enum.auto()
+    TOPIC_STATISTICS = enum.auto()
     SIM_TIME = enum.auto()
     LIFECYCLE = enum.auto()
     LIFECYCLE_SERVICES = enum.auto()
@@ -119,6 +120,13 @@ _RCLCPP: Final = (
     *_BOTH,
     _Row(_Switch.PARAMETER_EVENTS, _PUBLISHER, "/parameter_events", _EVENTS, _reliable(1000)),
     _Row(_Switch.ALWAYS, _SUBSCRIPTION, "/parameter_events", _EVENTS, _reliable(1000)),
+    _Row(  # of that subscription
+        _Switch.TOPIC_STATISTICS,
+        _PUBLISHER,
+        "/statistics",
+        "statistics_msgs/msg/MetricsMessage",
+        Qos("system_default", "system_default", "keep_last", 10),
+    ),
 )
 
 
@@ -139,6 +147,7 @@ def implicit_entities(
     lifecycle: bool = False,
     lifecycle_services: bool = True,
     asked: bool = False,
+    topic_statistics: bool = False,
     client_library: ClientLibrary = ClientLibrary.RCLPY,
 ) -> tuple[Entity, ...]:
     """The endpoints that the client library gives the node `node_fqn` by itself, sorted by kind and name.
@@ -156,6 +165,7 @@ def implicit_entities(
     on |= {_Switch.PARAMETER_SERVICES} if start_parameter_services else set()
     on |= {_Switch.TYPE_DESCRIPTION} if type_description and distro.facts.type_description else set()
     on |= {_Switch.LOGGER_SERVICE} if logger_service and distro.facts.logger_services else set()
+    on |= {_Switch.TOPIC_STATISTICS} if topic_statistics else set()
     on |= {_Switch.SIM_TIME} if use_sim_time else set()
     on |= {_Switch.LIFECYCLE} if lifecycle else set()
     on |= {_Switch.LIFECYCLE_SERVICES} if lifecycle and lifecycle_services else set()

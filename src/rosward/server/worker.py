@@ -118,7 +118,7 @@ def _end_of(job: Job, teller: Teller) -> JobEnd:
     except (UploadRefusedError, UnknownRequestError) as error:
         return JobEnd("failed", printable(str(error)))
     except NothingToReadError:
-        return JobEnd("failed", "It contains no Python or launch files. C++ is not analysed.")
+        return JobEnd("failed", "It contains no Python, C++ or launch files.")
     except MemoryError:
         return JobEnd("failed", f"The analysis needs more than {job.limits.memory // 2**20:,} MB of memory.")
     except OSError as error:

@@ -29,7 +29,7 @@ from rosward.source.location import Place
 from rosward.source.packages import DescribedPackage, describe, is_build_script
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import place_name, read_bytes
-from rosward.source.walk import DESCRIPTIONS, Tree, walk
+from rosward.source.walk import CPP_SOURCES, DESCRIPTIONS, Tree, walk
 from rosward.source.workspace import Executable, Package, Skipped, SkipReason, SourceFile, Target, Workspace
 
 if TYPE_CHECKING:
@@ -97,6 +97,7 @@ def discover(
         packages=packages,
         executables=tuple(started),
         interface_files=tuple(sorted((record(path, module=False) for path in set(tree.interfaces)), key=_by_name)),
+        cpp_sources=tuple(sorted((record(path, module=False) for path in set(tree.cpp)), key=_by_name)),
         skipped=tuple(
             Skipped(place_name(path, root), reason)
             for path, reason in sorted(set(tree.skipped), key=lambda s: s[0])
@@ -165,7 +166,10 @@ def _look(starts: list[str], tree: Tree, root: Path, findings: list[Finding], *,
             walk(path, tree, seen, include_tests=include_tests)
         elif os.path.isfile(path):  # noqa: PTH113
             chosen.add(path)
-            tree.python[os.path.realpath(path)] = path
+            if path.endswith(CPP_SOURCES):
+                tree.cpp.append(path)
+            else:
+                tree.python[os.path.realpath(path)] = path
         else:
             there = os.path.lexists(path)
             what = (

@@ -37,6 +37,9 @@ _TESTING: Final = re.compile(
     re.MULTILINE,
 )
 _TESTED_BYTES: Final = 1_000_000
+CPP_SOURCES: Final = (".cpp", ".cc", ".cxx", ".c++", ".C", ".cp")
+"""The suffixes of files that are compiled as C++."""
+
 DESCRIPTIONS: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt"})
 _INTERFACE: Final = re.compile(r"[A-Za-z]\w*\.(?:msg|srv|action|idl)")
 _LAUNCH: Final = re.compile(r".*[._]launch\.(?:xml|yaml|yml)|.*\.launch")
@@ -48,7 +51,7 @@ class Tree:
     """What a walk found: absolute paths; `python` by their real path, so that each file is there once."""
 
     __slots__ = (
-        "boundary", "descriptions", "excluded", "interfaces", "launch", "linked", "not_files", "outside", "python", "skipped",
+        "boundary", "cpp", "descriptions", "excluded", "interfaces", "launch", "linked", "not_files", "outside", "python", "skipped",
     )  # fmt: skip
 
     def __init__(self, excluded: Exclusions | None = None, boundary: Boundary = EVERYWHERE) -> None:
@@ -57,6 +60,8 @@ class Tree:
         self.python: dict[str, str] = {}
         self.linked: list[str] = []
         """Python files that are symbolic links; they count where nothing else leads to the file."""
+        self.cpp: list[str] = []
+        """Sources in C++."""
         self.launch: list[str] = []
         self.interfaces: list[str] = []
         self.descriptions: dict[str, set[str]] = {}
@@ -165,13 +170,20 @@ def _enter(folder: _Folder, tree: Tree, *, include_tests: bool) -> tuple[list[_F
             tree.launch.append(entry.path)
         elif _INTERFACE.fullmatch(name):
             tree.interfaces.append(entry.path)
+        elif name.endswith(CPP_SOURCES) and not name.startswith("."):
+            tree.cpp.append(entry.path)
     return inner, links
 
 
 def _matters(entry: os.DirEntry[str]) -> bool:
     """Whether a link would be read, or entered, if it led inside."""
     name = entry.name
-    if name.endswith(".py") or name in DESCRIPTIONS or _LAUNCH.fullmatch(name) or _INTERFACE.fullmatch(name):
+    if (
+        name.endswith((".py", *CPP_SOURCES))
+        or name in DESCRIPTIONS
+        or _LAUNCH.fullmatch(name)
+        or _INTERFACE.fullmatch(name)
+    ):
         return True
     return not name.startswith(".") and name != "__pycache__" and os.path.isdir(entry.path)  # noqa: PTH112  is_dir raises in a circle
 

@@ -180,6 +180,8 @@ class Workspace:
     packages: tuple[Package, ...] = ()
     executables: tuple[Executable, ...] = ()
     interface_files: tuple[SourceFile, ...] = ()
+    cpp_sources: tuple[SourceFile, ...] = ()
+    """What is compiled as C++; headers are found by what includes them."""
     skipped: tuple[Skipped, ...] = ()
     findings: tuple[Finding, ...] = ()
     targets: tuple[Target, ...] = ()

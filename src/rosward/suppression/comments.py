@@ -3,7 +3,7 @@
 
     self.create_publisher(String, topic, 10)  # rosward: ignore[RW102]      RW102 on this line
     # rosward: ignore                                                       everything on this and the next line
-    <!-- rosward: ignore[RW311] -->                                         the same in XML; `#` in YAML
+    <!-- rosward: ignore[RW311] -->                                         the same in XML; `#` in YAML, `//` and `/* */` in C++
 
 Only comments count, not what looks like one within a string, a CDATA section or a scalar. A comment that stands alone on its line also
 speaks for the line below.
@@ -30,6 +30,31 @@ _BRACKET: Final = re.compile(r"[\[\]{}]")
 _HASH: Final = re.compile(r"(?:^|(?<=\s))#")
 _XML_OPENERS: Final = re.compile(r"<!--|<!\[CDATA\[")
 _XML_CLOSERS: Final = {"<!--": "-->", "<![CDATA[": "]]>"}
+_CPP: Final = frozenset(
+    {
+        ".cpp",
+        ".cc",
+        ".cxx",
+        ".c++",
+        ".C",
+        ".cp",
+        ".c",
+        ".hpp",
+        ".hh",
+        ".hxx",
+        ".h++",
+        ".H",
+        ".h",
+        ".ipp",
+        ".tpp",
+        ".inl",
+        ".inc",
+    }
+)
+_OF_CPP: Final = re.compile(
+    r"//(?P<line>[^\n]*)|/\*(?P<block>.*?)(?:\*/|\Z)|R\"(?P<mark>[^()\\\s]{0,16})\(.*?(?:\)(?P=mark)\"|\Z)|\"(?:\\.|[^\"\\\n])*\"?|'(?:\\.|[^'\\\n]){1,10}'",
+    re.DOTALL,
+)
 _REST_OF_LINE: Final = re.compile(r"[ \t\r]*(?:\n|\Z)")
 
 
@@ -57,13 +82,15 @@ class _Comment(NamedTuple):
 
 
 def ignore_comments(text: str, suffix: str) -> list[IgnoreComment]:
-    """The comments of a file whose name ends in `suffix` (`.xml`, `.launch`, `.yaml`, `.yml`; else it is Python)."""
+    """The comments of a file whose name ends in `suffix` (`.xml`, `.launch`, `.yaml`, `.yml`, one of C++; else it is Python)."""
     if _WORD not in text:
         return []
     if suffix in {".xml", ".launch"}:
         comments = _of_xml(text)
     elif suffix in {".yaml", ".yml"}:
         comments = _of_yaml(text)
+    elif suffix in _CPP:
+        comments = _of_cpp(text)
     else:
         comments = _of_python(text)
     found = []
@@ -125,6 +152,19 @@ def _of_xml(text: str) -> Iterator[_Comment]:
             line_start = opener.end() + content.rfind("\n") + 1
         before = end
         opener = _XML_OPENERS.search(text, end)
+
+
+def _of_cpp(text: str) -> Iterator[_Comment]:
+    line, before = 1, 0
+    for match in _OF_CPP.finditer(text):
+        said = match["line"] if match["line"] is not None else match["block"]
+        if said is None or _WORD not in said:
+            continue
+        line += text.count("\n", before, match.start())
+        before = match.start()
+        column = before - (text.rfind("\n", 0, before) + 1) + 1
+        alone = not text[before - column + 1 : before].strip() and _REST_OF_LINE.match(text, match.end()) is not None
+        yield _Comment(line, column, line + match[0].count("\n"), said.strip(), alone)
 
 
 def _of_yaml(text: str) -> Iterator[_Comment]:

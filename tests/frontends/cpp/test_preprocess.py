@@ -39,6 +39,7 @@ def test_any_text_is_prepared_line_by_line(text: str) -> None:
         ('"// no" /* yes */', '"// no"  '),
         ("a\\\nb\nc", "ab\n\nc"),
         ("// a \\\nb\nc", "\n\nc"),
+        ('"a\\\nb" c\nd', '"ab" c\n\nd'),
         ("'\"' // x", "'\"' "),
         ("1'000 // x", "1'000 "),
         ('R"(a\n"b")" c', '"a\\n\\"b\\"" c\n'),

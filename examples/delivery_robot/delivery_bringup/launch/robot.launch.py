@@ -5,7 +5,15 @@ from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, GroupAction
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
-from launch_ros.actions import LifecycleNode, Node, PushRosNamespace, SetParametersFromFile, SetRemap
+from launch_ros.actions import (
+    ComposableNodeContainer,
+    LifecycleNode,
+    Node,
+    PushRosNamespace,
+    SetParametersFromFile,
+    SetRemap,
+)
+from launch_ros.descriptions import ComposableNode
 from launch_ros.substitutions import FindPackageShare
 
 ROBOT = LaunchConfiguration('robot')
@@ -17,6 +25,19 @@ NODES = [
     ('delivery_navigation', 'delivery_planner'),
     ('delivery_perception', 'lidar_filter'),
 ]
+LIDARS = ['front', 'rear', 'mast']
+
+
+def lidar(place):
+    """Describe the driver of one lidar, which its container loads."""
+    return ComposableNode(
+        package='delivery_drivers',
+        plugin='delivery_drivers::LidarDriver',
+        name=f'lidar_{place}',
+        namespace='',
+        parameters=[{'place': place}],
+        remappings=[('~/motor', f'lidars/{place}/motor')],
+    )
 
 
 def generate_launch_description():
@@ -31,6 +52,14 @@ def generate_launch_description():
             SetRemap('/porter/cmd_vel', ['/', ROBOT, '/cmd_vel']),
             SetParametersFromFile(settings),
             *(Node(package=package, executable=name) for package, name in NODES),
+            ComposableNodeContainer(
+                package='rclcpp_components',
+                executable='component_container',
+                name='lidars',
+                namespace='',
+                composable_node_descriptions=[lidar(place) for place in LIDARS],
+            ),
+            LifecycleNode(package='delivery_cargo', executable='compartment', name='compartment', namespace=''),
             Node(
                 package='delivery_base',
                 executable='teleop_mux',

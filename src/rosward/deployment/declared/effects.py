@@ -12,104 +12,52 @@ the one way. `log.ends` holds what every execution does. The notation is describ
 from __future__ import annotations
 
 import enum
-import re
-from collections.abc import Iterator, Sequence
-from functools import partial
-from pathlib import Path
+from collections.abc import Callable, Sequence
 from typing import Final, final
 
+from rosward.deployment.declared.declarations import Declarations
 from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile
 from rosward.deployment.declared.items import ItemLimit, expansions, type_value
 from rosward.deployment.declared.programs import READERS
-from rosward.deployment.declared.read import read_package
 from rosward.deployment.declared.shapes import (
     DeclaredParameter,
     EndpointGroup,
     EndpointTemplate,
     NodeShape,
-    PackageDeclaration,
+    PluginNode,
     Program,
 )
 from rosward.deployment.declared.text import DeclaredParameters, TemplateScope, as_value, expand
 from rosward.domain.choice import lift, lift2, options
 from rosward.domain.compound import External
 from rosward.domain.series import Series
-from rosward.domain.text import pattern
+from rosward.domain.text import pattern, readable
 from rosward.domain.unknown import Reason
 from rosward.domain.values import NONE, Const, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect, ParameterEffect
 from rosward.findings import Finding, Findings
-from rosward.guard import guarded
 from rosward.holes import HOLE, Holed
 from rosward.naming.command_line import given_to, read_words
 from rosward.naming.final_name import final_name, full_name, remaps_of
 from rosward.ros import names
 from rosward.ros.arguments import parse_arguments
 from rosward.ros.distro import Distro
-from rosward.source import limits
 from rosward.source.location import Place
-from rosward.source.text import read_bytes
 
-MODELS: Final = Path(__file__).parent.parent.parent / "models" / "nodes"
-_NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
 _MOST_ENDPOINTS: Final = 2_000
 _MOST_STEPS: Final = 50_000
 _DEEPEST_INCLUDE: Final = 16
 _SIM_TIME: Final = DeclaredParameter("use_sim_time", "bool", False, Place(""))
 
 
-@final
-class Declarations:
-    """The declared interfaces of packages: those of `folders` (DIR/nodes/PKG.yaml or DIR/PKG.yaml) before rosward's own.
+TakePlugin = Callable[[PluginNode], bool]
+"""Whether somebody else says what a node of a class does that is loaded by its name."""
 
-    Files are read when something asks for their package; what is wrong with them stands in `findings`.
-    """
 
-    def __init__(self, folders: Sequence[Path] = (), *, net: bool = True) -> None:
-        self._net = net
-        self._places = [(f"{folder.name}/{sub}", folder / sub) for folder in folders for sub in ("nodes", "")]
-        self._places.append(("models:nodes/", MODELS))
-        self._packages: dict[str, tuple[PackageDeclaration, ...]] = {}
-        self.findings = Findings()
-
-    def executable(self, package: str, name: str) -> Program | None:
-        """The declared executable of a package."""
-        return next((p.executables[name] for p in self._of(package) if name in p.executables), None)
-
-    def component(self, package: str, plugin: str) -> Program | None:
-        """The declared component of a package, by the name of its plugin."""
-        return next((p.components[plugin] for p in self._of(package) if plugin in p.components), None)
-
-    def interface(self, package: str, name: str) -> EndpointGroup | None:
-        """A named group of a package."""
-        return next((p.interfaces[name] for p in self._of(package) if name in p.interfaces), None)
-
-    def knows(self, package: str) -> bool:
-        """Whether anything is declared of a package."""
-        return bool(self._of(package))
-
-    def _of(self, package: str) -> tuple[PackageDeclaration, ...]:
-        if package not in self._packages:
-            self._packages[package] = tuple(self._read(package)) if _NAME.fullmatch(package) else ()
-        return self._packages[package]
-
-    def _read(self, package: str) -> Iterator[PackageDeclaration]:
-        for label, folder in self._places:
-            path = folder / f"{package}.yaml"
-            if not path.is_file():
-                continue
-            file = f"{label.rstrip('/')}/{package}.yaml"
-            data = read_bytes(path, file, limits.DECLARED_FILE)
-            if isinstance(data, Finding):
-                self.findings.add(Finding("RW324", data.message, data.place))
-                continue
-            text, missing = data.decode("utf-8", "replace"), "the declared interface was not read"
-            read = guarded(partial(read_package, text, file, package), Place(file), missing, net=self._net)
-            found, findings = (None, (read,)) if isinstance(read, Finding) else read
-            self.findings.update(findings)
-            if found is not None:
-                yield found
+def nobody(node: PluginNode) -> bool:  # noqa: ARG001 (the shape of TakePlugin)
+    """No class is known but by its declaration."""
+    return False
 
 
 def no_file(path: Value) -> str | None:  # noqa: ARG001 (the shape of ReadFile)
@@ -124,9 +72,13 @@ def declared(
     declarations: Declarations,
     distro: Distro = Distro.JAZZY,
     read_file: ReadFile = no_file,
+    take: TakePlugin = nobody,
 ) -> EffectLog:
-    """The effects of a process that runs `program`, started at `place`. `read_file` gives the text of a file that an argument names."""
-    return _DeclaredProcess(program, configuration, place, declarations, distro, read_file).run()
+    """The effects of a process that runs `program`, started at `place`. `read_file` gives the text of a file that an argument names.
+
+    `take` is asked about each node of a class that the program loads: what it takes is not in the effects.
+    """
+    return _DeclaredProcess(program, configuration, place, declarations, distro, read_file, take).run()
 
 
 class _Pass(enum.Enum):
@@ -148,12 +100,14 @@ class _DeclaredProcess:
         declarations: Declarations,
         distro: Distro,
         read_file: ReadFile,
+        take: TakePlugin,
     ) -> None:
         self._program = program
         self._place = place
         self._declarations = declarations
         self._distro = distro
         self._read_file = read_file
+        self._take = take
         self._configuration = configuration
         self._via = f"the declared interface of {program.package}/{program.name}"
         self._log = EffectLog()
@@ -169,6 +123,8 @@ class _DeclaredProcess:
         main: TemplateScope | None = None
         for shape in self._program.nodes:
             for bound, certain in expansions(shape.group, main or scope, self._distro, self._steps):
+                if self._is_taken(shape, bound, certain=certain):
+                    continue
                 inner, address = self._node(shape, bound, first=main is None, certain=certain)
                 for pass_ in _Pass:
                     self._contents(shape.group, inner, address, (self._program.package,), pass_, certain=certain)
@@ -183,6 +139,16 @@ class _DeclaredProcess:
             self._limit(f"requests more than {_MOST_STEPS} groups and items")
         self._log.ends.append(frozenset(self._done))
         return self._log
+
+    def _is_taken(self, shape: NodeShape, scope: TemplateScope, *, certain: bool) -> bool:
+        """Whether somebody else says what a node does, whichever class it may be of."""
+        if shape.plugin is None:
+            return False
+        words = tuple(expand(a, scope) for a in shape.arguments)
+        several = options(expand(shape.plugin, scope))
+        sure = certain and len(several) == 1
+        taken = [isinstance(c, Const) and self._take(PluginNode(str(c.value), words, sure)) for c in several]
+        return all(taken)
 
     def _node(self, shape: NodeShape, scope: TemplateScope, *, first: bool, certain: bool) -> tuple[TemplateScope, int]:
         address = len(self._log.nodes) + 1
@@ -261,7 +227,7 @@ class _DeclaredProcess:
             for endpoint in group.endpoints:
                 self._endpoint(endpoint, scope, address, certain=certain)
             if group.open is not None:
-                self._open(group.open)
+                self._open(group.open, address, scope)
         here = way[-1]
         inner = [(g, scope, certain, here) for g in group.groups]
         for include in group.includes:
@@ -355,9 +321,15 @@ class _DeclaredProcess:
         message = f"The declared interface of {self._program.package}/{self._program.name} {what} here."
         self._log.findings.add(Finding("RW201", message, self._place))
 
-    def _open(self, reason: str) -> None:
+    def _open(self, reason: str, address: int | None = None, scope: TemplateScope | None = None) -> None:
+        """The interface has more: that of one node, or of all that the program makes."""
         what = f"interface of {self._program.package}/{self._program.name}"
-        self._log.findings.add(Finding("RW314", f"The {what} is not completely known: {reason}.", self._place, (what,)))
+        told = reason if scope is None else readable(expand(reason, scope))
+        finding = Finding("RW314", f"The {what} is not completely known: {told}.", self._place, (what,))
+        if address is None:
+            self._log.findings.add(finding)
+        else:
+            self._log.open.setdefault(address, Findings()).add(finding)
 
 
 def _resolved(topic: Value, rules: Sequence[names.RemapRule], name: Holed, namespace: Holed) -> Value:

@@ -55,7 +55,7 @@ _FILE: Final = frozenset(
 _CONTENT: Final = frozenset(("parameters", "include", "groups", "switch", "cases", "otherwise", "open", *KINDS))
 _GROUP: Final = _CONTENT | {"when", "for_each", "since", "until", "description"}
 _IDENTITY: Final = frozenset(
-    ("node", "namespace", "lifecycle", "global_arguments", "options", "arguments", "client_library")
+    ("node", "namespace", "lifecycle", "global_arguments", "options", "arguments", "client_library", "plugin")
 )
 _NODE: Final = _GROUP | _IDENTITY
 _PROGRAM: Final = _NODE | {"nodes", "reader", "same_as"}
@@ -211,6 +211,7 @@ def _node(item: Item, library: ClientLibrary) -> NodeShape:
         _library(shape["client_library"]) if "client_library" in shape else library,
         _group(Item({k: v for k, v in shape.items() if k in _GROUP}, item.place)),
         item.place,
+        _text(shape, "plugin"),
     )
 
 

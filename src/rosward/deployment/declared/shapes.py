@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from rosward.domain.values import Value
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos
 from rosward.ros.implicit import ClientLibrary
@@ -103,7 +104,10 @@ class EndpointGroup(NamedTuple):
 
 
 class NodeShape(NamedTuple):
-    """One node. `arguments` are its own command-line words, which its code gives it; `options` those of its constructor."""
+    """One node. `arguments` are its own command-line words, which its code gives it; `options` those of its constructor.
+
+    `plugin`: the class that it is made of, as pluginlib knows it (a template). Where the sources have that class, they say what it does.
+    """
 
     name: str
     namespace: str | None
@@ -114,6 +118,15 @@ class NodeShape(NamedTuple):
     client_library: ClientLibrary
     group: EndpointGroup
     place: Place
+    plugin: str | None = None
+
+
+class PluginNode(NamedTuple):
+    """A node that a declared program makes of a class which it loads by its name; `words` are the node's own command line."""
+
+    plugin: str
+    words: tuple[Value, ...]
+    certain: bool
 
 
 class Program(NamedTuple):

@@ -15,7 +15,7 @@ from typing import Final, NamedTuple
 from rosward.deployment.declared.shapes import DeclaredCondition, DeclaredParameter
 from rosward.domain.choice import join, lift, lift2, options, reasons_of
 from rosward.domain.compound import Tuple
-from rosward.domain.text import concat, parts_of
+from rosward.domain.text import concat, is_path, parts_of
 from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.models.python.plain import with_origins
@@ -210,9 +210,9 @@ def _parent(name: Value) -> Value:
 def argument(name: str, scope: TemplateScope) -> Value:
     """A word of the program's own arguments, by its number or by the flag before it; empty where there is none."""
     words = scope.arguments
-    unclear = [w for w in words if not isinstance(w, Const)]
     if name.isdigit():
         return words[int(name) - 1] if 0 < int(name) <= len(words) else EMPTY
+    unclear = [w for w in words if not isinstance(w, Const) and _may_name(w, name)]
     for at, word in enumerate(words):
         for option in options(word):
             if isinstance(option, Const) and option.value == name:
@@ -247,7 +247,17 @@ def has_argument(name: str, scope: TemplateScope) -> bool | None:
     known = [str(w.value) for w in scope.arguments if isinstance(w, Const)]
     if any(w == name or w.startswith(f"{name}=") for w in known):
         return True
-    return None if len(known) < len(scope.arguments) else False
+    return None if any(_may_name(w, name) for w in scope.arguments if not isinstance(w, Const)) else False
+
+
+def _may_name(word: Value, name: str) -> bool:
+    """Whether a word that is not wholly known may be `--flag` or `--flag=…`."""
+    if not isinstance(word, Text):
+        return True
+    first = word.parts[0]
+    if not isinstance(first, str):
+        return not is_path(word)
+    return f"{name}=".startswith(first) or first.startswith(f"{name}=")
 
 
 def holds(condition: DeclaredCondition, scope: TemplateScope) -> bool | None:

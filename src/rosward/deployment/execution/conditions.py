@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from rosward.deployment.execution.yaml_values import is_path, is_same_path, plain_text
+from rosward.deployment.execution.yaml_values import is_same_path, plain_text
 from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.choice import options, reasons_of
-from rosward.domain.text import matches, origins_of
+from rosward.domain.text import is_path, matches, origins_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import Const, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN

@@ -23,12 +23,12 @@ from rosward.deployment.execution.rewrites import (
     with_values,
 )
 from rosward.deployment.execution.top_keys import has_key
-from rosward.deployment.execution.yaml_values import as_plain_scalar, is_path, plain_text, replaced
+from rosward.deployment.execution.yaml_values import as_plain_scalar, plain_text, replaced
 from rosward.deployment.markup.substitutions import SubstitutionError, parse_substitution
 from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.choice import join_all, lift, lift2, options, reasons_of
 from rosward.domain.compound import Tuple
-from rosward.domain.text import origins_of, parts_of, readable
+from rosward.domain.text import is_path, origins_of, parts_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole, Unknown, Value
 from rosward.effects.configuration import Given

@@ -11,12 +11,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.deployment.execution.yaml_values import is_path
 from rosward.deployment.markup.xml import read_xml
 from rosward.deployment.markup.yaml_file import read_yaml
 from rosward.deployment.tree import Description
 from rosward.domain.choice import reasons_of
-from rosward.domain.text import parts_of
+from rosward.domain.text import is_path, parts_of
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Hole, Value
 from rosward.findings import Finding

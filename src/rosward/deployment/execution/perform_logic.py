@@ -10,9 +10,9 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
-from rosward.deployment.execution.yaml_values import is_path, is_same_path, truth
+from rosward.deployment.execution.yaml_values import is_same_path, truth
 from rosward.domain.choice import join, join_all, lift, lift2, options, reasons_of
-from rosward.domain.text import matches, origins_of
+from rosward.domain.text import is_path, matches, origins_of
 from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Unknown, Value
 from rosward.effects.variables import Variables

@@ -10,9 +10,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.deployment.execution.yaml_values import is_path
 from rosward.domain.choice import join, join_all, lift, lift2, reasons_of
-from rosward.domain.text import concat, origins_of, readable
+from rosward.domain.text import concat, is_path, origins_of, readable
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.models.python.std.paths import dirname, join_two, normal

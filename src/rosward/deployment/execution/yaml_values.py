@@ -16,7 +16,7 @@ import yaml
 
 from rosward.domain.choice import lift, reasons_of
 from rosward.domain.compound import Tuple
-from rosward.domain.text import concat, make, origins_of, parts_of
+from rosward.domain.text import concat, is_path, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import literal
@@ -28,7 +28,6 @@ _MOST_ITEMS: Final = 10_000
 _MOST_BITS: Final = 4_096
 _SCALARS: Final = (bool, int, float, str)
 _INDICATORS: Final = frozenset("[]{}#&*!|>%@`'\",")
-_PATHS: Final = frozenset((Cause.SHARE, Cause.PREFIX, Cause.SOURCES))
 _NOWHERE: Final = Place("", 0)
 
 Failed = Callable[[str], None]
@@ -90,12 +89,6 @@ def _is_bounded(found: object) -> bool:
         elif isinstance(each, (list, tuple, set)):
             work += each
     return True
-
-
-def is_path(value: Value) -> bool:
-    """Whether a text begins with the folder of a package or of the sources: then it is absolute, and surely a str."""
-    first = parts_of(value)[0]
-    return isinstance(first, Hole) and bool(first.reasons) and all(r.cause in _PATHS for r in first.reasons)
 
 
 def is_same_path(one: Value, other: Value) -> bool | None:

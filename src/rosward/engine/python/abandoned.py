@@ -27,7 +27,7 @@ def close_behind(machine: Engine, left: Snapshot, source: Value) -> None:
     if not isinstance(source, Ref):
         return
     here, machine.state = machine.state, left.state
-    acting = _acting(machine.state.heap, source)
+    acting = _acting(machine, machine.state.heap, source)
     if source.address in acting:
         machine.state = left.state.copy()
         machine.close_generator(source)
@@ -42,7 +42,7 @@ def watch(machine: Engine, iterator: Value) -> None:
     """A generator was advanced, and may be dropped at this point."""
     for option in options(iterator):
         if isinstance(option, Ref):
-            for address in _acting(machine.state.heap, option):
+            for address in _acting(machine, machine.state.heap, option):
                 _close_later(machine, Ref(address))
 
 
@@ -53,11 +53,11 @@ def watch_raising(machine: Engine, source: Value, raised: int) -> None:
     if machine.raised != raised and machine.ends is not None:
         states.append(machine.ends)
     if isinstance(source, Ref):
-        for address in {address: None for s in states for address in _acting(s.heap, source)}:
+        for address in {address: None for s in states for address in _acting(machine, s.heap, source)}:
             _close_later(machine, Ref(address))
 
 
-def _acting(heap: Heap, generator: Ref) -> list[int]:
+def _acting(machine: Engine, heap: Heap, generator: Ref) -> list[int]:
     """Which generators end with this one, and may stand in a `try` or `with`, so that closing them runs something: it, and those it holds.
 
     It holds what its variables and loops do; lists and tuples of those, too.
@@ -78,6 +78,7 @@ def _acting(heap: Heap, generator: Ref) -> list[int]:
                 if any(s.part == "body" for p in payload.points for s in p.path):
                     found.append(value.address)
                 pending += [kept for values in payload.points.values() for kept in values]
+    machine.asked_for |= seen
     return found
 
 

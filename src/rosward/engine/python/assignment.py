@@ -33,7 +33,7 @@ def open_up(machine: Engine, value: Value) -> None:
     """A library that is not read may have given a function attributes."""
     if isinstance(value, Function):
         address = machine.library.function_address(value)
-        record = machine.state.heap.get(address) or Obj("instance", NONE)
+        record = machine.own(address) or Obj("instance", NONE)
         if ANY_ATTRIBUTE not in record.partial:
             machine.put(address, record.replace(partial=marked(record.partial, ANY_ATTRIBUTE)))
 
@@ -59,7 +59,7 @@ def store(machine: Engine, target: Value, name: str, value: Value) -> bool:
             machine.put(address, changed)
         elif option.__class__ is Function:
             address = machine.library.function_address(option)
-            record = machine.state.heap.get(address) or Obj("instance", NONE)
+            record = machine.own(address) or Obj("instance", NONE)
             machine.put(address, record.with_attr(name, value))
         elif option.__class__ in (External, Unknown):
             machine.escape((value,), name_of(option), option)

@@ -14,8 +14,8 @@ from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, 
 from rosward.engine.alternatives import each_apart
 from rosward.engine.escape import BY_BASE, name_of
 from rosward.engine.frame import Frame
-from rosward.engine.handed import own_methods
 from rosward.engine.python import abstract, attributes, contents, members, metaclasses, subclass_hooks
+from rosward.engine.python.own_methods import own_methods
 from rosward.ir import ops
 from rosward.ir.program import CodeKind
 from rosward.models.python.exceptions import builtin_base, own_class

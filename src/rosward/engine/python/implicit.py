@@ -20,8 +20,8 @@ from rosward.domain.choice import join_all
 from rosward.domain.compound import BoundMethod, Descriptor
 from rosward.domain.values import Class, Function, Ref, Value
 from rosward.engine.declared import is_model
-from rosward.engine.handed import AT_MAKING
 from rosward.engine.python.metaclass_of import metaclass_of
+from rosward.engine.python.own_methods import AT_MAKING
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

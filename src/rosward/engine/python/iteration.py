@@ -19,7 +19,7 @@ from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
-from rosward.engine.control import behind, turn, until_stable
+from rosward.engine.control import behind, roughly, turn, until_stable
 from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.python import abandoned, attributes, calls, classes, contents, metaclasses, stepping
 from rosward.ir import ops
@@ -106,7 +106,11 @@ def _over_items(
             rest = _any_of(found)
             known = ()
             rest = UNBOUND if rest is None else rest
-    if machine.precision.coarse or len(known) > budget.unroll or machine.precision.turns + len(known) > budget.turns:
+    if (
+        roughly(machine, frame, len(known))
+        or len(known) > budget.unroll
+        or machine.precision.turns + len(known) > budget.turns
+    ):
         rest = _any_of(Items(known, rest))
         known = ()
     while rest is None or number - offset < len(known):
@@ -134,7 +138,7 @@ def _over_items(
             return False
         number += 1
         machine.check_time()
-        if machine.precision.coarse:
+        if roughly(machine, frame, len(known)):
             now = known if live is None else machine.obj(live).items
             left = Items((now or ())[number - offset :], rest)
             if now is not None and _any_of(left) is None:
@@ -207,7 +211,7 @@ def _over_iterator(
         not any_number
         and number < most
         and machine.precision.turns < machine.budget.turns
-        and not machine.precision.coarse
+        and not roughly(machine, frame, number)
     ):
         _enter_turn(machine, op, frame, context, number, iterator, nothing)
         before = machine.snapshot(frame)

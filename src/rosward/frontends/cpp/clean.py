@@ -19,13 +19,14 @@ _SPECIAL: Final = re.compile(
     | (?P<line>//(?:[^\\\n]|\\[ \t]*\n|\\)*)
     | (?P<comment>/\*)
     | (?P<separator>(?<=[\dA-F])(?<![uU]8)'(?=[\da-fA-F]))
-    | (?P<string>"(?:[^"\\\n]|\\.)*(?:"|\\?(?=\n|\Z)))
-    | (?P<character>'(?:[^'\\\n]|\\.)*(?:'|\\?(?=\n|\Z)))
+    | (?P<string>"(?:[^"\\\n]|\\[ \t]*\n|\\.)*(?:"|\\?(?=\n|\Z)))
+    | (?P<character>'(?:[^'\\\n]|\\[ \t]*\n|\\.)*(?:'|\\?(?=\n|\Z)))
     | (?P<splice>\\[ \t]*\n)
     """,
     re.VERBOSE,
 )
 _QUOTES: Final = {"string": '"', "character": "'"}
+_SPLICE: Final = re.compile(r"\\[ \t]*\n")
 _NOT_NEWLINE: Final = re.compile(r"[^\n]+")
 
 
@@ -72,10 +73,12 @@ def cleaned(text: str) -> str:
             spliced += found[0].count("\n")
         elif kind == "splice":
             spliced += 1
-        elif kind in _QUOTES and (len(found[0]) < 2 or not found[0].endswith(_QUOTES[kind])):
-            put(found[0].rstrip("\\") + _QUOTES[kind])  # closed here, so that nobody else has to look for its end
         else:
-            put(found[0])
+            whole = _SPLICE.sub("", found[0]) if "\n" in found[0] else found[0]
+            if kind in _QUOTES and (len(whole) < 2 or not whole.endswith(_QUOTES[kind])):
+                whole = whole.rstrip("\\") + _QUOTES[kind]  # closed here, so that nobody else has to look for its end
+            put(whole)
+            spliced += found[0].count("\n")
     put(text[position:])
     return "".join(pieces) + "\n" * spliced
 

@@ -11,25 +11,40 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import final
+from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
+from rosward.source.parameter_header import parameter_header
 from rosward.source.text import place_name, read_bytes
+from rosward.source.yaml_nodes import Malformed
+
+_MADE: Final = "//made//"
+"""Stands in the path of a header that a build makes, between the file that it is made of and its name."""
 
 
 @final
 class Headers:
     """The files of a workspace, as an `#include` finds and reads them; `folders` are those that may be read."""
 
-    __slots__ = ("_boundary", "_files", "_folders", "_root")
+    __slots__ = ("_boundary", "_files", "_folders", "_generated", "_root", "_written")
 
     def __init__(self, root: Path, folders: Sequence[str], boundary: Boundary = EVERYWHERE) -> None:
         self._root = root
         self._folders = tuple(folder.rstrip(os.sep) + os.sep for folder in folders)
         self._boundary = boundary
         self._files: dict[str, bool] = {}
+        self._generated: dict[str, dict[str, str]] = {}
+        self._written: dict[str, tuple[str, str]] = {}
+
+    def write(self, path: str, named: str, text: str) -> None:
+        """A file that is nowhere but here."""
+        self._written[path] = named, text
+
+    def generate(self, name: str, source: str, package: str) -> None:
+        """A build makes the header `name` of the description of parameters in the file `source`, in the folder of a package."""
+        self._generated.setdefault(name, {})[package] = source
 
     def find(self, name: str, including: str, includes: Sequence[str], quoted: bool) -> str | None:
         """The file that is meant by a name in the file `including`."""
@@ -44,7 +59,15 @@ class Headers:
             )
             if self._is_file(path):
                 return path
-        return None
+        return self._made(name, including)
+
+    def _made(self, name: str, including: str) -> str | None:
+        """A header that a build makes: of the package around the file that includes it, else of any."""
+        base = name.rpartition("/")[2]
+        packages = self._generated.get(base, {})
+        own = [folder for folder in packages if including.startswith(folder + os.sep)]
+        folder = max(own, key=len) if own else next(iter(packages), None)
+        return None if folder is None else f"{packages[folder]}{_MADE}{base}"
 
     def _is_file(self, path: str) -> bool:
         known = self._files.get(path)
@@ -55,12 +78,30 @@ class Headers:
 
     def named(self, path: str) -> str:
         """How places call the file."""
-        return place_name(path, self._root)
+        if path in self._written:
+            return self._written[path][0]
+        return place_name(path.partition(_MADE)[0], self._root)
 
     def read(self, path: str) -> str | Finding:
         """The text of a file; C++ is UTF-8 or does not mind."""
+        if path in self._written:
+            return self._written[path][1]
+        if _MADE in path:
+            return self._make(path.partition(_MADE)[0])
         data = read_bytes(path, self.named(path), limits.CPP_FILE)
         if isinstance(data, Finding):
             return data
         text = data.decode("utf-8-sig", "replace").replace("\0", " ")
         return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+    def _make(self, source: str) -> str | Finding:
+        """The header that is made of a description of parameters."""
+        file = self.named(source)
+        data = read_bytes(source, file, limits.PARAMETERS_FILE)
+        if isinstance(data, Finding):
+            return data
+        try:
+            return parameter_header(data.decode("utf-8-sig", "replace"), file)
+        except Malformed as problem:
+            message = f"The parameters of this header were not read: {problem.message}."
+            return Finding("RW008", message, problem.place)

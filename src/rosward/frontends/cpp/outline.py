@@ -1,211 +1,263 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which names does a file declare, in which scopes?
 
-    namespace lamp { class Lamp : public rclcpp::Node { Lamp(); … }; }      ->  class lamp::Lamp, function lamp::Lamp::Lamp, …
-    void lamp::Lamp::on_switch(const String & msg) { … }                    ->  function lamp::Lamp::on_switch, defined
+    namespace lamp { class Lamp : public rclcpp::Node { Lamp(); … }; }      ->  class lamp::Lamp, and in it function Lamp
+    void lamp::Lamp::on_switch(const String & msg) { … }                    ->  function on_switch, defined, with lamp::Lamp before it
 
-Only declarations are looked at, bodies of functions are not. What stands in a branch of an `#if` that nobody knows says so.
+Only declarations are looked at, bodies of functions are not, and those of classes when they are asked for. What stands in a branch of
+an `#if` that nobody knows says so.
 """
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple
 
+from rosward.frontends.cpp.declarators import DEPTH, Part, dense, named, spelled, text_of, unnamed
 from rosward.frontends.cpp.prepared import Choice
+from rosward.ir.symbols import Scope, SymbolKind
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
     from rosward.frontends.cpp.parse import Parsed
 
-_CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
+CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier"})
 _GROUPS: Final = frozenset({"translation_unit", "declaration_list", "field_declaration_list", "linkage_specification"})
 _DECLARATIONS: Final = frozenset({"declaration", "field_declaration", "function_definition", "type_definition"})
-_NAMES: Final = frozenset(
-    {
-        "identifier", "field_identifier", "type_identifier", "qualified_identifier", "destructor_name", "operator_name",
-        "operator_cast", "template_function", "template_method", "template_type", "structured_binding_declarator",
-    }
-)  # fmt: skip
-_WITHOUT_FIELD: Final = frozenset(
-    {"reference_declarator", "parenthesized_declarator", "attributed_declarator", "variadic_declarator"}
-)
-_DEPTH: Final = 200
-
-Scope = tuple[str, ...]
-
-
-class DeclaredKind(enum.Enum):
-    """What is declared."""
-
-    CLASS = "class"
-    ENUM = "enum"
-    ENUMERATOR = "enumerator"
-    FUNCTION = "function"
-    VARIABLE = "variable"
-    ALIAS = "alias"
-    USING = "using"
-    USING_NAMESPACE = "using namespace"
-    NAMESPACE_ALIAS = "namespace alias"
 
 
 class Declared(NamedTuple):
-    """One declaration: `node` is the class, the function with its declarator, or the declarator of a variable.
+    """One declaration: `node` is the class, the function with its declarator, or the declarator of a variable; `whole` is what it is part of.
 
-    `scope` are the names of the namespaces and classes around it ('' for an unnamed namespace), `template` the parameters of the templates
-    that it is, `arguments` what it specialises them for. `defined`: a class or function with its body.
+    `scope` are the names of the namespaces and classes around it ('' for an unnamed namespace), `before` what is written before the name.
+    `templates` are the lists of parameters of the templates around it in the same declaration, those of the class that `before` names included;
+    `arguments` what it specialises them for. `defined`: a class or function with its body. `friend`: it stands in a class.
     """
 
-    kind: DeclaredKind
+    kind: SymbolKind
     scope: Scope
     name: str
     node: Node
-    template: tuple[Node, ...] = ()
-    arguments: str = ""
+    whole: Node
+    templates: tuple[Node, ...] = ()
+    arguments: Node | None = None
+    before: tuple[Part, ...] = ()
     defined: bool = False
+    friend: bool = False
     choices: tuple[Choice, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """The name of the scope that it makes: a specialisation has its own."""
+        return self.name + dense(self.arguments)
+
+
+class Outline(NamedTuple):
+    """What a file declares outside of classes; `spaces` are its namespaces, `inlines` those in which names are seen from outside."""
+
+    declared: list[Declared]
+    spaces: dict[Scope, None]
+    inlines: dict[Scope, Scope]
 
 
 class _Waiting(NamedTuple):
     node: Node
     scope: Scope
-    template: tuple[Node, ...] = ()
+    templates: tuple[Node, ...] = ()
 
 
-def outline(parsed: Parsed) -> list[Declared]:
-    """The declarations of a file, in their order."""
-    found: list[Declared] = []
-    waiting = [_Waiting(parsed.tree.root_node, ())]
-    while waiting:
-        here = waiting.pop()
-        inner: list[_Waiting] = []
-        for each in _declared(here, inner):
-            line = each.node.start_point[0] + 1
-            choices = tuple(c for c in parsed.prepared.choices if c.first <= line <= c.last)
-            found.append(each._replace(choices=choices) if choices else each)
-        waiting += reversed(inner)
+def outline(parsed: Parsed) -> Outline:
+    """The declarations of a file outside of classes, in their order; functions that are defined in a class as its friends included."""
+    found = Outline([], {(): None}, {})
+    for each in _walk(_Waiting(parsed.tree.root_node, ()), found):
+        found.declared.append(_chosen(parsed, each))
+        if each.kind is SymbolKind.CLASS:
+            found.declared.extend(e._replace(scope=each.scope) for e in _friends(parsed, each))
     return found
 
 
-def text_of(node: Node | None) -> str:
-    """The text of a node, with single blanks."""
-    return "" if node is None else " ".join((node.text or b"").decode("utf-8", "replace").split())
+def _friends(parsed: Parsed, of: Declared) -> Iterator[Declared]:
+    """The functions that a class defines as its friends, which are not its members. Most classes are not looked into."""
+    waiting = [of]
+    while waiting:
+        here = waiting.pop()
+        if b"friend" in (here.node.text or b""):
+            inner = list(_members(parsed, here))
+            yield from (each for each in inner if each.friend)
+            waiting += [each for each in inner if each.kind is SymbolKind.CLASS]
 
 
-def _declared(here: _Waiting, inner: list[_Waiting]) -> Iterator[Declared]:
+def members(parsed: Parsed, of: Declared) -> Iterator[Declared]:
+    """What a class or enum declares, in its order."""
+    return (each for each in _members(parsed, of) if not each.friend)
+
+
+def _members(parsed: Parsed, of: Declared) -> Iterator[Declared]:
+    body = of.node.child_by_field_name("body")
+    scope = (*of.scope, *(part.name for part in of.before), of.label)
+    if body is None:
+        return
+    if of.kind is SymbolKind.ENUM:
+        yield from _enumerators(body, scope if is_scoped(of.node) else of.scope)
+        return
+    for each in _walk(_Waiting(body, scope), Outline([], {}, {})):
+        yield _chosen(parsed, each)
+
+
+def is_scoped(node: Node) -> bool:
+    """Whether it is an `enum class`."""
+    return any(child.type in {"class", "struct"} for child in node.children)
+
+
+def local(parsed: Parsed, node: Node, scope: Scope) -> Declared | None:
+    """The class or enum that a function body declares at `node`, with or without a name."""
+    if node.child_by_field_name("name") is None:
+        found = _type(node, node, scope, (), [], unnamed(node))
+        return next((_chosen(parsed, each) for each in found), None)
+    return next((_chosen(parsed, each) for each in _walk(_Waiting(node, scope), Outline([], {}, {}))), None)
+
+
+def _chosen(parsed: Parsed, each: Declared) -> Declared:
+    line = each.node.start_point[0] + 1
+    choices = tuple(c for c in parsed.prepared.choices if c.first <= line <= c.last)
+    return each._replace(choices=choices) if choices else each
+
+
+def _walk(start: _Waiting, into: Outline) -> Iterator[Declared]:
+    waiting = [start]
+    while waiting:
+        inner: list[_Waiting] = []
+        yield from _declared(waiting.pop(), inner, into)
+        waiting += reversed(inner)
+
+
+def _declared(here: _Waiting, inner: list[_Waiting], into: Outline) -> Iterator[Declared]:
     """What one node declares; what is to be looked at within goes to `inner`."""
-    node, scope, template = here
+    node, scope, templates = here
     kind = node.type
     if kind in _GROUPS:
-        if len(scope) < _DEPTH:
+        if len(scope) < DEPTH:
             inner += [_Waiting(child, scope) for child in node.named_children]
     elif kind == "namespace_definition":
-        name = text_of(node.child_by_field_name("name"))
-        body = node.child_by_field_name("body")
-        if body is not None:
-            inner.append(_Waiting(body, (*scope, *(part.strip().removeprefix("inline ") for part in name.split("::")))))
+        _namespace(node, scope, inner, into)
     elif kind == "template_declaration":
         parameters = node.child_by_field_name("parameters")
-        more = (*template, parameters) if parameters is not None else template
+        more = (*templates, parameters) if parameters is not None else templates
         inner += [_Waiting(child, scope, more) for child in node.named_children[1:]]
-    elif kind in _CLASSES:
-        yield from _class(node, scope, template, inner)
-    elif kind == "enum_specifier":
-        yield from _enum(node, scope)
+    elif kind in CLASSES or kind == "enum_specifier":
+        yield from _type(node, node, scope, templates, inner, None)
     elif kind in _DECLARATIONS:
-        yield from _declaration(node, scope, template, inner)
+        yield from _declaration(node, scope, templates, inner)
+    elif kind == "friend_declaration":
+        for child in node.named_children:
+            if child.type == "function_definition":
+                yield from (each._replace(friend=True) for each in _declaration(child, scope, templates, inner))
     elif kind == "alias_declaration":
-        yield Declared(DeclaredKind.ALIAS, scope, text_of(node.child_by_field_name("name")), node, template)
+        name = text_of(node.child_by_field_name("name"))
+        yield Declared(SymbolKind.ALIAS, scope, name, node, node, templates)
     elif kind == "namespace_alias_definition":
-        yield Declared(DeclaredKind.NAMESPACE_ALIAS, scope, text_of(node.child_by_field_name("name")), node)
+        yield Declared(SymbolKind.NAMESPACE_ALIAS, scope, text_of(node.child_by_field_name("name")), node, node)
     elif kind == "using_declaration":
-        named = text_of(node.named_children[-1]) if node.named_children else ""
         if any(child.type == "namespace" for child in node.children):
-            yield Declared(DeclaredKind.USING_NAMESPACE, scope, named, node)
+            name = dense(node.named_children[-1]) if node.named_children else ""
+            yield Declared(SymbolKind.USING_NAMESPACE, scope, name.removeprefix("::"), node, node)
         else:
-            yield Declared(DeclaredKind.USING, scope, named.rpartition("::")[2], node)
+            for child in node.named_children:
+                yield Declared(SymbolKind.USING, scope, spelled(child).last.name, child, node)
 
 
-def _class(node: Node, scope: Scope, template: tuple[Node, ...], inner: list[_Waiting]) -> Iterator[Declared]:
-    named = node.child_by_field_name("name")
-    if named is None:
-        return  # what is in it belongs to a variable, or to the class around it
+def _namespace(node: Node, scope: Scope, inner: list[_Waiting], into: Outline) -> None:
+    """`inline` ones and those within them are the ones around them."""
+    parts = text_of(node.child_by_field_name("name")).split("::")
+    is_inline = any(child.type == "inline" for child in node.children)
+    for part in parts:
+        name = part.strip()
+        within = (*scope, name.removeprefix("inline ").strip())
+        if is_inline or name.startswith("inline "):
+            into.inlines[within] = scope
+            is_inline = False
+        else:
+            scope = within
+        into.spaces[within] = None
     body = node.child_by_field_name("body")
-    outer, name, arguments = _split(named)
-    scope = (*scope, *outer)
-    yield Declared(DeclaredKind.CLASS, scope, name, node, template, arguments, defined=body is not None)
     if body is not None:
-        inner.append(_Waiting(body, (*scope, name + arguments)))
+        inner.append(_Waiting(body, scope))
 
 
-def _enum(node: Node, scope: Scope) -> Iterator[Declared]:
-    name = text_of(node.child_by_field_name("name"))
+def _type(
+    node: Node, whole: Node, scope: Scope, templates: tuple[Node, ...], inner: list[_Waiting], standing: str | None
+) -> Iterator[Declared]:
+    """A class or enum. Without a name it has the one `standing` for it; without that, what is in it belongs to what is around it."""
+    name = node.child_by_field_name("name")
     body = node.child_by_field_name("body")
-    if name:
-        yield Declared(DeclaredKind.ENUM, scope, name, node, defined=body is not None)
-    scoped = any(child.type in {"class", "struct"} for child in node.children)
-    for child in body.named_children if body is not None else ():
+    is_enum = node.type == "enum_specifier"
+    if name is None and not standing:
+        if body is not None and is_enum:
+            yield from _enumerators(body, scope)
+        elif body is not None:
+            inner.append(_Waiting(body, scope))
+        return
+    word = spelled(name) if name is not None else None
+    last = word.last if word is not None else Part(standing or "")
+    kind = SymbolKind.ENUM if is_enum else SymbolKind.CLASS
+    before = word.scope if word is not None else ()
+    yield Declared(kind, scope, last.name, node, whole, templates, last.arguments, before, defined=body is not None)
+    if is_enum and body is not None and not is_scoped(node):
+        yield from _enumerators(body, (*scope, *(part.name for part in before)))
+
+
+def _enumerators(body: Node, scope: Scope) -> Iterator[Declared]:
+    for child in body.named_children:
         if child.type == "enumerator":
-            into = (*scope, name) if scoped else scope
-            yield Declared(DeclaredKind.ENUMERATOR, into, text_of(child.child_by_field_name("name")), child)
+            yield Declared(SymbolKind.ENUMERATOR, scope, text_of(child.child_by_field_name("name")), child, child)
 
 
-def _declaration(node: Node, scope: Scope, template: tuple[Node, ...], inner: list[_Waiting]) -> Iterator[Declared]:
+def _declaration(node: Node, scope: Scope, templates: tuple[Node, ...], inner: list[_Waiting]) -> Iterator[Declared]:
     """`class A {…} a, * b;`, `int f(), x = 1;`, `void A::f() {…}`."""
+    declarators = node.children_by_field_name("declarator")
     type_node = node.child_by_field_name("type")
-    if type_node is not None and (type_node.type in _CLASSES or type_node.type == "enum_specifier"):
-        declarators = node.children_by_field_name("declarator")
-        if type_node.child_by_field_name("body") is not None or not declarators:
-            inner.append(_Waiting(type_node, scope, template))
-    for declarator in node.children_by_field_name("declarator"):
-        named, is_function = _named(declarator)
-        if named is None:
+    if type_node is not None and (type_node.type in CLASSES or type_node.type == "enum_specifier"):
+        has_body = type_node.child_by_field_name("body") is not None
+        if has_body or not declarators:
+            yield from _type(type_node, node, scope, templates, inner, _standing(node, type_node, declarators))
+    for declarator in declarators:
+        name, is_function = named(declarator)
+        if name is None:
             continue
         if node.type == "type_definition":
-            yield Declared(DeclaredKind.ALIAS, scope, text_of(named), node, template)
+            if type_node is None or text_of(name) != _standing(node, type_node, declarators):
+                yield Declared(SymbolKind.ALIAS, scope, text_of(name), declarator, node, templates)
+        elif name.type == "structured_binding_declarator":
             continue
-        outer, name, arguments = _split(named)
-        if is_function:
-            defined = node.type == "function_definition"
-            yield Declared(DeclaredKind.FUNCTION, (*scope, *outer), name, node, template, arguments, defined)
         else:
-            yield Declared(DeclaredKind.VARIABLE, (*scope, *outer), name, declarator, template, arguments)
-
-
-def _named(declarator: Node) -> tuple[Node | None, bool]:
-    """The name in a declarator, and whether the name itself is that of a function."""
-    node: Node | None = declarator
-    is_function = False
-    for _ in range(_DEPTH):
-        if node is None or node.type in _NAMES:
-            return node, is_function or (node is not None and node.type in {"destructor_name", "operator_cast"})
-        is_function = node.type == "function_declarator" or (is_function and node.type == "attributed_declarator")
-        if node.type in _WITHOUT_FIELD:
-            node = next(
-                (child for child in node.named_children if child.type.endswith(("declarator", "identifier"))), None
+            before, last, absolute = spelled(name)
+            yield Declared(
+                SymbolKind.FUNCTION if is_function else SymbolKind.VARIABLE,
+                () if absolute else scope,
+                last.name,
+                node if is_function else declarator,
+                node,
+                templates,
+                last.arguments,
+                before,
+                is_function and _has_body(node),
             )
-        else:
-            node = node.child_by_field_name("declarator")
-    return None, False
 
 
-def _split(named: Node) -> tuple[Scope, str, str]:
-    """The scope that is written before a name, the name, and the arguments of a template behind it."""
-    outer: list[str] = []
-    node = named
-    for _ in range(_DEPTH):
-        if node.type != "qualified_identifier":
-            break
-        before = node.child_by_field_name("scope")
-        if before is not None:
-            name = before.child_by_field_name("name") if before.type == "template_type" else before
-            outer.append(text_of(name))
-        after = node.child_by_field_name("name")
-        if after is None:
-            break
-        node = after
-    if node.type in {"template_type", "template_function", "template_method"}:
-        return tuple(outer), text_of(node.child_by_field_name("name")), text_of(node.child_by_field_name("arguments"))
-    return tuple(outer), text_of(node), ""
+def _has_body(node: Node) -> bool:
+    """`{ … }`, or `try { … } catch …` around what a constructor does."""
+    return node.child_by_field_name("body") is not None or any(c.type == "try_statement" for c in node.named_children)
+
+
+def _standing(node: Node, type_node: Node, declarators: list[Node]) -> str | None:
+    """What names a class without a name: `typedef struct {…} Name;`, or a word of ours where variables have its type."""
+    if (
+        type_node.child_by_field_name("body") is None
+        or type_node.child_by_field_name("name") is not None
+        or not declarators
+    ):
+        return None
+    if node.type == "type_definition" and declarators[0].type == "type_identifier":
+        return text_of(declarators[0])
+    return unnamed(type_node)

@@ -26,7 +26,7 @@ _STEPS_A_BYTE: Final = 0.06
 
 _TOLD: Final = 50
 _SHOWN: Final = 40
-_CHUNK: Final = 65_536
+_CHUNK: Final = 4_096
 
 
 class Trouble(NamedTuple):

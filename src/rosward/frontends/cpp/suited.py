@@ -4,6 +4,14 @@
 goal_ = typename ActionT::Goal();        goal_ =          ActionT::Goal();
 new Cell * [size]                        new Cell   [size]
 public slots:                            public      :
+emit changed(x);                              changed(x);
+(p->*f)(1), o.*m;                        (p%~~f)(1), o%~m;
+bool Lamp::*on;                          bool       *on;
+va_arg(given, char *)                    va_arg(given, 0     )
+int (Lamp::*f)(int)                      int (*      f)(int)
+p->template set("a", 1);                 p->         set("a", 1);
+a ? b : throw E();                       a ? b : ~~~~~ E();
+using Ts::operator()...;                 using Ts::operator()   ;
 template class Tree<Node>;               nothing: it runs nothing
 """
 
@@ -12,30 +20,64 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from rosward.frontends.cpp.tokens import blank
+from rosward.frontends.cpp.tokens import LITERAL, blank
 
 _TYPENAME: Final = re.compile(r"(?:(?<==)|(?<=\breturn))[ \t]*\btypename\b")
 _NEW_POINTERS: Final = re.compile(r"(?<=\bnew)([ \t]+[A-Za-z_][\w:]*)([ \t]*\*[ \t*]*)(?=\[)")
 _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ \t]+slots\b(?=[ \t]*:)")
 _SIGNALS: Final = re.compile(r"^([ \t]*)signals(?=[ \t]*:[^:])", re.MULTILINE)
+_EMIT: Final = re.compile(r"(^|[;{}):])([ \t]*)emit(?=[ \t]+[A-Za-z_])", re.MULTILINE)
 _INSTANTIATION: Final = re.compile(
     r"^[ \t]*(?:extern[ \t]+)?template[ \t]+(?:class|struct)\b[^;{}()]{0,500};", re.MULTILINE
 )
+_NO_ARGUMENTS: Final = re.compile(r"(?:(?<=->)|(?<=::)|(?<=\w\.))[ \t]*\btemplate\b(?=[ \t]+\w+[ \t]*\()")
+
+_MEMBER_POINTER: Final = re.compile(
+    r"(?<=\()(\s*)((?:\w+::)+)\*(?=\s*\w*\s*(?:\[\w*\]\s*)?\)\s*\()"  # of a function
+    r"|(?<=[\w>])(\s+)((?:\w+::)+)\*(?=\s*\w*\s*[;=,)>\[{])"  # of a field
+)
+_MEMBER_OPERATOR: Final = re.compile(rf"{LITERAL}|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-]|'?[\w.])*|\.\.\.|->\*|\.\*")
+_VA_ARG: Final = re.compile(r"(?<=\bva_arg\()(\s*\w+\s*,\s*)([\w: ]+[*& ]*)(?=\))")
+_THROW: Final = re.compile(r"(\?[^?;{}]{0,300}:|\?)(\s*)throw\b")
+
+_USING_PACK: Final = re.compile(r"(\busing\s+\w+\s*::\s*operator\s*\(\s*\)\s*)(\.\.\.)")
+
+THROW: Final = "~~~~~"
+"""What stands for a `throw` that is an operand: an operator that nobody writes."""
+MEMBER: Final = {".*": "%~", "->*": "%~~"}
+"""What stands for the operators of pointers to members: they have the precedence of `%`, about, and what follows is an expression of any form."""
 
 
 def suited(text: str) -> str:
     """The text as the grammar likes it, each character where it was."""
     if "typename" in text:
         text = _TYPENAME.sub(_blank, text)
+    if "::*" in text:
+        text = _MEMBER_POINTER.sub(_plain_pointer, text)
+    if "->*" in text or ".*" in text:
+        text = _MEMBER_OPERATOR.sub(lambda found: MEMBER.get(found[0], found[0]), text)
+    if "va_arg" in text:
+        text = _VA_ARG.sub(lambda found: f"{found[1]}0{' ' * (len(found[2]) - 1)}", text)
+    if "throw" in text:
+        text = _THROW.sub(lambda found: found[1] + found[2] + THROW, text)
     if "new" in text:
         text = _NEW_POINTERS.sub(lambda found: found[1] + " " * len(found[2]), text)
+    if "..." in text:
+        text = _USING_PACK.sub(r"\1   ", text)
     if "slots" in text:
         text = _SLOTS.sub(_blank, text)
     if "signals" in text:
         text = _SIGNALS.sub(r"\1public ", text)
+    if "emit" in text:
+        text = _EMIT.sub(r"\1\2    ", text)
     if "template" in text:
-        text = _INSTANTIATION.sub(_blank, text)
+        text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_blank, text))
     return text
+
+
+def _plain_pointer(found: re.Match[str]) -> str:
+    space, names = (found[1], found[2]) if found[2] is not None else (found[3], found[4])
+    return f"{space}*{' ' * len(names)}" if found[2] is not None else f"{space}{' ' * len(names)}*"
 
 
 def _blank(found: re.Match[str]) -> str:

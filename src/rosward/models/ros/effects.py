@@ -52,17 +52,17 @@ def _environment(call: NativeCall) -> Value:
     """`_rosward.environment(name)`: a variable that the deployment sets, or that is known of the shell; None where nothing is known."""
     machine = call.machine
     name = text_of(call.args[0])
-    return _own_variables(machine, name).get(name) or NONE
+    return own_variables(machine, name).get(name) or NONE
 
 
 def _is_unset(call: NativeCall) -> Value:
     """`_rosward.unset(name)`: whether the deployment has removed a variable."""
     name = text_of(call.args[0])
-    variables = _own_variables(call.machine, name)
+    variables = own_variables(call.machine, name)
     return Const(name in variables and variables[name] is None)
 
 
-def _own_variables(machine: Machine, name: str) -> Mapping[str, Value | None]:
+def own_variables(machine: Machine, name: str) -> Mapping[str, Value | None]:
     """What is known of the environment of the process, before the program changes it; `name` is what is asked of it."""
     machine.log.variables.read[name] = None
     configuration = machine.log.configuration

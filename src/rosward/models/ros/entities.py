@@ -116,7 +116,10 @@ def _create(call: NativeCall) -> Value:
 
 
 _NODE_OPTIONS: Final = (
+    "client_library",
     "enable_rosout",
+    "enable_topic_statistics",
+    "start_parameter_event_publisher",
     "start_parameter_services",
     "enable_logger_service",
     "lifecycle",

@@ -50,15 +50,42 @@ def _resolve_name(call: NativeCall) -> Value:
         own, space = final_name(log, effect)
         rules = tuple(r.rule for r in remaps_of(log, effect))
         for name in options(call.args[1]):
-            if isinstance(name, Const) and isinstance(own, Const) and isinstance(space, Const):
+            node, above = _asked_for(name, own, space)
+            if isinstance(name, Const) and isinstance(node, Const) and isinstance(above, Const):
                 try:
-                    resolved = names.resolve(pattern(name), kind, rules, pattern(own), pattern(space))
+                    resolved = names.resolve(pattern(name), kind, rules, pattern(node), pattern(above))
                 except names.InvalidName:
                     continue
-                found += [Const(r, name.origins | own.origins | space.origins) for r in resolved]
+                found += [Const(r, name.origins | node.origins | above.origins) for r in resolved]
             else:
                 found.append(call.machine.unknown(Cause.OPERATION, "resolve name", "str"))
     return join_all(found) if found else call.machine.unknown(Cause.OPERATION, "resolve name", "str")
+
+
+def _asked_for(name: Value, own: Value, space: Value) -> tuple[Value, Value]:
+    """The name and namespace of a node; what a name does not ask for may be any: an absolute one asks for nothing."""
+    text = str(name.value) if isinstance(name, Const) else "~"
+    private = text.startswith("~") or "{" in text
+    return own if private else Const("node"), space if private or not text.startswith("/") else Const("/")
+
+
+def refused(machine: Machine, node: Value, name: Value, kind: names.RemapKind) -> bool | None:
+    """Whether no node that this may be takes one of these names; None where one of them may be such a name."""
+    doubt = False
+    for option in options(name):
+        if not isinstance(option, Const):
+            doubt = True
+            continue
+        for effect in nodes_at(machine, node):
+            own, space = final_name(machine.log, effect)
+            if isinstance(own, Const) and isinstance(space, Const):
+                try:
+                    names.resolve(pattern(option), kind, (), pattern(own), pattern(space))
+                except names.InvalidName:
+                    if len(options(name)) == 1:
+                        return True
+                    doubt = True
+    return None if doubt else False
 
 
 NATIVES: Final[dict[str, NativeFunction]] = {

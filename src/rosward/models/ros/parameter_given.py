@@ -27,7 +27,9 @@ if TYPE_CHECKING:
 
 
 def type_label(machine: Machine, type_: Value) -> str:
-    """The name of a member of Parameter.Type."""
+    """The name of a member of Parameter.Type, or that itself."""
+    if isinstance(type_, Const):
+        return text_of(type_)
     attrs = machine.obj(type_).attrs if isinstance(type_, Ref) else {}
     return text_of(attrs.get("name", attrs.get("_name_")))
 

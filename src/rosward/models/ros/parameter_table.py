@@ -10,12 +10,14 @@ The table is a dict on the heap: names, values, and what stands under names that
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join_all, options
 from rosward.domain.text import origins_of, readable
-from rosward.domain.unknown import Cause
+from rosward.domain.unknown import Cause, Origin
 from rosward.domain.values import FALSE, NONE, Const, Ref, Unknown, Value
+from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
 from rosward.models.python.containers import dicts
 from rosward.models.python.plain import EXCEPTION_HINT
@@ -28,6 +30,10 @@ UNDECLARED: Final = "__undeclared__"
 """Attribute of a node: whether it takes parameters that it never declared."""
 REFUSES: Final = "__refuses__"
 """Attribute of a node: whether something may refuse a new value (a callback, a descriptor)."""
+
+
+_EXCEPTIONS: Final = MappingProxyType({PYTHON: "rclpy.exceptions", CPP: "rclcpp.exceptions"})
+"""The module or namespace that has the exceptions of the client library, by language."""
 
 
 def table_of(machine: Machine, node: Value) -> Ref | None:
@@ -118,6 +124,30 @@ def narrow(machine: Machine, before: Value, after: Value) -> None:
         machine.update(held[0], record.replace(entries={**record.entries, key: after}))
 
 
+_HAS: Final = "parameter that is there"
+
+
+def may_have(label: str) -> Value:
+    """The answer to whether a parameter is declared that may be: where it is yes, its origin says which one is there."""
+    return join_all((Const(True, frozenset((Origin(_HAS, label),))), FALSE))
+
+
+def follow(machine: Machine, value: Value, *, sense: bool) -> None:
+    """A test came out as `sense`: what its alternatives say about parameters holds from here on."""
+    kept = [o for o in options(value) if isinstance(o, Const) and bool(o.value) is sense]
+    labels = [o.name for option in kept for o in origins_of(option) if o.kind == _HAS]
+    if len(labels) != 1 or len(kept) != 1:
+        return
+    key = Const(labels[0])
+    nodes = {Ref(effect.address) for effect in machine.log.nodes}
+    tables = {table for node in nodes if (table := table_of(machine, node)) is not None}
+    held = [table for table in tables if key in machine.obj(table).entries]
+    if len(held) == 1 and not machine.obj(held[0]).many:
+        record = machine.obj(held[0])
+        if key in record.maybe:
+            machine.update(held[0], record.replace(maybe=record.maybe - {key}))
+
+
 def not_declared(machine: Machine, name: Value, method: str) -> Value:
     """`method` raises, since the parameter is not declared."""
     message = f"parameter {readable(name)!r} is not declared here: {method} raises ParameterNotDeclaredException"
@@ -132,8 +162,8 @@ def may_lack_value(machine: Machine, value: Value, label: str) -> None:
 
 
 def raise_(machine: Machine, exception: str, message: str, *args: Value) -> Value:
-    """An exception of rclpy is raised."""
-    cls = machine.load_attr(machine.load_module("rclpy.exceptions"), exception)
+    """An exception of the client library is raised."""
+    cls = machine.load_attr(machine.load_module(_EXCEPTIONS[machine.language_name]), exception)
     return fail(machine, cls, message, args)
 
 

@@ -7,6 +7,7 @@ self.declare_parameter('topic')             unknown, because parameter topic has
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.certain import is_true, text_of
@@ -121,9 +122,22 @@ def _parameter(call: NativeCall) -> Value:
 
 
 def _set(call: NativeCall) -> Value:
-    """A new value; where it may be refused (by a callback, by its type) the old one stays possible."""
+    """A new value, as a node of rclpy takes it: where it begins to follow simulated time it subscribes to that."""
     machine = call.machine
     node, name, value = call.exactly(3)
+
+    def follow(each: Value) -> None:
+        clock = machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock")
+        machine.call(machine.load_attr(each, "create_subscription"), (clock, Const("/clock"), NONE, Const(1)))
+
+    return set_value(machine, node, name, value, follow)
+
+
+def set_value(machine: Machine, node: Value, name: Value, value: Value, follow: Callable[[Value], None]) -> Value:
+    """A new value; where it may be refused (by a callback, by its type) the old one stays possible.
+
+    `follow` is what a node does that begins to follow simulated time.
+    """
     nodes, names = options(node), options(name)
     alone = len(nodes) == len(names) == 1
     for each in nodes:
@@ -143,8 +157,7 @@ def _set(call: NativeCall) -> Value:
             sure = alone and same and not table.flag(machine, each, table.REFUSES)
             table.put(machine, each, key, value, sure=sure)
             if text_of(key) == "use_sim_time" and any(is_true(v) for v in options(value)):
-                clock = machine.load_attr(machine.load_module("rosgraph_msgs.msg"), "Clock")
-                machine.call(machine.load_attr(each, "create_subscription"), (clock, Const("/clock"), NONE, Const(1)))
+                follow(each)
     return NONE
 
 
@@ -154,6 +167,9 @@ def _has(call: NativeCall) -> Value:
     answers = {table.is_declared(machine, n, k) for n in options(call.args[0]) for k in options(call.args[1])}
     if len(answers) == 1 and None not in answers:
         return TRUE if answers.pop() else FALSE
+    label = text_of(call.args[1])
+    if label and len(options(call.args[0])) == 1:
+        return table.may_have(label)
     return machine.unknown(Cause.PARAMETER, "whether it is declared", "bool")
 
 
@@ -272,7 +288,7 @@ def _keep(
     """Record a parameter that is declared here; not `sure`: it may be."""
     address = node.address if isinstance(node, Ref) else None
     written, given = _as_declared(machine, default), _as_declared(machine, value)
-    machine.log.parameters[ParameterEffect(address, name, written, given, type_, machine.place)] = None
+    machine.log.add_parameter(machine, ParameterEffect(address, name, written, given, type_, machine.place))
     table.put(machine, node, name, value, sure=sure)
 
 

@@ -60,7 +60,7 @@ def _entries(path: str) -> Iterator[tuple[str, str, Compiled]]:
         if not isinstance(entry, dict) or not isinstance(entry.get("file"), str):
             continue
         folder = entry.get("directory")
-        folder = folder if isinstance(folder, str) else ""
+        folder = os.path.join(os.path.dirname(path), folder if isinstance(folder, str) else "")  # noqa: PTH118, PTH120
         words = list(_words(entry))
         output = entry.get("output")
         target = _TARGET.search(output if isinstance(output, str) else " ".join(words[-12:]))

@@ -256,6 +256,8 @@ class Interpreter:
         match command.name:
             case "project" if arguments:
                 self.variables.values["PROJECT_NAME"] = arguments[0]
+                if self._around is not None and "VERSION" in arguments[:-1]:
+                    self.variables.set_version(arguments[0], arguments[arguments.index("VERSION") + 1])
             case "set" if arguments:
                 self._set(arguments)
             case "unset" if arguments:

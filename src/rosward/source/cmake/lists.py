@@ -69,14 +69,20 @@ def _ask_list(operation: str, name: str, now: list[str], values: list[str], vari
                 if each:
                     variables.set(each, [item])
             variables.set(name, now)
-        case "FILTER", [mode, "REGEX", pattern] if _tried(pattern):
+        case "FILTER", [mode, "REGEX", pattern] if _tried(_sought(pattern)):
             wanted = mode == "INCLUDE"
-            variables.set(name, [i for i in now if (re.search(pattern, i[:1_000]) is not None) is wanted])
+            found = re.compile(_sought(pattern)).search
+            variables.set(name, [i for i in now if (found(i[:1_000]) is not None) is wanted])
         case "TRANSFORM", [action, text] if action in {"PREPEND", "APPEND"}:
             variables.set(name, [text + i if action == "PREPEND" else i + text for i in now])
         case _:
             return False
     return True
+
+
+def _sought(pattern: str) -> str:
+    """The same where a text is searched: `.*` at its beginning says nothing there."""
+    return pattern.removeprefix(".*")
 
 
 def _tried(pattern: str) -> bool:

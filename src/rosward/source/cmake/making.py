@@ -18,9 +18,7 @@ from rosward.source.cmake.interpreter import Handler, Interpreter
 from rosward.source.cmake.targets import Definition, Made, Making, Using
 from rosward.source.cmake.text import Command
 from rosward.source.cmake.variables import HOLE
-
-SOURCE_SUFFIXES: Final = (".cpp", ".cc", ".cxx", ".c++", ".C", ".cp")
-"""Of files that are compiled as C++."""
+from rosward.source.walk import CPP_SOURCES
 
 _VISIBLE: Final = frozenset(
     {"PUBLIC", "PRIVATE", "INTERFACE", "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES"}
@@ -157,8 +155,8 @@ class TargetCommands:
     def _source(self, target: Making, text: str) -> None:
         """Add one source, which may be named without its suffix."""
         path = None if HOLE in text else self._interpreter.inside(text)
-        is_named = text.endswith(SOURCE_SUFFIXES)
-        candidates = [path] if is_named else [f"{path}{suffix}" for suffix in SOURCE_SUFFIXES]
+        is_named = text.endswith(CPP_SOURCES)
+        candidates = [path] if is_named else [f"{path}{suffix}" for suffix in CPP_SOURCES]
         for candidate in candidates if path is not None and (is_named or "." not in text.rpartition("/")[2]) else ():
             if candidate is not None and os.path.isfile(candidate):  # noqa: PTH113
                 target.sources[candidate] = None

@@ -19,11 +19,11 @@ from rosward.source import limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.build import read_build
 from rosward.source.cmake.compile_commands import CompileCommands, read_compile_commands
-from rosward.source.cmake.making import SOURCE_SUFFIXES
 from rosward.source.cmake.targets import Build, Built, Definition, Made
 from rosward.source.cmake.text import parse_cmake
 from rosward.source.location import Place
 from rosward.source.text import read_bytes
+from rosward.source.walk import CPP_SOURCES
 from rosward.source.workspace import Package, Workspace
 
 _FILES: Final = 100
@@ -122,6 +122,12 @@ class Builds:
             if component.program:
                 yield made._replace(name=component.program)
 
+    def library(self, package: str, name: str) -> tuple[Unit, ...]:
+        """The sources of a library of a package, and of all that it is linked with."""
+        build = self.build(package)
+        target = build.targets.get(build.aliases.get(name, name)) if build is not None else None
+        return () if build is None or target is None else self._program(build, target, name, target.place).units
+
     def unbuilt(self, package: str) -> list[str]:
         """The C++ sources in the folder of a package that none of its targets has, tests and nested packages left out."""
         build = self.build(package)
@@ -140,7 +146,7 @@ class Builds:
                 if n not in _SKIPPED and not n.startswith(".") and not os.path.isfile(f"{folder}/{n}/package.xml")  # noqa: PTH113
             )  # fmt: skip
             found += [
-                p for n in sorted(names) if n.endswith(SOURCE_SUFFIXES) and (p := f"{folder}{os.sep}{n}") not in taken
+                p for n in sorted(names) if n.endswith(CPP_SOURCES) and (p := f"{folder}{os.sep}{n}") not in taken
             ]
         return found
 
@@ -158,15 +164,23 @@ class Builds:
 
     def _unit(self, source: str, target: str, includes: tuple[str, ...], definitions: tuple[Definition, ...]) -> Unit:
         """A source of a target; where a build has left how it compiled it, with the macros of that."""
+        compiled = self._commands().get((source, target))
+        if compiled is None:
+            return Unit(source, includes, definitions)
+        return Unit(source, tuple(dict.fromkeys([*includes, *compiled.includes])), compiled.definitions)
+
+    def alone(self, source: str, includes: tuple[str, ...]) -> Unit:
+        """A source that no target is known to have; some build may have left how it compiled it."""
+        target = min((name for path, name in self._commands() if path == source), default="")
+        return self._unit(source, target, includes, ())
+
+    def _commands(self) -> CompileCommands:
         if self._compiled is None:
             root = os.fspath(self._root)
             builds = [f"{root}{os.sep}build{os.sep}{name}" for name in self._packages]
             folders = [root, *builds, *(os.fspath(package.path) for package in self._packages.values())]
             self._compiled = read_compile_commands(dict.fromkeys(folders), self._boundary)
-        compiled = self._compiled.get((source, target))
-        if compiled is None:
-            return Unit(source, includes, definitions)
-        return Unit(source, tuple(dict.fromkeys([*includes, *compiled.includes])), compiled.definitions)
+        return self._compiled
 
     def _reached(
         self, build: Build, target: Built, elsewhere: dict[str, None], *, handed: bool = False

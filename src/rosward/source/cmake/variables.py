@@ -79,6 +79,14 @@ class Variables:
         self._spent(len(value) // 1000)
         self.values[name] = value if len(value) <= _VALUE_LIMIT else ""
 
+    def set_version(self, project: str, version: str) -> None:
+        """What `project(demo VERSION 1.2.3)` sets."""
+        numbers = [*version.split("."), "", "", ""]
+        for name in ("PROJECT", project):
+            self.values[f"{name}_VERSION"] = version
+            for part, number in zip(("MAJOR", "MINOR", "PATCH"), numbers, strict=False):
+                self.values[f"{name}_VERSION_{part}"] = number
+
     def expand(self, arguments: Iterable[CMakeArgument]) -> list[str]:
         """The arguments with variables put in; what is not quoted falls apart at its semicolons."""
         result: list[str] = []

@@ -15,6 +15,7 @@ from typing import Final
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Tuple
 from rosward.domain.series import Series
+from rosward.domain.slots import Enumerated
 from rosward.domain.text import matches, parts_of
 from rosward.domain.unknown import Origins
 from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
@@ -102,7 +103,7 @@ def comparable(machine: Machine, value: Value, depth: int = MAX_DEPTH) -> object
 def kind_of(machine: Machine, value: Value) -> str:
     """The name of the builtin type of a value, '' where it is of none or not known."""
     if isinstance(value, Const):
-        return value.value.__class__.__name__
+        return "int" if isinstance(value.value, Enumerated) else value.value.__class__.__name__
     if isinstance(value, Unknown):
         return "" if value.hint in LOOSE_HINTS else value.hint
     if isinstance(value, Ref):

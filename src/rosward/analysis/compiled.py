@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which processes do the programs in C++ make, and which names has each program?
+
+    add_executable(talker src/talker.cpp)                            demo/talker: `main`
+    rclcpp_components_register_node(pump PLUGIN "demo::Pump" …)      demo/demo::Pump: a container makes one
+    a source with `main` that no CMakeLists.txt is about             named after its file
+
+Nothing is read before a process asks for its program; a workspace without C++ does not even load the parser.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.analysis.plugins import Plugins, plugins_of
+from rosward.analysis.ros_headers import RosHeaders
+from rosward.effects.entry import Entry
+from rosward.findings import Finding, Findings
+from rosward.frontends.cpp.headers import Headers
+from rosward.frontends.cpp.model_headers import PREFIX, model_headers, modelled
+from rosward.frontends.cpp.preprocess import Preprocessor
+from rosward.frontends.cpp.program import Linked, SymbolStore
+from rosward.guard import guarded
+from rosward.source.cmake.programs import Builds, Program, Unit
+from rosward.source.location import Place
+from rosward.source.text import place_name
+from rosward.source.workspace import Package, SourceFile, Workspace
+
+if TYPE_CHECKING:
+    from rosward.frontends.cpp.symbols import CppSymbols
+    from rosward.ros.distro import Distro
+
+_MAIN: Final = re.compile(r"\bmain\s*\(")
+_REGISTERED: Final = re.compile(
+    r"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE(?:_WITH_FACTORY)?\s*\(\s*([\w:]+)", re.MULTILINE
+)
+_LOADER: Final = "pluginlib/class_loader"
+_PLUGINS: Final = "pluginlib/workspace.hpp"
+_HOSTS: Final = dict.fromkeys(
+    ("controller_interface::ControllerInterface", "controller_interface::ChainableControllerInterface"),
+    "controller_interface::host",
+)
+"""Bases of classes that programs of ROS load, and what in the models does with a class what they do."""
+_PARSERS: Final = ("tree_sitter", "tree_sitter_cpp")
+
+
+class Planned(NamedTuple):
+    """A process, and what it is linked of. `related`: it can have to do with ROS."""
+
+    entry: Entry
+    units: tuple[Unit, ...]
+    related: bool
+
+
+@final
+class Compiled:
+    """The programs in C++ of a workspace."""
+
+    def __init__(self, workspace: Workspace, distro: Distro, *, net: bool = True) -> None:
+        self.findings = Findings()
+        self.lines: dict[str, int] = {}
+        """The files that were read, and how many lines each has."""
+        self._workspace = workspace
+        self._distro = distro
+        self._net = net
+        self._programs: dict[str, CppSymbols | None] = {}
+        root = os.fspath(workspace.root)
+        self._headers = Headers(workspace.root, [root], workspace.boundary)
+        self._store: SymbolStore | None = None
+
+    @property
+    def all(self) -> tuple[Entry, ...]:
+        """How each program starts, executables before components."""
+        return tuple(p.entry for p in self._planned.values())
+
+    @property
+    def related(self) -> tuple[Entry, ...]:
+        """Those that can have to do with ROS."""
+        return tuple(p.entry for p in self._planned.values() if p.related)
+
+    @cached_property
+    def _planned(self) -> dict[str, Planned]:
+        """Every program by its name."""
+        if not self._has_parser():
+            return {}
+        made = guarded(self._plan, Place(""), "the programs in C++ are missing", net=self._net)
+        if isinstance(made, Finding):
+            self.findings.add(made)
+            return {}
+        found: dict[str, Planned] = {}
+        for each in made:
+            found.setdefault(each.entry.program, each)
+        return found
+
+    def program(self, name: str) -> CppSymbols | None:
+        """The names of a program; None where it cannot be read."""
+        if name not in self._programs:
+            planned = self._planned.get(name)
+            self._programs[name] = None if planned is None else self._link(planned)
+        return self._programs[name]
+
+    def _link(self, planned: Planned) -> CppSymbols | None:
+        if self._store is None:
+            self._store = self._new_store()
+        store = self._store
+        place = Place(planned.entry.file)
+
+        def link() -> Linked:
+            linked = store.symbols(planned.units)
+            loads = any(name.startswith(_LOADER) for file in linked.files for name in file.external)
+            return store.symbols((*planned.units, *self._plugins)) if loads and self._plugins else linked
+
+        found = guarded(link, place, "this program is missing", net=self._net)
+        if isinstance(found, Finding):
+            self.findings.add(found)
+            return None
+        self.findings.update(found.findings)
+        self.lines |= {
+            each.file: each.text.count("\n") + (not each.text.endswith("\n"))
+            for each in found.files
+            if each.file not in self.lines
+        }
+        return found.symbols
+
+    def plugin(self, name: str) -> Entry | None:
+        """How a class starts that a program which is not among the sources loads by its name, and of which a model knows what that does."""
+        found = self._described.named(name) if self._has_parser() else None
+        host = _HOSTS.get(found.base) if found is not None else None
+        if found is None or host is None:
+            return None
+        package, units = self._described.libraries[found]
+        if not units:
+            return None
+        label = f"{package}/{found.type}"
+        key = f"{label} as {found.base}"
+        file = place_name(units[0].path, self._workspace.root)
+        entry = Entry(file, "", "", (found.type,), package, None, label, program=key, host=host)
+        self._planned.setdefault(key, Planned(entry, units, True))
+        return entry
+
+    @cached_property
+    def _described(self) -> Plugins:
+        plugins = plugins_of(self._workspace, self._builds)
+        self.findings.update(plugins.findings)
+        return plugins
+
+    @cached_property
+    def _plugins(self) -> tuple[Unit, ...]:
+        """What a program is linked of that loads plugins."""
+        plugins = self._described
+        if not plugins.text:
+            return ()
+        self._headers.write(_PLUGINS, f"{PREFIX}{_PLUGINS}", plugins.text)
+        return (*plugins.units, Unit(_PLUGINS, (), ()))
+
+    @cached_property
+    def _builds(self) -> Builds:
+        return Builds.of(self._workspace)
+
+    def _new_store(self) -> SymbolStore:
+        versions = {"RCLCPP_VERSION_GTE": self._distro.facts.rclcpp}
+        headers = self._headers
+        preprocessor = Preprocessor(headers.read, headers.named, headers.find, versions)
+        return SymbolStore(preprocessor, partial(model_headers, versions))
+
+    def _has_parser(self) -> bool:
+        missing = [name.replace("_", "-") for name in _PARSERS if importlib.util.find_spec(name) is None]
+        if missing:
+            first = self._workspace.cpp_sources[0].relative
+            message = f"C++ is not read, as Python packages are missing: pip install {' '.join(missing)}."
+            self.findings.add(Finding("RW018", message, Place(first)))
+        return not missing
+
+    # Which programs there are
+
+    def _plan(self) -> list[Planned]:
+        builds = self._builds
+        ros = RosHeaders(self._headers, modelled())
+        taken = {os.fspath(file.path) for file in self._workspace.cpp_sources}
+        packages = {id(f.package): f.package for f in self._workspace.cpp_sources if f.package is not None}
+        found: list[Planned] = []
+        components: list[Planned] = []
+        built: set[int] = set()
+        for key, package in packages.items():
+            build = builds.build(package.name)
+            if build is None or os.fspath(package.path) != build.folder:
+                continue
+            built.add(key)
+            self.findings.update(build.findings)
+            for header in build.parameters:
+                self._headers.generate(f"{header.name}.hpp", header.source, build.folder)
+            programs = [p for p in builds.programs(package.name) if any(u.path in taken for u in p.units)]
+            plugins = {p.plugin for p in programs}
+            self.findings.update(self._registered(package, plugins))
+            for program in programs:
+                entry = self._entry(program)
+                planned = Planned(entry, program.units, any(ros.reached(u.path, u.includes) for u in program.units))
+                (components if entry.assumed else found).append(planned)
+        alone = [f for f in self._workspace.cpp_sources if id(f.package) not in built]
+        return [*found, *self._alone(alone, builds, ros), *components]
+
+    def _entry(self, program: Program) -> Entry:
+        """The process of a program; a component that no executable is made for is assumed to be loaded by somebody."""
+        file = place_name(program.units[0].path, self._workspace.root)
+        is_component = bool(program.plugin) and program.name == program.library
+        name = program.plugin if is_component else program.name
+        label = f"{program.package}/{name}"
+        return Entry(
+            file,
+            "",
+            "" if program.plugin else "main",
+            (program.plugin,) if program.plugin else (),
+            program.package,
+            None if is_component else program.name,
+            label,
+            assumed=is_component,
+            program=label,
+        )
+
+    def _registered(self, package: Package, plugins: set[str]) -> Iterator[Finding]:
+        """Classes that the source registers as components, and no library is said to have."""
+        for file in self._workspace.cpp_sources:
+            if file.package is not package:
+                continue
+            text = self._headers.read(os.fspath(file.path))
+            if isinstance(text, Finding):
+                continue
+            for match in _REGISTERED.finditer(text):
+                if match[1].removeprefix("::") not in plugins:
+                    message = f"{match[1]} is registered as a component, but not with CMake: no container can load it."
+                    yield Finding("RW009", message, Place(file.relative, text.count("\n", 0, match.start()) + 1))
+
+    def _alone(self, files: Sequence[SourceFile], builds: Builds, ros: RosHeaders) -> Iterator[Planned]:
+        """Sources with `main` that no build is known for, each with the sources beside it that have none."""
+        texts = {file: self._headers.read(os.fspath(file.path)) for file in files}
+        starts = [f for f, text in texts.items() if isinstance(text, str) and _MAIN.search(text)]
+        labels: dict[str, int] = {}
+        for file in starts:
+            beside = [f for f in files if f not in starts and f.path.parent == file.path.parent]
+            includes = tuple(_include_folders(file, self._workspace))
+            units = tuple(builds.alone(os.fspath(f.path), includes) for f in (file, *beside))
+            label = f"{file.package.name}/{file.path.stem}" if file.package is not None else file.relative
+            count = labels[label] = labels.get(label, 0) + 1
+            label = label if count == 1 else f"{label}#{count}"
+            package = file.package.name if file.package is not None else None
+            entry = Entry(file.relative, "", "main", (), package, None, label, program=label)
+            yield Planned(entry, units, ros.reached(units[0].path, units[0].includes))
+
+
+def _include_folders(file: SourceFile, workspace: Workspace) -> Iterable[str]:
+    """The folders named `include` beside a source and above it."""
+    folder = file.path.parent
+    root = workspace.root
+    while folder.is_relative_to(root):
+        if (folder / "include").is_dir():
+            yield os.fspath(folder / "include")
+        if folder == root:
+            break
+        folder = folder.parent

@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: what a callable value of C++ does with arguments.
+
+f(x)                   of the functions of that name those that fit; a function of another namespace by the types of its arguments
+talker_node(options)   a type makes a value of it
+cv::imread(path)       nothing is known of it: what it is given by reference may be another afterwards
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
+from rosward.domain.slots import Overloads, Pointer, Slot, TypeOf
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Function, Ref, Unknown, Value
+from rosward.engine import activation, declared
+from rosward.engine.alternatives import each_apart
+from rosward.engine.arguments import ANY
+from rosward.engine.cpp import construct, members, names, visitors
+from rosward.engine.cpp.binding import bind
+from rosward.engine.cpp.classes import specialised
+from rosward.engine.cpp.handing import decayed, hand_over, is_member
+from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.opaque import opaque
+from rosward.engine.cpp.overloading import choose
+from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.types import dotted, type_of
+from rosward.engine.cpp.values import function_of, overloads
+from rosward.engine.escape import name_of
+from rosward.engine.python import calls as python_calls
+from rosward.models.cpp.slots import read
+from rosward.models.native import NativeCall, perform
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["call", "call_function", "invoke", "unknown_call"]
+
+Arguments = tuple[Value, ...]
+_NO_KEYWORDS: Final[Mapping[str, Value]] = {}
+
+
+def call(machine: Engine, function: Value, args: Arguments, keywords: Mapping[str, Value]) -> Value:
+    """A call from a native, or of something that was scheduled."""
+    if function.__class__ is Function and function.code.language != machine.language.name:
+        return machine.languages[function.code.language].call_function(machine, function, args, dict(keywords))
+    return invoke(machine, function, args, keywords=keywords)
+
+
+def invoke(
+    machine: Engine,
+    function: Value,
+    args: Arguments,
+    types: Arguments = (),
+    keywords: Mapping[str, Value] = _NO_KEYWORDS,
+) -> Value:
+    """What is called gives; UNBOUND where it never returns. Arguments are slots where they are lvalues."""
+    if isinstance(function, Slot):
+        function = read(machine, function)
+    if isinstance(function, Function):
+        return call_function(machine, function, args, keywords, types)
+    if isinstance(function, Overloads):
+        return _of_several(machine, function, args, types or function.types, keywords)
+    if isinstance(function, BoundMethod):
+        return invoke(machine, function.function, (function.receiver, *args), types, keywords)
+    if isinstance(function, Partial):
+        field = members.designated(machine, function, args)
+        if field is not None:
+            return field
+        if visitors.is_visitor(function):
+            fitting = visitors.chosen(machine, function, args)
+            return each_apart(machine, fitting, lambda each: invoke(machine, each, args, types, keywords))
+        return invoke(
+            machine, function.function, (*function.arguments, *args), types, {**keywords, **dict(function.keywords)}
+        )
+    if isinstance(function, Choice):
+        callees = [o for o in function.options if o != NONE] or list(function.options)
+        return each_apart(machine, callees, lambda each: invoke(machine, each, args, types, keywords))
+    if isinstance(function, (External, TypeOf)):
+        return _of_library(machine, function, args, keywords)
+    if isinstance(function, Native):
+        return python_calls.call(machine, function, tuple(read(machine, a) for a in args), dict(keywords))
+    if isinstance(function, Class):
+        if ANY in keywords:
+            return construct.make_of_anything(machine, function, keywords)
+        return _fresh(machine, construct.make(machine, function, args, "paren"))
+    if isinstance(function, Pointer):
+        return invoke(machine, read(machine, function.target), args, types, keywords)
+    if isinstance(function, Ref):
+        operator = members.member(machine, function, "operator()")
+        if isinstance(operator, Overloads):
+            return invoke(machine, operator, args, types, keywords)
+    return unknown_call(machine, function, args, types)
+
+
+def _of_several(
+    machine: Engine, several: Overloads, args: Arguments, types: Arguments, keywords: Mapping[str, Value]
+) -> Value:
+    given = args
+    functions: Sequence[Function] = several.functions
+    if several.receiver is None and functions and _leads(functions[0]):  # a member function without its object
+        given = args[1:]
+    chosen = choose(machine, functions, given, types)
+    if not chosen:
+        return unknown_call(machine, External(several.name), args, types)
+
+    def one(function: Value) -> Value:
+        assert isinstance(function, Function)
+        receiver = (several.receiver,) if several.receiver is not None and _leads(function) else ()
+        return call_function(machine, function, (*receiver, *args), keywords, types)
+
+    return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
+
+
+def _leads(function: Function) -> bool:
+    return function.code.signature is not None and function.code.signature.leading > 0
+
+
+def call_function(
+    machine: Engine, function: Function, args: Arguments, keywords: Mapping[str, Value], types: Arguments = ()
+) -> Value:
+    """A function of the program or of a model."""
+    registers = bind(machine, function, args, types, keywords)
+    special = _special(machine, function, registers)
+    if special is not None:
+        return call_function(machine, special, args, keywords)
+    if function.code.is_stub:
+        return _without_body(machine, function, registers)
+    with _seen_as(machine, function, registers):
+        value = activation.invoke(machine, function, registers)
+    signature = function.code.signature
+    return value if signature is not None and signature.reference else _fresh(machine, value)
+
+
+@contextmanager
+def _seen_as(machine: Engine, function: Function, registers: list[Value]) -> Iterator[None]:
+    """A constructor of a base may call what the class that derives from it has (`static_cast<Derived &>(*this).topic()`)."""
+    constructing = linked(machine).constructing
+    this = registers[0] if constructing and is_member(function) else None
+    if not isinstance(this, Ref):
+        yield
+        return
+    cls = next((cls for address, cls in reversed(constructing) if address == this.address), None)
+    info = linked(machine).info(function.module)
+    own = info.cls if info is not None else None
+    if cls is None or own is None or own in cls.mro or cls not in own.mro:
+        yield
+        return
+    constructing.append((this.address, own))
+    try:
+        yield
+    finally:
+        constructing.pop()
+
+
+def _fresh(machine: Engine, value: Value) -> Value:
+    """A value that nobody but the caller has."""
+    if machine.frames:
+        machine.frames[-1].fresh = value
+    return value
+
+
+def _special(machine: Engine, function: Function, registers: list[Value]) -> Function | None:
+    """The specialisation of a template of a function that is there for what its parameters stand for."""
+    signature = function.code.signature
+    program = linked(machine)
+    found = program.special.get((function.code.key, function.module.address))
+    if found is None or signature is None:
+        return None
+    given = tuple(registers[signature.leading : signature.leading + len(signature.template)])
+    for symbol in found:
+        if specialised(machine, symbol, function.module, given) == {}:
+            return function_of(machine, symbol, function.module)
+    return None
+
+
+def _without_body(machine: Engine, function: Function, registers: list[Value]) -> Value:
+    """A function that is only declared: what a library's does is nothing that matters; what any other does nobody knows."""
+    symbol = linked(machine).stubs[function.code.key]
+    values = [v for v in registers if v is not UNBOUND]
+    signature = function.code.signature
+    name = f"{function.module.name}.{symbol.name}"
+    if declared.is_model(function):
+        machine.may_call([decayed(machine, v) for v in values])
+    else:
+        parameters = signature.parameters if signature is not None else ()
+        given = registers[len(registers) - len(parameters) :]
+        changed = [v for p, v in zip(parameters, given, strict=True) if not p.type.const and p.type.reference]
+        hand_over(machine, values, changed, name, informed=True)
+    if symbol.type is None:
+        return machine.unknown(Cause.CALL, name) if not symbol.name.startswith("~") else NONE
+    return opaque(machine, evaluate(machine, symbol.type, function.module), name)
+
+
+def _of_library(machine: Engine, function: External | TypeOf, args: Arguments, keywords: Mapping[str, Value]) -> Value:
+    """Something that nothing declares: a native, a type, a function found by the types of its arguments; else it is not known."""
+    name = function.name
+    native = machine.library.native(name)
+    if native is None and "." not in name:  # what C has, `std` has too
+        native = machine.library.native(f"std.{name}")
+    elif native is None:
+        *scope, last = name.split(".")
+        declared_there = names.in_namespace(machine, tuple(scope), last, "")
+        if declared_there is not None:  # a model in code names a class, or function, of a model in C++
+            value = linked(machine).value_of(machine, declared_there, None)
+            if value != function:  # a `using` of the library in its own namespace
+                return invoke(machine, value, args, keywords=keywords)
+    if native is not None:
+        named = dict(keywords)
+        if isinstance(function, TypeOf):
+            named["types"] = Tuple(function.arguments)
+        return perform(native, NativeCall(machine, name, args, named))
+    if construct.is_type(machine, function):
+        return construct.make(machine, function, args, "paren")
+    if "." not in name:
+        found = _by_arguments(machine, name, args)
+        if found is not None:
+            types = function.arguments if isinstance(function, TypeOf) else ()
+            return invoke(machine, found, args, types, keywords)
+    return unknown_call(machine, function, args)
+
+
+def _by_arguments(machine: Engine, name: str, args: Arguments) -> Value | None:
+    """A function of the namespace of an argument."""
+    for scope in dict.fromkeys(_namespaces(machine, args)):
+        found = names.in_namespace(machine, scope, name, "")
+        if found is not None:
+            return overloads(machine, found, ())
+        library = External(f"{'.'.join(scope)}.{name}")
+        if machine.library.native(library.name) is not None:
+            return library
+    return None
+
+
+def _namespaces(machine: Engine, args: Arguments) -> Iterator[tuple[str, ...]]:
+    program = linked(machine)
+    for arg in args:
+        for option in options(read(machine, arg)):
+            target = option.target if isinstance(option, Pointer) else option
+            cls = type_of(machine, target)
+            for each in cls.mro if isinstance(cls, Class) else ():
+                info = program.info(each)
+                if info is not None:
+                    yield info.symbol.scope
+            if not isinstance(cls, Class) and "." in dotted(cls):
+                yield tuple(dotted(cls).split(".")[:-1])
+
+
+def unknown_call(machine: Engine, function: Value, args: Arguments, types: Arguments = ()) -> Value:
+    """Code that is not known gets hold of the arguments."""
+    name = name_of(function)
+    if isinstance(function, TypeOf):
+        types = (*types, *function.arguments)
+    hand_over(machine, args, [a for a in args if isinstance(a, Slot)], name, function, types)
+    return Unknown(function.reasons) if isinstance(function, Unknown) else machine.unknown(Cause.CALL, name)

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Classes: made of their symbols when they are first asked for, templates once for each list of arguments.
+
+Box<int>, Box<int>, Box<String>      two classes
+template <> struct Topic<Imu>        is chosen for Topic<Imu>, the general one for any other
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.compound import Tuple
+from rosward.domain.heap import Obj
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Class, Const, ModuleValue, Unknown, Value
+from rosward.engine.cpp.linked import INSTANCES, Info, linked
+from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.types import flat, match
+from rosward.engine.declared import MODEL_PREFIX
+from rosward.ir.symbols import Symbol, SymbolKind, TemplateParameter
+from rosward.models.cpp.copies import COPY, REFERENCES
+
+if TYPE_CHECKING:
+    from rosward.engine.cpp.names import Found
+    from rosward.engine.machine import Engine
+
+__all__ = ["bind_template", "class_of", "copies", "instance_of", "specialised"]
+
+_DEPTH: Final = 60
+
+
+def class_of(machine: Engine, found: Found, types: tuple[Value, ...] | None) -> Value:
+    """The class that a name stands for, with these template arguments."""
+    symbols = [s for s in found.symbols if s.kind is SymbolKind.CLASS]
+    general = [s for s in symbols if s.specialises is None]
+    defined = [s for s in general if s.defined] or general
+    if not defined:
+        return machine.unknown(Cause.ERROR, f"class {found.symbols[0].name}")
+    first = defined[0]
+    if first.template is None:
+        return instance_of(machine, first, found.env, (), {})
+    bindings = bind_template(machine, first.template, types or (), found.env)
+    given = tuple(bindings[p.name] for p in first.template)
+    for symbol in sorted((s for s in symbols if s.specialises is not None and s.defined), key=_how_special):
+        special = specialised(machine, symbol, found.env, given)
+        if special is not None:
+            return instance_of(machine, symbol, found.env, given, special)
+    made = instance_of(machine, first, found.env, given, bindings)
+    info = linked(machine).info(made)
+    if info is not None and types is None:
+        info.open = True
+    return made
+
+
+def _how_special(symbol: Symbol) -> int:
+    return len(symbol.template or ())
+
+
+def specialised(machine: Engine, symbol: Symbol, env: ModuleValue, given: tuple[Value, ...]) -> dict[str, Value] | None:
+    """What the parameters of a partial specialisation are for these arguments; None where it is not for them."""
+    patterns = symbol.specialises or ()
+    env = ModuleValue(env.address, env.name, symbol.place.file)  # it is written with the names of its file
+    given = flat(given)
+    wanted = frozenset(p.name for p in symbol.template or ())
+    bindings: dict[str, Value] = {}
+    for index, pattern in enumerate(patterns):
+        if pattern.pack and len(pattern.names) == 1 and pattern.names[0] in wanted:
+            bindings[pattern.names[0]] = Tuple(given[index:])
+            return bindings
+        if index >= len(given):
+            return None
+        exact = not _mentions(pattern, wanted)
+        if exact:
+            if type_of_pattern(machine, env, pattern) != given[index]:
+                return None
+        elif not match(machine, pattern, given[index], wanted, bindings, sure=True):
+            return None
+    return bindings if len(patterns) >= len(given) else None
+
+
+def _mentions(pattern: object, wanted: frozenset[str]) -> bool:
+    names: tuple[str, ...] = getattr(pattern, "names", ())
+    arguments: tuple[object, ...] = getattr(pattern, "arguments", ())
+    return any(n in wanted for n in names) or any(_mentions(a, wanted) for a in arguments)
+
+
+def bind_template(
+    machine: Engine,
+    parameters: Sequence[TemplateParameter],
+    types: tuple[Value, ...],
+    env: ModuleValue,
+    deduced: dict[str, Value] | None = None,
+) -> dict[str, Value]:
+    """What each parameter of a template stands for: what is given, else deduced, else its default, else not known."""
+    bindings: dict[str, Value] = {}
+    for index, parameter in enumerate(parameters):
+        if parameter.pack:
+            rest = types[index:]
+            known = deduced.get(parameter.name) if deduced and not rest else None
+            bindings[parameter.name] = known if isinstance(known, Tuple) else Tuple(rest)
+        elif index < len(types):
+            bindings[parameter.name] = types[index]
+        elif deduced and parameter.name in deduced:
+            bindings[parameter.name] = deduced[parameter.name]
+        elif parameter.default is not None:
+            before = tuple(bindings[p.name] for p in parameters[:index])
+            bindings[parameter.name] = evaluate(machine, parameter.default, env, types=before)
+        elif parameter.name:
+            bindings[parameter.name] = machine.unknown(Cause.CALL, f"template argument {parameter.name}")
+        else:
+            bindings[parameter.name] = Const(None)
+    return bindings
+
+
+def instance_of(
+    machine: Engine, symbol: Symbol, env: ModuleValue, types: tuple[Value, ...], bindings: dict[str, Value]
+) -> Value:
+    """The class of a symbol in a scope, for these arguments of its template."""
+    program = linked(machine)
+    address = machine.place_key(("class", symbol.key, env.address, types))
+    known = program.infos.get(address)
+    if known is not None and known.cls is not None:
+        return known.cls
+    if types:
+        count = program.instances[symbol.key] = program.instances.get(symbol.key, 0) + 1
+        if count > INSTANCES or len(machine.frames) > machine.budget.depth * 2:
+            machine.report(
+                "RW201", f"more than {INSTANCES} instances of the template {symbol.name}; the rest is missing"
+            )
+            return machine.unknown(Cause.LIMIT, f"instances of {symbol.name}")
+    outer = ".".join(n for n in symbol.scope if n)
+    name = f"{outer}.{symbol.name}" if outer else symbol.name
+    scope = ModuleValue(address, name, symbol.place.file)
+    info = program.infos[address] = Info(symbol, env, scope, symbol.inner, types, bindings)
+    program.scopes[address] = symbol.inner
+    stub = symbol.place.file.startswith(MODEL_PREFIX)
+    # its bases may name it (`class Unit : public Reports<Unit>`)
+    info.cls = Class(address, symbol.name, symbol.name, outer, (), (), symbol.place, stub)
+    found = len(program.found)
+    given = tuple(bindings[p.name] for p in symbol.template or ())
+    marked = _bases(machine, symbol, scope, given)
+    bases = tuple(base for base, _ in marked)
+    cls = Class(address, symbol.name, symbol.name, outer, bases, _order(bases), symbol.place, stub)
+    info.cls = cls
+    for key in list(program.found)[found:]:  # what was looked up before its bases were known
+        del program.found[key]
+    fields: dict[str, Symbol] = {}
+    for member in symbol.members:
+        if member.kind is SymbolKind.VARIABLE and not member.static:
+            fields.setdefault(member.name or member.key, member)  # one of several that the preprocessor chooses from
+    info.fields = tuple(fields.values())
+    inherited = [i for b in cls.mro[1:] if (i := program.info(b)) is not None]
+    above = [v for b in bases if (i := program.info(b)) is not None for v in i.virtual]
+    info.virtual = tuple(dict.fromkeys((*above, *(base for base, virtual in marked if virtual))))
+    taken = {key for i in inherited for key in i.keys.values()}
+    for i in reversed(inherited):
+        info.keys.update(i.keys)
+    info.keys.update((f.name, f"{f.name} of {name}" if f.name in taken else f.name) for f in info.fields)
+    if machine.own(address) is None:
+        machine.put(address, Obj("class", cls, _rules(machine, info, cls)))
+    if not stub:
+        machine.log.defined(cls)
+    return cls
+
+
+def _rules(machine: Engine, info: Info, cls: Class) -> dict[str, Value]:
+    """What copies of objects have to know of the class."""
+    symbol = info.symbol
+    rules: dict[str, Value] = {}
+    references = tuple(Const(info.keys[f.name]) for f in info.fields if f.reference)
+    if references:
+        rules[REFERENCES] = Tuple(references)
+    if "node_class" in symbol.marks or "unique" in symbol.marks:
+        rules[COPY] = NONE
+    elif copies(machine, info):
+        rules[COPY] = cls
+    return rules
+
+
+def copies(machine: Engine, info: Info) -> bool:
+    """Whether a class says itself how it is copied: `Label(const Label & other) : text_(other.text_ + "_copy") {}`."""
+    name = info.symbol.name
+    for symbol in linked(machine).symbols.at(info.scope, name):
+        first = symbol.parameters[0].type if symbol.kind is SymbolKind.FUNCTION and symbol.parameters else None
+        if (
+            first is not None
+            and first.names[-1:] == (name,)
+            and first.reference == "&"
+            and symbol.defined
+            and "default" not in symbol.marks
+            and all(p.default for p in symbol.parameters[1:])
+        ):
+            return True
+    return False
+
+
+def _bases(machine: Engine, symbol: Symbol, scope: ModuleValue, types: tuple[Value, ...]) -> list[tuple[Value, bool]]:
+    """The bases of a class, and which of them are virtual."""
+    found: list[tuple[Value, bool]] = []
+    for base in symbol.bases:
+        value = evaluate(machine, base.type, scope, types=types)
+        found += [(each, base.virtual) for each in (value.items if isinstance(value, Tuple) else (value,))]
+    return found
+
+
+def _order(bases: Sequence[Value]) -> tuple[Value, ...]:
+    """Depth first: the first base, its bases, the next one; each once."""
+    order: dict[Value, None] = {}
+    for base in bases:
+        order |= dict.fromkeys(base.mro if isinstance(base, Class) else (base,))
+    return tuple(b for b in order if not isinstance(b, Unknown) or len(order) < _DEPTH)

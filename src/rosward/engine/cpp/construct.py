@@ -1,0 +1,361 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How does a value of a type come to be: an object by its constructor, bases first, then fields as they are declared?
+
+class Talker : public rclcpp::Node { Talker() : Node("talker"), topic_("chatter") {…} };
+    Node("talker"), then each field, then the body; while the constructor of Node runs, the object is a Node
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import join_all, lift, options
+from rosward.domain.compound import External, Tuple
+from rosward.domain.heap import Obj
+from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, Ref, Unknown, Value
+from rosward.engine.alternatives import each_apart
+from rosward.engine.cpp import handing, names, visitors
+from rosward.engine.cpp.binding import deduce
+from rosward.engine.cpp.classes import copies
+from rosward.engine.cpp.constructors import (
+    constructors,
+    inherited_constructors,
+    is_copying,
+    least,
+    takes,
+    takes_list,
+)
+from rosward.engine.cpp.converting import as_wanted, buffer, by_operator, cast, decayed, enumerator
+from rosward.engine.cpp.enumerations import is_enumeration
+from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.overloading import choose
+from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.types import dotted, is_message, pointee
+from rosward.engine.cpp.values import function_of, value_of, versions
+from rosward.engine.escape import name_of
+from rosward.ir.cpp import Form
+from rosward.ir.symbols import Symbol
+from rosward.models.cpp.conversions import convert as convert_plain
+from rosward.models.cpp.conversions import default_value
+from rosward.models.cpp.copies import copied
+from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import Shape, shape_of
+from rosward.models.native import NativeCall, perform
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = [
+    "DESIGNATED",
+    "construct_in_place",
+    "convert",
+    "field_default",
+    "is_type",
+    "make",
+    "make_of_anything",
+    "set_field",
+]
+
+DESIGNATED: Final = External("<designated>")
+"""The first item of the braces `{.a = 1}`: the others are pairs of a name and a value."""
+
+
+def is_type(machine: Engine, value: Value) -> bool:
+    """Whether a value of a library is a type that something can be made of."""
+    if isinstance(value, Class) or is_message(value):
+        return True
+    if not isinstance(value, (External, TypeOf)):
+        return False
+    if shape_of(value) is not Shape.OTHER:
+        return True
+    name = dotted(value)
+    return ("." not in name and isinstance(value, TypeOf)) or machine.library.native(f"{name}.new") is not None
+
+
+def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Value:
+    """A new value of a type."""
+    if isinstance(type_, Class):
+        return _object(machine, type_, tuple(args), form)
+    if len(options(type_)) > 1 or isinstance(type_, Unknown):
+        handing.give_to(machine, args, type_)
+        return machine.unknown(Cause.CALL, name_of(type_)) if not isinstance(type_, Unknown) else type_
+    if is_message(type_):
+        return _message(machine, type_, args)
+    if is_enumeration(machine, type_) and len(args) <= 1:
+        return enumerator(machine, dotted(type_), args, form)
+    name = dotted(type_)
+    native = machine.library.native(f"{name}.new")
+    if native is not None:
+        if len(args) == 1:
+            args = (as_wanted(machine, args[0], type_),)
+        return perform(native, NativeCall(machine, f"{name}.new", (type_, *args), {"form": Const(form)}))
+    if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
+        if not args or (len(args) == 1 and args[0] == Tuple(())):
+            return default_value(machine, type_) if form != "default" or pointee(type_) is None else NONE
+        value = Tuple(tuple(args)) if form.startswith("brace") and not _is_list(args) else args[0]
+        if pointee(type_) is not None:
+            return convert_plain(machine, lift(lambda v: decayed(machine, v), read(machine, value)), type_, "init")
+        return convert_plain(
+            machine, lift(lambda v: by_operator(machine, v, type_), copied(machine, value)), type_, "init"
+        )
+    if len(args) == 1 and form in ("copy", "brace-copy") and not isinstance(args[0], Tuple):
+        return copied(machine, args[0])  # a value of a library's type from another one
+    handing.give_to(machine, args, type_)
+    return machine.unknown(Cause.CALL, name)
+
+
+def _is_list(args: Sequence[Value]) -> bool:
+    return len(args) == 1 and isinstance(args[0], Tuple)
+
+
+def _message(machine: Engine, type_: Value, args: Sequence[Value]) -> Value:
+    values = [read(machine, a) for a in args]
+    if len(values) == 1 and isinstance(values[0], Ref) and machine.obj(values[0]).cls == type_:
+        return copied(machine, args[0])
+    return machine.allocate(Obj("instance", type_), "message")
+
+
+def _object(machine: Engine, cls: Class, args: tuple[Value, ...], form: Form) -> Value:
+    info = linked(machine).info(cls)
+    if info is None or info.cls is None:
+        return machine.unknown(Cause.CALL, cls.name)
+    cls = info.cls  # what is named in its own bases is not whole
+    if len(args) == 1 and isinstance(args[0], Tuple) and form != "paren" and not takes_list(machine, info):
+        args = args[0].items
+    of_functions = visitors.visitor(machine, info, args)
+    if of_functions is not None:
+        return of_functions
+    if info.open:
+        cls, info = _closed(machine, cls, info, args)
+    if len(args) == 1 and _is_one(machine, args[0], cls) and not copies(machine, info):
+        if all(isinstance(o, Ref) and machine.obj(o).cls == cls for o in options(read(machine, args[0]))):
+            return copied(machine, args[0])
+        ref = machine.allocate(Obj("instance", cls), "object")
+        _take_over(machine, ref, cls, args[0])
+        return ref
+    machine.trace.instantiated.add(cls.place)
+    ref = machine.allocate(Obj("instance", cls), "object")
+    if not construct_in_place(machine, ref, info, args):
+        return UNBOUND
+    handing.watch(machine, cls, ref)
+    return ref
+
+
+def make_of_anything(machine: Engine, cls: Class, keywords: Mapping[str, Value]) -> Value:
+    """An object that code makes of which nothing is known: by each of its constructors, with anything."""
+    info = linked(machine).info(cls)
+    if info is None:
+        return machine.unknown(Cause.CALL, cls.name)
+    machine.trace.instantiated.add(cls.place)
+    own = [s for s in constructors(machine, info) if not is_copying(info, s) and s.code is not None]
+    if not own:
+        return make(machine, cls, (), "default")
+
+    def one(function: Value) -> Value:
+        ref = machine.allocate(Obj("instance", cls), "object")
+        with _as_class(machine, ref, cls):
+            made = machine.call(function, (ref,), keywords) is not UNBOUND
+        if made:
+            handing.watch(machine, cls, ref)
+        return ref if made else UNBOUND
+
+    return each_apart(machine, [function_of(machine, s, info.env) for s in own], one)
+
+
+def _closed(machine: Engine, cls: Class, info: Info, args: tuple[Value, ...]) -> tuple[Class, Info]:
+    """The instance of a template that follows from the arguments of its constructor (`Box box(1)`)."""
+    template = info.symbol.template or ()
+    for symbol in constructors(machine, info):
+        function = function_of(machine, symbol, info.env)
+        signature = function.code.signature
+        if signature is None or len(signature.parameters) < len(args):
+            continue
+        found = deduce(machine, signature._replace(template=template), args, 0)
+        if any(p.name in found for p in template):
+            types = tuple(found.get(p.name, info.bindings.get(p.name, NONE)) for p in template)
+            closed = value_of(machine, names.Found((info.symbol,), info.outer), types)
+            inner = linked(machine).info(closed)
+            if isinstance(closed, Class) and inner is not None:
+                return closed, inner
+    return cls, info
+
+
+def _is_one(machine: Engine, value: Value, cls: Class) -> bool:
+    """Whether a value is an object of a class, or of one that derives from it."""
+    found = options(read(machine, value))
+    return all(isinstance(o, Ref) and isinstance(c := machine.obj(o).cls, Class) and cls in c.mro for o in found)
+
+
+@contextmanager
+def _as_class(machine: Engine, ref: Ref, cls: Class) -> Iterator[None]:
+    """While a constructor runs, the object is of its class."""
+    constructing = linked(machine).constructing
+    constructing.append((ref.address, cls))
+    try:
+        yield
+    finally:
+        constructing.pop()
+
+
+def construct_in_place(machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
+    """Run the constructor of a class on an object; False where it never ends."""
+    assert info.cls is not None
+    if len(args) == 1 and _is_one(machine, args[0], info.cls) and not copies(machine, info):
+        _take_over(machine, ref, info.cls, args[0])
+        return True
+    with _as_class(machine, ref, info.cls):
+        functions = [function_of(machine, s, info.env) for s in constructors(machine, info)]
+        inherited = inherited_constructors(machine, info) if args else None
+        if inherited is not None and not any(takes(f, len(args)) for f in functions):
+            return initialise(machine, ref, info, (), {inherited.env.address: args})
+        if not functions:
+            return initialise(machine, ref, info, args, {})
+        chosen = choose(machine, functions, args, ())
+        if len(chosen) == 1:
+            return _run(machine, chosen[0], ref, info, args)
+
+        def one(function: Value) -> Value:
+            assert isinstance(function, Function)
+            return NONE if _run(machine, function, ref, info, args) else UNBOUND
+
+        return each_apart(machine, list(chosen), one) is not UNBOUND
+
+
+def _take_over(machine: Engine, ref: Ref, cls: Class, source: Value) -> None:
+    """What a copy constructor that nobody writes does: the fields of the class and its bases become those of an object that may have more."""
+    objects = [machine.obj(o) for o in options(read(machine, source)) if isinstance(o, Ref)]
+    for each in cls.mro:
+        own = linked(machine).info(each)
+        for symbol in own.fields if own is not None else ():
+            key = own.keys.get(symbol.name, symbol.name) if own is not None else symbol.name
+            values = [obj.attrs[key] for obj in objects if key in obj.attrs]
+            if values:
+                value = join_all(values) if symbol.reference else copied(machine, join_all(values))
+                machine.update(ref, machine.obj(ref).with_attr(key, value))
+
+
+def _run(machine: Engine, function: Function, ref: Ref, info: Info, args: tuple[Value, ...]) -> bool:
+    if function.code.is_stub:  # `= default`, or defined where nobody sees it
+        symbol = linked(machine).stubs[function.code.key]
+        if not symbol.defined and "default" not in symbol.marks and args:
+            handing.give_to(machine, args, External(f"{info.env.name}.{symbol.name}"))
+        return initialise(machine, ref, info, (), {})
+    return machine.call(function, (ref, *args)) is not UNBOUND
+
+
+def initialise(
+    machine: Engine, ref: Ref, info: Info, args: tuple[Value, ...], for_bases: dict[int, tuple[Value, ...]]
+) -> bool:
+    """What a class without a constructor of its own does: bases, then fields, of an aggregate in the order of the arguments."""
+    assert info.cls is not None
+    given = list(args)
+    named: dict[str, Value] = {}
+    if given and given[0] == DESIGNATED:
+        named = {
+            str(p.items[0].value): p.items[1]
+            for p in given[1:]
+            if isinstance(p, Tuple) and isinstance(p.items[0], Const)
+        }
+        given = []
+    for base in linked(machine).bases_to_make(ref, info):
+        own = linked(machine).info(base)
+        if own is not None:
+            inner = for_bases.get(own.env.address, ())
+            if given and not inner:
+                first = given.pop(0)
+                inner = first.items if isinstance(first, Tuple) else (first,)
+            assert own.cls is not None
+            if not construct_in_place(machine, ref, own, inner):
+                return False
+    for symbol in info.fields:
+        if symbol.name in named:
+            value: Value | None = _field_of(machine, info, symbol, named[symbol.name])
+        elif given:
+            value = _field_of(machine, info, symbol, given.pop(0))
+        else:
+            value = field_default(machine, ref, info, symbol)
+            if value is None and args and symbol.type is not None and not symbol.reference:
+                value = default_value(machine, evaluate(machine, symbol.type, info.env))
+        if value is UNBOUND:
+            return False
+        if value is not None:
+            set_field(machine, ref, info, symbol.name, value)
+    return True
+
+
+def _field_of(machine: Engine, info: Info, symbol: Symbol, value: Value) -> Value:
+    if symbol.reference:
+        return value
+    type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
+    return make(machine, type_, (value,), "brace-copy" if isinstance(value, Tuple) else "copy")
+
+
+def field_default(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Value | None:
+    """What a field holds that no constructor mentions: its own first value, or that of its type; None where it has none."""
+    if symbol.sure:
+        return _first_of_field(machine, ref, info, symbol)
+    found = [_first_of_field(machine, ref, info, each) for each in versions(info.symbol.members, symbol)]
+    return join_all(each for each in found if each is not None) if any(each is not None for each in found) else None
+
+
+def _first_of_field(machine: Engine, ref: Ref, info: Info, symbol: Symbol) -> Value | None:
+    if symbol.code is not None:
+        return evaluate(machine, symbol.code, info.env, leading=(ref,))
+    if symbol.type is None or symbol.reference:
+        return None
+    type_ = evaluate(machine, symbol.type, info.env)
+    if dotted(type_) == "array":
+        return default_value(machine, type_)
+    if "." not in dotted(type_) and not isinstance(type_, Class):
+        return NONE if pointee(type_) is not None else None
+    return make(machine, type_, (), "default")
+
+
+def set_field(machine: Engine, ref: Ref, info: Info, name: str, value: Value) -> None:
+    """The first value of a field."""
+    machine.update(ref, machine.obj(ref).with_attr(info.keys.get(name, name), value))
+
+
+def convert(machine: Engine, value: Value, type_: Value, kind: str) -> Value:
+    """A value as one of a type: what a parameter or variable of that type holds, or a cast makes."""
+    held = read(machine, value)
+    if kind == "buffer":
+        return buffer(value, held)
+    target = pointee(type_)
+    if kind == "dynamic" or (target is not None and isinstance(target, Class)):
+        return cast(machine, held, target if target is not None else type_, kind)
+    if not isinstance(type_, Class):
+        if isinstance(type_, Unknown) or is_message(type_):
+            return _message_of(machine, held, type_)
+        if is_enumeration(machine, type_):
+            return enumerator(machine, dotted(type_), (held,), "copy")
+        return convert_plain(machine, lift(lambda v: by_operator(machine, v, type_), held), type_, kind)
+    found: list[Value] = []
+    for option in options(held):
+        if _is_one(machine, option, type_) or isinstance(option, Unknown) or kind != "init":
+            found.append(option)
+        else:
+            found.append(_converted(machine, option, type_))
+
+    return join_all(found)
+
+
+def _message_of(machine: Engine, value: Value, type_: Value) -> Value:
+    return make(machine, type_, (), "default") if isinstance(value, Tuple) and is_message(type_) else value
+
+
+def _converted(machine: Engine, value: Value, type_: Class) -> Value:
+    """An object that is made of a value implicitly; the value itself where no constructor takes it."""
+    if isinstance(value, Tuple):
+        return make(machine, type_, (value,), "brace-copy")
+    info = linked(machine).info(type_)
+    if info is None or isinstance(value, Slot):
+        return value
+    fitting = any(
+        least(s) <= 1 <= len(s.parameters) or any(p.pack for p in s.parameters) for s in constructors(machine, info)
+    )
+    return make(machine, type_, (value,), "copy") if fitting else value

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which constructors has a class, and what do they take?"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.values import Function
+from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.thunks import evaluate
+from rosward.ir.symbols import Symbol, SymbolKind
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["constructors", "inherited_constructors", "is_copying", "least", "takes", "takes_list"]
+
+
+def constructors(machine: Engine, info: Info) -> list[Symbol]:
+    """Those that are written."""
+    symbols = linked(machine).symbols.at(info.scope, info.symbol.name)
+    return [s for s in symbols if s.kind is SymbolKind.FUNCTION]
+
+
+def takes_list(machine: Engine, info: Info) -> bool:
+    """Whether one takes a `std::initializer_list` first."""
+    return any(
+        p.type.names[-1:] == ("initializer_list",) for s in constructors(machine, info) for p in s.parameters[:1]
+    )
+
+
+def takes(function: Function, count: int) -> bool:
+    """Whether a function may be called with so many arguments."""
+    signature = function.code.signature
+    least = sum(1 for p in signature.parameters if not p.default and not p.pack) if signature is not None else 0
+    most = len(signature.parameters) if signature is not None else count
+    return least <= count and (count <= most or (signature is not None and any(p.pack for p in signature.parameters)))
+
+
+def least(symbol: Symbol) -> int:
+    """How many arguments a function needs."""
+    return sum(1 for p in symbol.parameters if not p.default and not p.pack)
+
+
+def is_copying(info: Info, symbol: Symbol) -> bool:
+    """Whether a constructor copies or moves an object of its class."""
+    first = symbol.parameters[0].type if len(symbol.parameters) == 1 else None
+    return first is not None and first.names[-1:] == (info.symbol.name,) and bool(first.reference)
+
+
+def inherited_constructors(machine: Engine, info: Info) -> Info | None:
+    """The base of which a class has the constructors: `using Base::Base`."""
+    for symbol in info.symbol.members:
+        if symbol.kind is SymbolKind.USING and symbol.code is not None:
+            base = linked(machine).info(evaluate(machine, symbol.code, info.env))
+            if base is not None and symbol.target[-1:] in ((base.symbol.name,), symbol.target[-2:-1]):
+                return base
+    return None

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is a value as one of a type, where no constructor makes it: by its own operator, a cast, a number of an enumeration?
+
+std::string(topic)          topic.operator std::string()
+dynamic_cast<Node *>(p)     p, or null where the object is no Node
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import join_all, lift, options
+from rosward.domain.compound import External, Tuple
+from rosward.domain.slots import Overloads, Pointer, Slot
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Class, Const, Ref, Text, Unknown, Value
+from rosward.engine.cpp import names
+from rosward.engine.cpp.enumerations import of_enumeration
+from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.types import dotted
+from rosward.engine.cpp.values import value_of
+from rosward.ir.cpp import Form
+from rosward.models.cpp.slots import read
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["as_wanted", "buffer", "by_operator", "cast", "decayed", "enumerator"]
+
+
+def enumerator(machine: Engine, enumeration: str, args: Sequence[Value], form: Form) -> Value:
+    """A value of an enumeration."""
+    given = read(machine, args[0]) if args else Tuple(())
+    if isinstance(given, Tuple):
+        given = read(machine, given.items[0]) if given.items else NONE if form == "default" else Const(0)
+    if given == NONE:
+        return machine.unknown(Cause.OPERATION, f"{enumeration} without a value", "int")
+    return of_enumeration(machine, given, enumeration)
+
+
+def as_wanted(machine: Engine, value: Value, type_: Value) -> Value:
+    """An argument; of an object that converts itself to the type, what it gives."""
+    held = read(machine, value)
+    if not any(isinstance(o, Ref) and isinstance(machine.obj(o).cls, Class) for o in options(held)):
+        return value
+    made = lift(lambda v: by_operator(machine, v, type_), held)
+    return value if made == held else made
+
+
+def by_operator(machine: Engine, value: Value, type_: Value) -> Value:
+    """What the conversion operator of an object to a type gives; the value itself where it has none."""
+    info = linked(machine).info(machine.obj(value).cls) if isinstance(value, Ref) else None
+    if info is None or info.cls is None:
+        return value
+    wanted = dotted(type_).rpartition(".")[2]
+    for cls in info.cls.mro:
+        own = linked(machine).info(cls)
+        for symbol in own.symbol.members if own is not None else ():
+            if own is None or not symbol.name.startswith("operator "):
+                continue
+            if symbol.name.rpartition(":")[2].split()[-1] == wanted:
+                functions = linked(machine).symbols.at(own.scope, symbol.name)
+                found = value_of(machine, names.Found(tuple(functions), own.env, own), None)
+                return machine.call(found._replace(receiver=value), ()) if isinstance(found, Overloads) else value
+    return value
+
+
+def cast(machine: Engine, value: Value, target: Value, kind: str) -> Value:
+    """A pointer or reference to another class of the same object; `dynamic_cast` gives null where the object is none of that class."""
+    if kind != "dynamic" or not isinstance(target, Class):
+        return value
+    kept: list[Value] = []
+
+    for option in options(value):
+        ref = option.target if isinstance(option, Pointer) else option
+        cls = machine.obj(ref).cls if isinstance(ref, Ref) else None
+        known = isinstance(cls, Class) and not any(isinstance(b, (External, Unknown)) for b in cls.mro)
+        kept.append(NONE if known and isinstance(cls, Class) and target not in cls.mro else option)
+    return join_all(kept)
+
+
+def decayed(machine: Engine, value: Value) -> Value:
+    """An array as a pointer is one to its first element."""
+    is_array = isinstance(value, Ref) and dotted(machine.obj(value).cls) == "array"
+    return Pointer(Slot(value, "item", Const(0))) if is_array and isinstance(value, Ref) else value
+
+
+def buffer(value: Value, held: Value) -> Value:
+    """A pointer to the first character of an array that is kept as a text; anything else as it is."""
+    return Pointer(Slot(value, "item", Const(0))) if isinstance(value, Slot) and _is_text(held) else held
+
+
+def _is_text(value: Value) -> bool:
+    """Whether a value is a text that is kept as one, of an array of characters."""
+    return all(
+        isinstance(o, Text)
+        or (isinstance(o, Const) and isinstance(o.value, str))
+        or (isinstance(o, Unknown) and o.hint == "str")
+        for o in options(value)
+    )

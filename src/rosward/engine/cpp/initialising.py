@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The beginning of a constructor that is written: `: Node("talker"), topic_("chatter")`, bases first, then fields as they are declared."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from rosward.domain.compound import Tuple
+from rosward.domain.slots import TypeOf
+from rosward.domain.values import UNBOUND, Ref, Value
+from rosward.engine.cpp import construct
+from rosward.engine.cpp.handing import give_to
+from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.frame import Frame
+from rosward.ir import cpp
+from rosward.ir.symbols import Symbol
+from rosward.models.cpp.copies import copied
+from rosward.models.cpp.slots import read
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["initialise", "is_fresh", "made"]
+
+Given = Callable[[Frame, tuple[cpp.Argued, ...]], tuple[Value, ...]]
+
+
+def is_fresh(frame: Frame, arguments: tuple[cpp.Argued, ...], args: tuple[Value, ...]) -> bool:
+    """Whether nobody else has the only argument."""
+    if len(args) != 1 or len(arguments) != 1:
+        return False
+    return arguments[0].kind == "value" or (arguments[0].kind == "result" and args[0] == frame.fresh)
+
+
+def made(machine: Engine, type_: Value, args: tuple[Value, ...], form: cpp.Form, *, fresh: bool) -> Value:
+    """A value of a type; `fresh`: the only argument is one that nobody else has, so that it need not be copied."""
+    if len(args) == 1:
+        held = read(machine, args[0])
+        if isinstance(held, Ref) and machine.obj(held).cls == type_:
+            return held if fresh else copied(machine, held)
+        if isinstance(type_, TypeOf) and type_.name == "auto":
+            return held if fresh else copied(machine, args[0])
+    return construct.make(machine, type_, args, form)
+
+
+def initialise(machine: Engine, op: cpp.Initialise, frame: Frame, given: Given) -> bool:
+    """Bases and fields of `this`; False where control does not come out."""
+    info = linked(machine).info(frame.module)
+    this = frame.registers[0]
+    if info is None or info.cls is None or not isinstance(this, Ref):
+        return True
+    fields = {f.name for f in info.fields}
+    for_fields = {m.name: m for m in op.members if m.name in fields}
+    others = [m for m in op.members if m.name not in fields]
+    for_bases: list[tuple[Value, cpp.MemberInit]] = []
+    for member in others:
+        if not machine.run(member.type_body, frame):
+            return False
+        type_ = frame.registers[member.type]
+        if type_ == info.cls:  # another constructor of the class does it all
+            if not machine.run(member.body, frame):
+                return False
+            return construct.construct_in_place(machine, this, info, given(frame, member.arguments))
+        for_bases += [(t, member) for t in (type_.items if isinstance(type_, Tuple) else (type_,))]
+    return _bases(machine, this, info, for_bases, frame, given) and _fields(
+        machine, this, info, for_fields, frame, given
+    )
+
+
+def _bases(
+    machine: Engine, this: Ref, info: Info, inits: list[tuple[Value, cpp.MemberInit]], frame: Frame, given: Given
+) -> bool:
+    assert info.cls is not None
+    for base in linked(machine).bases_to_make(this, info):
+        init = next((m for t, m in inits if t == base), None)
+        args: tuple[Value, ...] = ()
+        if init is not None:
+            if not machine.run(init.body, frame):
+                return False
+            args = given(frame, init.arguments)
+        own = linked(machine).info(base)
+        if own is not None:
+            if not construct.construct_in_place(machine, this, own, args):
+                return False
+        elif args:
+            give_to(machine, args, base)
+    return True
+
+
+def _fields(
+    machine: Engine, this: Ref, info: Info, inits: dict[str, cpp.MemberInit], frame: Frame, given: Given
+) -> bool:
+    for symbol in info.fields:
+        init = inits.get(symbol.name)
+        if init is None:
+            value = construct.field_default(machine, this, info, symbol)
+        else:
+            if not machine.run(init.body, frame):
+                return False
+            value = _field(machine, info, symbol, init, given(frame, init.arguments), frame)
+        if value is UNBOUND:
+            return False
+        if value is not None:
+            construct.set_field(machine, this, info, symbol.name, value)
+    return True
+
+
+def _field(
+    machine: Engine, info: Info, symbol: Symbol, init: cpp.MemberInit, args: tuple[Value, ...], frame: Frame
+) -> Value:
+    if symbol.reference:
+        return args[0] if args else UNBOUND
+    type_ = evaluate(machine, symbol.type, info.env) if symbol.type is not None else TypeOf("auto", ())
+    fresh = is_fresh(frame, init.arguments, args)
+    return made(machine, type_, args, init.form, fresh=fresh)

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is known of one C++ program while it runs: its symbols, and what was made of them so far.
+
+A scope at run time is a `ModuleValue`: its record holds the variables of a namespace, or the static members of a class. So a function
+sees the names of the very instance of a template that it belongs to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final, final
+
+from rosward.domain.heap import Obj
+from rosward.domain.values import NONE, Class, Function, ModuleValue, Ref, Value
+from rosward.ir.symbols import Scope, Symbol, Symbols
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["INSTANCES", "Info", "Linked", "linked"]
+
+ValueOf = Callable[["Engine", Any, tuple[Value, ...] | None], Value]
+"""What a declaration that was found is, with these template arguments: a class, a value, functions."""
+
+INSTANCES: Final = 400
+"""How many instances of one class template are told apart."""
+
+
+@final
+class Info:
+    """A class at run time: its symbol, the scope of its members, what its template parameters stand for, its bases and fields.
+
+    `keys` says under which name each field stands in an object: two fields of one name in a class and its base are two.
+    `open`: a template of which the arguments are not known yet (they follow from a constructor). `virtual`: its virtual bases, those of
+    its bases, too.
+    """
+
+    __slots__ = ("bindings", "cls", "env", "fields", "keys", "open", "outer", "scope", "symbol", "types", "virtual")
+
+    def __init__(
+        self,
+        symbol: Symbol,
+        outer: ModuleValue,
+        env: ModuleValue,
+        scope: Scope,
+        types: tuple[Value, ...],
+        bindings: dict[str, Value],
+    ) -> None:
+        self.symbol = symbol
+        self.outer = outer
+        self.env = env
+        self.scope = scope
+        self.types = types
+        self.bindings = bindings
+        self.open = False
+        self.fields: tuple[Symbol, ...] = ()
+        self.keys: dict[str, str] = {}
+        self.cls: Class | None = None
+        self.virtual: tuple[Value, ...] = ()
+
+
+@final
+class Linked:
+    """A program and its classes, functions and scopes; none of it depends on what the program does."""
+
+    __slots__ = (
+        "constants",
+        "constructing",
+        "enumerations",
+        "evaluating",
+        "fixed",
+        "found",
+        "functions",
+        "hiding",
+        "infos",
+        "instances",
+        "scopes",
+        "special",
+        "stubs",
+        "symbols",
+        "templates",
+        "unsure",
+        "used",
+        "value_of",
+    )
+
+    def __init__(self, symbols: Symbols, value_of: ValueOf) -> None:
+        self.symbols = symbols
+        self.value_of = value_of
+        self.scopes: dict[int, Scope] = {}
+        self.hiding: dict[tuple[int, str], bool] = {}  # which classes hide functions of their bases
+        self.infos: dict[int, Info] = {}  # by the address of the class, which is that of its scope
+        self.instances: dict[str, int] = {}  # how many of each template there are
+        self.functions: dict[tuple[str, int], Function] = {}
+        self.stubs: dict[str, Symbol] = {}  # functions without a body, by the key of what stands for it
+        self.special: dict[
+            tuple[str, int], tuple[Symbol, ...]
+        ] = {}  # specialisations of a function, by its code and scope
+        self.templates: dict[str, Symbol] = {}  # templates of functions, by their code
+        self.unsure: set[str] = set()  # the code of functions that the preprocessor may leave out
+        self.constants: dict[tuple[str, int], Value] = {}
+        self.fixed: set[tuple[int, str]] = set()  # variables that are constants, by scope and name
+        self.enumerations: dict[str, bool] = {}  # which types are enumerations
+        self.evaluating: set[tuple[str, int]] = set()
+        self.constructing: list[
+            tuple[int, Class]
+        ] = []  # objects whose constructors run, with the class that they are as yet
+        self.used: dict[str, Scope | None] = {}  # what each `using namespace` names
+        self.found: dict[tuple[int, str, str | int], object] = {}  # what names stand for: of a scope, of an operation
+
+    def namespace(self, machine: Engine, scope: Scope, file: str = "") -> ModuleValue:
+        """The scope of a namespace."""
+        address = machine.place_key(("namespace", scope))
+        self.scopes[address] = scope
+        return ModuleValue(address, ".".join(n for n in scope if n), file)
+
+    def scope_of(self, env: ModuleValue) -> Scope:
+        """The names around what stands in a scope."""
+        return self.scopes.get(env.address, ())
+
+    def info(self, value: Value) -> Info | None:
+        """The class of a class value or scope; None for a namespace, or a class of another language."""
+        return self.infos.get(value.address) if isinstance(value, (Class, ModuleValue)) else None
+
+    def class_of(self, machine: Engine, ref: Ref) -> Value:
+        """The class of an object: of one whose constructor runs, that of the constructor."""
+        for address, cls in reversed(self.constructing):
+            if address == ref.address:
+                return cls
+        return machine.obj(ref).cls
+
+    def bases_to_make(self, ref: Ref, info: Info) -> tuple[Value, ...]:
+        """The bases that a constructor makes of an object: virtual ones first, but only where the object is of no further class."""
+        assert info.cls is not None
+        if not info.virtual:
+            return info.cls.bases
+        whole = next((cls for address, cls in self.constructing if address == ref.address), info.cls)
+        others = tuple(base for base in info.cls.bases if base not in info.virtual)
+        return (*info.virtual, *others) if whole == info.cls else others
+
+
+def linked(machine: Engine) -> Linked:
+    """The program that runs."""
+    found = machine.linked
+    assert isinstance(found, Linked)
+    return found
+
+
+def record(machine: Engine, address: int) -> Obj:
+    """What a scope holds."""
+    found = machine.own(address)
+    return found if found is not None else Obj("module", NONE)

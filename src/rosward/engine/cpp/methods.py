@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls of member functions, on whatever stands before the dot.
+
+lamp.on(), this->on()        the functions of its class; a field that can be called
+text.append("x")             a native of the type of the value, with its slot
+pointer.reset()              of the pointer itself
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import options
+from rosward.domain.compound import External, Native, Tuple
+from rosward.domain.slots import Overloads, Slot, TypeOf
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
+from rosward.engine.alternatives import each_apart
+from rosward.engine.cpp import access, assumed_nodes, calls, members, names, operators
+from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.overloading import of_constness
+from rosward.engine.cpp.types import is_message, pointee
+from rosward.engine.cpp.values import overloads
+from rosward.engine.frame import Frame
+from rosward.models.cpp.copies import copied
+from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import method_types, name_of
+from rosward.models.native import NativeCall, perform
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["destroy", "invoke", "iterated"]
+
+
+def invoke(
+    machine: Engine,
+    frame: Frame,
+    owner: Value,
+    name: str,
+    args: tuple[Value, ...],
+    types: tuple[Value, ...],
+    *,
+    scope: Value | None,
+    own: bool,
+    constant: bool = False,
+    declared: Callable[[], Value] | None = None,
+) -> Value:
+    """`owner.name<types>(args)`; `scope`: `owner.Scope::name(args)`; `own`: of `this`; `constant`: of an object that is so;
+    `declared` gives the type that it, or the pointer to it, is declared with."""
+    held = read(machine, owner)
+    several = [o for o in options(held) if o != NONE] or [held]
+
+    def one(option: Value) -> Value:
+        receiver = owner if isinstance(owner, Slot) and len(several) == 1 and not isinstance(option, Ref) else option
+        return _of_one(
+            machine,
+            frame,
+            receiver,
+            option,
+            name,
+            args,
+            types,
+            scope=scope,
+            own=own,
+            constant=constant,
+            declared=declared,
+        )
+
+    return each_apart(machine, several, one)
+
+
+def _of_one(
+    machine: Engine,
+    frame: Frame,
+    slot: Value,
+    value: Value,
+    name: str,
+    args: tuple[Value, ...],
+    types: tuple[Value, ...],
+    *,
+    scope: Value | None,
+    own: bool,
+    constant: bool,
+    declared: Callable[[], Value] | None,
+) -> Value:
+    if isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class):
+        if scope is None and declared is not None and not own:
+            scope = _hiding(machine, value, name, declared)
+        function = _of_scope(machine, value, name, types, scope) if scope is not None else None
+        if function is None:
+            function = access.member(machine, frame, value, name, types, own=own)
+        if isinstance(function, External | Unknown) and isinstance(value, Ref):
+            return calls.unknown_call(machine, function, (value, *args), types)
+        if isinstance(function, Overloads):
+            function = of_constness(function, constant=constant)
+        return calls.invoke(machine, access.value(machine, function), args, types)
+    for type_name in method_types(machine, value):
+        native = machine.library.native(f"{type_name}.{name}")
+        if native is not None:
+            keywords: dict[str, Value] = {"types": Tuple(types)} if types else {}
+            return perform(native, NativeCall(machine, f"{type_name}.{name}", (slot, *args), keywords))
+    if isinstance(value, Ref):
+        cls = machine.obj(value).cls
+        if is_message(cls) or name in machine.obj(value).attrs:  # what can be called is in a field: `entry->second()`
+            field = read(machine, Slot(value, "field", name))
+            return calls.invoke(machine, field, args) if not isinstance(field, Unknown) else field
+        return calls.unknown_call(machine, External(f"{name_of(cls)}.{name}"), (value, *args), types)
+    if isinstance(value, (Class, TypeOf, Native)):
+        return calls.unknown_call(machine, External(f"{name_of(value)}.{name}"), args, types)
+    of_node = assumed_nodes.method(machine, value, name, types) if isinstance(value, (Unknown, External)) else None
+    if of_node is not None:
+        return calls.invoke(machine, of_node, args, types)
+    return calls.unknown_call(machine, value if isinstance(value, Unknown) else External(name), (slot, *args), types)
+
+
+def _hiding(machine: Engine, value: Ref, name: str, declared: Callable[[], Value]) -> Value | None:
+    """The base that an object is declared as, where the class that it has hides a function of it that is not virtual."""
+    program = linked(machine)
+    cls = program.class_of(machine, value)
+    key = (cls.address, name) if isinstance(cls, Class) else None
+    if key is None or not isinstance(cls, Class):
+        return None
+    if key not in program.hiding:
+        infos = [i for base in cls.mro if (i := program.info(base)) is not None]
+        with_name = [i for i in infos if program.symbols.at(i.scope, name)]
+        program.hiding[key] = len(with_name) > 1 and not members.is_virtual(machine, with_name[-1], name)
+    if not program.hiding[key]:
+        return None
+    type_ = declared()
+    target = pointee(type_)
+    seen = target if target is not None else type_
+    return seen if isinstance(seen, Class) and seen != cls and seen in cls.mro else None
+
+
+def _of_scope(machine: Engine, value: Ref, name: str, types: tuple[Value, ...], scope: Value | None) -> Value | None:
+    info = linked(machine).info(scope) if scope is not None else None
+    found = names.in_class(machine, info, name) if info is not None else None
+    return overloads(machine, found, types, value) if found is not None else None
+
+
+def destroy(machine: Engine, ref: Ref) -> bool:
+    """An object ends: the destructors of its class and its bases run; False where one never ends."""
+    program = linked(machine)
+    cls = machine.obj(ref).cls
+    for each in cls.mro if isinstance(cls, Class) else ():
+        info = program.info(each)
+        symbols = program.symbols.at(info.scope, f"~{info.symbol.name}") if info is not None else ()
+        if info is not None and symbols:
+            function = overloads(machine, names.Found(tuple(symbols), info.env, info), (), ref)
+            if calls.invoke(machine, function, ()) is UNBOUND:
+                return False
+    return True
+
+
+_TURNS: Final = 300
+"""How many elements of an own kind of range are told apart."""
+
+
+def iterated(machine: Engine, value: Value) -> Value:
+    """What a loop runs over: of a class with `begin` and `end` what these lead into, or a tuple of what its own iterators give."""
+    held = read(machine, value)
+    if isinstance(held, Ref) and isinstance(machine.obj(held).cls, Class):
+        begin, end = (members.member(machine, held, name) for name in ("begin", "end"))
+        if isinstance(begin, Overloads):
+            found = calls.invoke(machine, begin, ())
+            if isinstance(found, Ref) and isinstance(machine.obj(found).cls, Class):
+                return _walked(machine, copied(machine, found), calls.invoke(machine, end, ()))
+            target = getattr(found, "target", None)
+            return target.base if isinstance(target, Slot) else found
+    return value
+
+
+def _walked(machine: Engine, iterator: Value, end: Value) -> Value:
+    """What an iterator of a class of the program gives, until it is at the end."""
+    items: list[Value] = []
+    for _ in range(_TURNS):
+        more = operators.truth(machine, operators.compare(machine, "!=", iterator, end))
+        if more is False:
+            return Tuple(tuple(items))
+        item = access.deref(machine, iterator)
+        if more is None or item is UNBOUND:
+            break
+        items.append(copied(machine, item))
+        if operators.step(machine, "++", iterator, prefix=True) is UNBOUND:
+            break
+    return machine.unknown(Cause.LOOP, "")

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A name in the code of a function: the member of `this`, a variable and its slot, functions, a type."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.compound import External, Partial
+from rosward.domain.slots import Overloads, TypeOf
+from rosward.domain.values import NONE, Class, ModuleValue, Ref, Unknown, Value
+from rosward.engine.cpp import access, members, names
+from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.names import Found
+from rosward.engine.cpp.overloading import of_constness
+from rosward.engine.cpp.thunks import evaluate
+from rosward.engine.cpp.values import overloads, value_of, variable
+from rosward.engine.frame import Frame
+from rosward.ir import cpp, ops
+from rosward.ir.symbols import SymbolKind
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["declared_type", "name", "this_of"]
+
+
+def name(machine: Engine, op: cpp.Name, frame: Frame) -> Value:
+    """What a name is where the code stands; of a variable its slot where that is asked for."""
+    plain = op.base == ops.NO_REGISTER and all(p.arguments is None for p in op.parts)
+    found, types = _remembered(machine, op, frame) if plain else _resolved(machine, op, frame)
+    qualified = len(op.parts) > 1 or op.base != ops.NO_REGISTER
+    if op.designator and isinstance(found, Found) and members.is_field(found):
+        value: Value = members.designator(found.symbols[0].name)
+    elif isinstance(found, Found):
+        value = _declared(machine, frame, found, types, qualified=qualified)
+    else:
+        value = found if qualified else _not_declared(machine, frame, found)
+    return value if op.slot else access.value(machine, value)
+
+
+Resolved = tuple[Found | Value, tuple[Value, ...] | None]
+"""What a name stands for, and the template arguments of its last part."""
+
+
+def _remembered(machine: Engine, op: cpp.Name, frame: Frame) -> Resolved:
+    """A name without template arguments stands for the same each time that code of the same scope asks."""
+    known = linked(machine).found
+    key = (frame.module.address, frame.code.key, op.number)
+    found = known.get(key)
+    if found is None:
+        resolved = _resolved(machine, op, frame)
+        if not isinstance(resolved[0], Unknown):
+            known[key] = resolved
+        return resolved
+    return found  # type: ignore[return-value]  # under such a key stands what this function gave
+
+
+def _resolved(machine: Engine, op: cpp.Name, frame: Frame) -> Resolved:
+    parts = [
+        names.Part(p.name, access.types_of(frame, p.arguments) if p.arguments is not None else None) for p in op.parts
+    ]
+    base = frame.registers[op.base] if op.base != ops.NO_REGISTER else None
+    env = ModuleValue(frame.module.address, frame.module.name, frame.code.file)
+    signature = frame.code.signature
+    using = signature.using if signature is not None else ()
+    return names.resolve(machine, env, parts, base=base, absolute=op.absolute, using=using), parts[-1].types
+
+
+def declared_type(machine: Engine, name: str, frame: Frame) -> Value:
+    """The type that a field or variable is declared with; none where none is written."""
+    env = ModuleValue(frame.module.address, frame.module.name, frame.code.file)
+    found = names.unqualified(machine, env, name)
+    first = found.symbols[0] if isinstance(found, Found) else None
+    if not isinstance(found, Found) or first is None or first.kind is not SymbolKind.VARIABLE or first.type is None:
+        return NONE
+    return evaluate(machine, first.type, found.env)
+
+
+def this_of(frame: Frame) -> Ref | None:
+    """The object of the member function that runs, or of the one around a lambda."""
+    signature = frame.code.signature
+    has_one = signature is not None and signature.leading and frame.code.parameters.positional[0] == "this"
+    first = frame.registers[0] if has_one else None
+    return first if isinstance(first, Ref) else None
+
+
+def _declared(
+    machine: Engine, frame: Frame, found: Found, types: tuple[Value, ...] | None, *, qualified: bool
+) -> Value:
+    first = found.symbols[0]
+    this = this_of(frame) if found.owner is not None else None
+    if this is not None and found.owner is not None and _is_of(machine, this, found.owner):
+        if first.kind is SymbolKind.FUNCTION and qualified:  # Base::f(): that one, whatever the object is
+            return overloads(machine, found, types or (), this)
+        if first.kind in {SymbolKind.FUNCTION, SymbolKind.USING} or (
+            first.kind is SymbolKind.VARIABLE and not first.static
+        ):
+            lexical = found.owner if qualified else linked(machine).info(frame.module)
+            member = members.member(machine, this, first.name, types or (), lexical or found.owner)
+            signature = frame.code.signature
+            constant = signature is not None and signature.constant
+            return of_constness(member, constant=constant) if isinstance(member, Overloads) else member
+    if first.kind is SymbolKind.VARIABLE:
+        return variable(machine, found, types)
+    return value_of(machine, found, types)
+
+
+def _is_of(machine: Engine, this: Ref, owner: Info) -> bool:
+    cls = machine.obj(this).cls
+    return isinstance(cls, Class) and owner.cls in cls.mro
+
+
+def _not_declared(machine: Engine, frame: Frame, found: Value) -> Value:
+    """What nothing declares may come from a base that is not among the sources."""
+    this = this_of(frame)
+    if (
+        this is None
+        or not isinstance(found, (External, TypeOf))
+        or "." in found.name
+        or machine.library.native(found.name)
+    ):
+        return found
+    inherited = members.member(machine, this, found.name, found.arguments if isinstance(found, TypeOf) else ())
+    return inherited if isinstance(inherited, (External, Overloads, Partial)) else found

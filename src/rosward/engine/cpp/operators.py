@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Operators: those that classes define, then those of the language and its library.
+
+a + b      a.operator+(b), operator+(a, b) of the namespaces of a and b, else numbers, strings, paths, iterators
+x = y      an object stays where it is and takes over what the other holds
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import options
+from rosward.domain.compound import External, Tuple
+from rosward.domain.slots import Overloads, Pointer
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Function, Ref, Unknown, Value
+from rosward.engine.cpp import calls, construct, members, names
+from rosward.engine.cpp.enumerations import enumeration_of, scope_of
+from rosward.engine.cpp.handing import decayed
+from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.patterns import type_of_pattern
+from rosward.engine.cpp.types import type_of
+from rosward.engine.cpp.values import overloads
+from rosward.models.cpp import operators as plain
+from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import name_of
+from rosward.models.native import NativeCall, perform
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = ["assign", "binary", "compare", "folded", "step", "truth", "unary"]
+
+
+def _own(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
+    """What an operator that a class defines gives; None where none does."""
+    first = read(machine, args[0])
+    if not any(_is_object(machine, a) for a in args):
+        return _of_enumeration(machine, operator, args)
+    if _is_object(machine, first):
+        found = members.member(machine, first, f"operator{operator}") if isinstance(first, Ref) else None
+        if isinstance(found, Overloads):
+            return calls.invoke(machine, found, tuple(args[1:]))
+    for arg in args:
+        cls = type_of(machine, arg)
+        for each in cls.mro if isinstance(cls, Class) else ():
+            info = linked(machine).info(each)
+            found_in = names.in_namespace(machine, info.symbol.scope, f"operator{operator}", "") if info else None
+            if found_in is not None:
+                return calls.invoke(machine, overloads(machine, found_in, ()), tuple(args))
+    return None
+
+
+def _of_enumeration(machine: Engine, operator: str, args: Sequence[Value]) -> Value | None:
+    """`os << side`: an operator that stands where the enumeration does, and is for that."""
+    for arg in args:
+        enumeration = enumeration_of(read(machine, arg))
+        scope = scope_of(enumeration)
+        found = names.in_namespace(machine, scope, f"operator{operator}", "") if enumeration else None
+        if found is None:
+            continue
+        several = overloads(machine, found, ())
+        wanted = External(enumeration)
+        fitting = tuple(f for f in several.functions if _takes(machine, f, wanted))
+        if fitting:
+            return calls.invoke(machine, several._replace(functions=fitting), tuple(args))
+    return None
+
+
+def _takes(machine: Engine, function: Function, type_: Value) -> bool:
+    signature = function.code.signature
+    patterns = [p.type for p in signature.parameters] if signature is not None else []
+    return any(type_of_pattern(machine, function.module, pattern) == type_ for pattern in patterns)
+
+
+def _is_object(machine: Engine, value: Value) -> bool:
+    value = read(machine, value)
+    return isinstance(value, Ref) and isinstance(machine.obj(value).cls, Class)
+
+
+def unary(machine: Engine, operator: str, value: Value) -> Value:
+    """operator value."""
+    written = "!" if operator == "not" else operator
+    own = _own(machine, written, (value,))
+    if own is not None:
+        return own
+    held = read(machine, value)
+    if operator == "not":
+        decided = truth(machine, held)
+        if decided is None and held.__class__ is Choice:
+            return plain.unary(machine, operator, held)
+        return machine.unknown(Cause.OPERATION, "!", "bool") if decided is None else Const(not decided)
+    return plain.unary(machine, operator, held)
+
+
+def binary(machine: Engine, operator: str, left: Value, right: Value, *, inplace: bool = False) -> Value:
+    """left operator right."""
+    own = _own(machine, operator, (left, right)) if not inplace else None
+    return own if own is not None else plain.binary(machine, operator, left, right)
+
+
+def compare(machine: Engine, operator: str, left: Value, right: Value) -> Value:
+    """left operator right; `!=` and the like follow from `==` and `<` where only these are defined."""
+    own = _own(machine, operator, (left, right))
+    if own is not None:
+        return own
+    if operator == "!=":
+        equal = _own(machine, "==", (left, right))
+        if equal is not None:
+            return unary(machine, "not", equal)
+    return plain.compare(machine, operator, read(machine, left), read(machine, right))
+
+
+def truth(machine: Engine, value: Value) -> bool | None:
+    """Whether a value counts as true; None where both may be."""
+    held = read(machine, value)
+    if isinstance(held, Overloads):
+        return True
+    if _is_object(machine, held):
+        own = members.member(machine, held, "operator bool")
+        if isinstance(own, Overloads):
+            return truth(machine, calls.invoke(machine, own, ()))
+        return None
+    return plain.truth(machine, held)
+
+
+def assign(machine: Engine, operator: str, slot: Value, src: Value) -> Value:
+    """`slot operator src`; the slot, or UNBOUND where it never ends."""
+    own = _own(machine, operator, (slot, src)) if operator != "=" or not _same_class(machine, slot) else None
+    if own is not None:
+        return own if own is UNBOUND else slot
+    if operator != "=":
+        value = binary(machine, operator[:-1], read(machine, slot), read(machine, src), inplace=True)
+        if value is UNBOUND:
+            return UNBOUND
+        if not isinstance(slot, Ref) or value != slot:
+            write(machine, slot, value)
+        return slot
+    if isinstance(slot, Ref):
+        return _object(machine, slot, src)
+    value = decayed(machine, src)
+    write(machine, slot, copied(machine, value) if not isinstance(value, Unknown) else value)
+    return slot
+
+
+def step(machine: Engine, operator: str, slot: Value, *, prefix: bool) -> Value:
+    """`++slot`, `slot++`: the slot, or the value before; UNBOUND where it never ends."""
+    own = _own(machine, operator, (slot,) if prefix else (slot, Const(0)))
+    if own is not None:
+        return own
+    before = copied(machine, slot)
+    done = assign(machine, f"{operator[0]}=", slot, Const(1))
+    return done if done is UNBOUND else slot if prefix else before
+
+
+def _same_class(machine: Engine, slot: Value) -> bool:
+    """Whether an object is assigned to another one of its class, which has no `operator=` of its own."""
+    if not isinstance(slot, Ref):
+        return True
+    info = linked(machine).info(machine.obj(slot).cls)
+    return info is None or names.in_class(machine, info, "operator=") is None
+
+
+def _object(machine: Engine, ref: Ref, src: Value) -> Value:
+    """An object takes over what another holds; anything else is made one of its type first."""
+    cls = machine.obj(ref).cls
+    native = machine.library.native(f"{name_of(cls)}.operator=")
+    if native is not None:
+        return perform(native, NativeCall(machine, f"{name_of(cls)}.operator=", (ref, src), {}))
+    value = read(machine, src)
+    if isinstance(value, (Tuple, Const, Pointer)) or not all(isinstance(o, Ref) for o in options(value)):
+        if not isinstance(value, Unknown):
+            value = construct.convert(machine, value, cls, "init")
+            if isinstance(value, Tuple):
+                value = construct.make(machine, cls, (value,), "brace-copy")
+    if value is UNBOUND:
+        return UNBOUND
+    write(machine, ref, value)
+    return ref
+
+
+_EMPTY: Final = {"&&": Const(True), "||": Const(False), ",": NONE}
+
+
+def folded(machine: Engine, operator: str, values: Sequence[Value]) -> Value:
+    """`(values operator …)`."""
+    if not values:
+        return _EMPTY.get(operator) or machine.unknown(Cause.OPERATION, f"{operator} of nothing")
+    if operator in ("&&", "||"):
+        decided = [truth(machine, v) for v in values]
+        short = operator == "||"
+        if short in decided:
+            return Const(short)
+        return machine.unknown(Cause.OPERATION, operator, "bool") if None in decided else Const(not short)
+    if operator == ",":
+        return values[-1]
+    result = values[0]
+    for value in values[1:]:
+        comparing = operator in ("==", "!=", "<", "<=", ">", ">=")
+        result = compare(machine, operator, result, value) if comparing else binary(machine, operator, result, value)
+    return result

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Types as values: which type has a value, which one does a pattern stand for, and what must the parameters of a template be to fit?
+
+const std::shared_ptr<T> &   against a pointer to a Lamp      T is Lamp
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
+from rosward.domain.slots import Enumerated, Overloads, Pointer, Slot, TypeOf, is_char_text
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.engine.cpp.linked import linked
+from rosward.ir.symbols import TypePattern
+from rosward.models.cpp.slots import read
+from rosward.models.ros.interfaces import message_name
+
+if TYPE_CHECKING:
+    from rosward.engine.machine import Engine
+
+__all__ = [
+    "POINTERS",
+    "STRING",
+    "dotted",
+    "flat",
+    "is_message",
+    "is_pointer_pattern",
+    "match",
+    "pointee",
+    "pointer_member",
+    "pointer_to",
+    "type_of",
+]
+
+STRING: Final = External("std.string")
+POINTERS: Final = frozenset({"pointer", "std.shared_ptr", "std.unique_ptr", "std.weak_ptr"})
+_POINTER_MEMBERS: Final = frozenset(
+    f"{const}{kind}Ptr{of}"
+    for const in ("", "Const")
+    for kind in ("Shared", "Unique", "Weak")
+    for of in ("", "WithDeleter")
+)
+_OF_PLAIN: Final[dict[type, Value]] = {
+    bool: TypeOf("bool", ()),
+    int: TypeOf("int", ()),
+    float: TypeOf("double", ()),
+    str: STRING,
+    type(None): TypeOf("nullptr", ()),
+}
+_CHARACTERS: Final = TypeOf("pointer", (TypeOf("char", ()),))
+_OF_HINT: Final[dict[str, Value]] = {
+    "str": STRING, "int": TypeOf("int", ()), "float": TypeOf("double", ()), "bool": TypeOf("bool", ()),
+}  # fmt: skip
+_DEPTH: Final = 20
+
+
+def pointer_to(type_: Value) -> TypeOf:
+    """The type of pointers to a type; which kind of pointer makes no difference."""
+    return TypeOf("pointer", (type_,))
+
+
+def pointee(type_: Value) -> Value | None:
+    """What a pointer type points to; None for any other type."""
+    return type_.arguments[0] if isinstance(type_, TypeOf) and type_.name in POINTERS and type_.arguments else None
+
+
+def pointer_member(name: str) -> bool:
+    """Whether a class conventionally calls a pointer to itself so: `SharedPtr`, `ConstSharedPtr`, `UniquePtr`, …"""
+    return name in _POINTER_MEMBERS
+
+
+def is_message(type_: Value) -> bool:
+    """Whether a type is a message, or the request of a service, and the like."""
+    return isinstance(type_, External) and message_name(type_.name) is not None
+
+
+def dotted(type_: Value) -> str:
+    """The name of a type, without its arguments."""
+    if isinstance(type_, Class):
+        return type_.dotted
+    return type_.name if isinstance(type_, (External, TypeOf, Native)) else ""
+
+
+def type_of(machine: Engine, value: Value, depth: int = 0) -> Value:
+    """The type of a value, as far as it shows."""
+    value = read(machine, value)
+    if len(options(value)) > 1:
+        found = {
+            type_of(machine, o, depth + 1) for o in options(value) if not (isinstance(o, Const) and o.value is None)
+        }
+        return found.pop() if len(found) == 1 else machine.unknown(Cause.CALL, "type of one of several values")
+    if isinstance(value, Const):
+        if isinstance(value.value, Enumerated):
+            return External(value.value.enumeration)
+        if is_char_text(value):
+            return _CHARACTERS
+        return _OF_PLAIN.get(value.value.__class__, STRING)
+    if isinstance(value, Text):
+        return STRING
+    if isinstance(value, Ref):
+        cls = machine.obj(value).cls
+        return TypeOf("std.vector", ()) if isinstance(cls, Native) else cls
+    if isinstance(value, Pointer):
+        return pointer_to(type_of(machine, value.target, depth + 1)) if depth < _DEPTH else value
+    if isinstance(value, (Function, BoundMethod, Partial, Overloads)):
+        return TypeOf("function", ())
+    if isinstance(value, Tuple):
+        return TypeOf("std.initializer_list", ())
+    if isinstance(value, Unknown):
+        return _OF_HINT.get(value.hint, value)
+    return value
+
+
+def is_pointer_pattern(pattern: TypePattern) -> bool:
+    """Whether a type as it is written is surely that of a pointer."""
+    if pattern.pointers:
+        return True
+    last = pattern.names[-1] if pattern.names else ""
+    return pointer_member(last) or last in {"shared_ptr", "unique_ptr", "weak_ptr"}
+
+
+def match(
+    machine: Engine,
+    pattern: TypePattern,
+    type_: Value,
+    wanted: frozenset[str],
+    bindings: dict[str, Value],
+    depth: int = 0,
+    *,
+    sure: bool = False,
+) -> bool:
+    """Bind the template parameters in `wanted` so that a pattern is the type; False where it can't be that (`sure`: or may be another)."""
+    if depth > _DEPTH:
+        return not sure
+    if pattern.pointers or (pattern.names and pattern.names[-1] in {"shared_ptr", "unique_ptr", "weak_ptr"}):
+        target = pointee(type_)
+        if target is None:
+            return isinstance(type_, (Unknown, External)) and not sure
+        inner = pattern._replace(pointers=pattern.pointers - 1) if pattern.pointers else _first(pattern)
+        return match(machine, inner, target, wanted, bindings, depth + 1, sure=sure)
+    if len(pattern.names) == 1 and pattern.names[0] in wanted and not pattern.arguments:
+        name = pattern.names[0]
+        if name in bindings and not isinstance(bindings[name], Unknown):
+            return bindings[name] == type_ or (isinstance(type_, Unknown) and not sure)
+        bindings[name] = type_
+        return True
+    if not pattern.arguments:
+        return True
+    types = _arguments(machine, type_)
+    if types is None or (pattern.names and pattern.names[-1] != dotted(type_).rpartition(".")[2]):
+        return isinstance(type_, Unknown) and not sure
+    for index, each in enumerate(pattern.arguments):
+        if each.pack and len(each.names) == 1 and each.names[0] in wanted:
+            bindings.setdefault(each.names[0], Tuple(types[index:]))
+            return True
+        if index < len(types) and not match(machine, each, types[index], wanted, bindings, depth + 1, sure=sure):
+            return False
+    return True
+
+
+def _first(pattern: TypePattern) -> TypePattern:
+    return pattern.arguments[0] if pattern.arguments else TypePattern()
+
+
+def _arguments(machine: Engine, type_: Value) -> tuple[Value, ...] | None:
+    if isinstance(type_, TypeOf):
+        return type_.arguments
+    info = linked(machine).info(type_) if isinstance(type_, Class) else None
+    return flat(info.types) if info is not None else None
+
+
+def flat(types: tuple[Value, ...]) -> tuple[Value, ...]:
+    """The arguments of a template as they are written: a pack is several."""
+    return tuple(each for type_ in types for each in (type_.items if isinstance(type_, Tuple) else (type_,)))
+
+
+def slot_free(value: Value) -> bool:
+    """Whether a value is no slot."""
+    return not isinstance(value, Slot)

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: `f(a)`, `o.f(a)`, `p->f<T>(a)`, `T(a)`, and the casts that look like one.
+
+p->create<T>("x", n)       Name p; Deref; Name T; InvokeMember 'create' <T> ("x", slot of n)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final, Literal
+
+from rosward.frontends.cpp.lower.body import Body, Want
+from rosward.frontends.cpp.lower.initialisers import arguments, construct, given
+from rosward.frontends.cpp.lower.names import last_part, name, of_parts, parts_of, template_arguments
+from rosward.frontends.cpp.lower.operators import choose, target, through_pointer
+from rosward.frontends.cpp.lower.seen import declared, is_constant
+from rosward.frontends.cpp.lower.survey import through_member, word
+from rosward.frontends.cpp.lower.types import TYPES, type_of
+from rosward.frontends.cpp.macros import EITHER
+from rosward.ir.core import NO_REGISTER
+from rosward.ir.cpp import Argued, Assign, Convert, Invoke, InvokeMember, Read, TypeOfValue
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_CASTS: Final[dict[str, Literal["static", "dynamic", "const"]]] = {
+    "static_cast": "static",
+    "dynamic_cast": "dynamic",
+    "const_cast": "const",
+    "reinterpret_cast": "const",
+}
+
+
+def _call(body: Body, node: Node, want: Want) -> int:
+    function, listed = node.child_by_field_name("function"), node.child_by_field_name("arguments")
+    if function is None:
+        return body.unknown(node, "syntax")
+    inner = _bare(function)
+    pair = through_member(inner)
+    if pair is not None:
+        return body.given(node, through_pointer(body, node, pair, arguments(body, listed)), want)
+    if inner.type == "field_expression" and not _broken(inner):
+        return _method(body, node, inner, listed, want)
+    if function.type in TYPES:
+        return construct(body, node, type_of(body, function), given(body, listed))
+    special = _SPECIAL.get(word(function)) if function.type == "identifier" else None
+    if special is not None:
+        return special(body, node, listed, want)
+    if function.type == "template_function":
+        cast = _CASTS.get(word(function.child_by_field_name("name")))
+        if cast is not None:
+            return _cast(body, node, function, listed, cast)
+    if function.type in ("identifier", "qualified_identifier", "template_function"):
+        func = name(body, function, "value")
+    else:
+        func = body.value(function)
+    return _invoke(body, node, func, arguments(body, listed), want)
+
+
+def _invoke(body: Body, node: Node, func: int, those: tuple[Argued, ...], want: Want) -> int:
+    place = body.place(node)
+    return _result(body, node, lambda dst, copied: body.emit(Invoke(*place, dst, func, those, copied=copied)), want)
+
+
+def _result(body: Body, node: Node, emit: Callable[[int, bool], None], want: Want) -> int:
+    """What is wanted of what a call gives, which may be a slot."""
+    dst = body.register()
+    emit(dst, want == "own")
+    if want != "value":
+        return dst
+    read = body.register()
+    body.emit(Read(*body.place(node), read, dst))
+    return read
+
+
+def _bare(node: Node) -> Node:
+    """`(o.*m)(a)`: what is in the parentheses, where that is a member."""
+    inner = node.named_children[0] if node.type == "parenthesized_expression" and node.named_children else node
+    return inner if inner.type in ("field_expression", "binary_expression") else node
+
+
+def _broken(node: Node) -> bool:
+    return node.has_error and any(child.is_error for child in node.children)
+
+
+def _method(body: Body, node: Node, function: Node, listed: Node | None, want: Want) -> int:
+    field = function.child_by_field_name("field")
+    if field is None:
+        return body.unknown(node, "syntax")
+    obj = target(body, function)
+    written = parts_of(field)
+    text, types = written.parts[-1] if written is not None else last_part(field)
+    scope = NO_REGISTER
+    if written is not None and len(written.parts) > 1:  # `o.Base::f()`
+        scope = of_parts(body, field, written._replace(parts=written.parts[:-1]), "value")
+    chosen = None if types is None else template_arguments(body, types)
+    those = arguments(body, listed)
+    place = body.place(field)
+    through = word(function.child_by_field_name("operator")) == "->"
+    argument = function.child_by_field_name("argument")
+    constant = is_constant(body, argument, through=through)
+    seen, static = declared(body, argument, place)
+    return _result(
+        body,
+        node,
+        lambda dst, copied: body.emit(
+            InvokeMember(
+                *place,
+                dst,
+                obj,
+                text,
+                those,
+                types=chosen,
+                scope=scope,
+                copied=copied,
+                constant=constant,
+                seen=seen,
+                static=static,
+            )
+        ),
+        want,
+    )
+
+
+def _cast(
+    body: Body, node: Node, function: Node, listed: Node | None, kind: Literal["static", "dynamic", "const"]
+) -> int:
+    """`static_cast<T>(x)`."""
+    types = function.child_by_field_name("arguments")
+    inner = [child for child in (listed.named_children if listed is not None else ()) if child.type != "comment"]
+    if types is None or len(types.named_children) != 1 or len(inner) != 1:
+        return body.unknown(node, "syntax")
+    if types.has_error and inner[0].type == "pointer_expression":
+        return body.value(
+            inner[0]
+        )  # `static_cast<void (C::*)(int)>(&C::f)`, which the grammar lacks: one of the overloads
+    return converted(body, node, inner[0], type_of(body, types.named_children[0], keep=True), kind)
+
+
+def converted(body: Body, node: Node, src: Node, type_: int, kind: Literal["static", "dynamic", "const"]) -> int:
+    """What a cast makes of an expression."""
+    slot = body.slot(src)
+    dst = body.register()
+    body.emit(Convert(*body.place(node), dst, slot, type_, kind))
+    return dst
+
+
+def _c_cast(body: Body, node: Node, want: Want) -> int:
+    """`(T)x`."""
+    value, type_ = node.child_by_field_name("value"), node.child_by_field_name("type")
+    if value is None or type_ is None:
+        return body.unknown(node, "syntax")
+    if word(type_) == "void":
+        return body.expression(value, "effect")
+    return body.given(node, converted(body, node, value, type_of(body, type_, keep=True), "static"), want)
+
+
+def _typeid(body: Body, node: Node, listed: Node | None, _want: Want) -> int:
+    inner = listed.named_children if listed is not None else []
+    if len(inner) != 1:
+        return body.unknown(node, "syntax")
+    src = body.slot(inner[0])
+    dst = body.register()
+    body.emit(TypeOfValue(*body.place(node), dst, src))
+    return dst
+
+
+def _either(body: Body, node: Node, listed: Node | None, want: Want) -> int:
+    """A macro that has several definitions: its value is one of theirs."""
+    inner = listed.named_children if listed is not None else []
+    how: Want = "value" if want == "effect" else want
+    if not inner:
+        return body.unknown(node, "syntax")
+
+    def of(position: int) -> int:
+        if position + 1 == len(inner):
+            return body.expression(inner[position], how)
+        test = body.unknown(node, "macro", "a macro with several definitions")
+        return choose(body, node, test, lambda: body.expression(inner[position], how), lambda: of(position + 1))
+
+    return of(0)
+
+
+def _va_start(body: Body, node: Node, listed: Node | None, _want: Want) -> int:
+    """`va_start(list, last)`: the list is what `...` got."""
+    inner = listed.named_children if listed is not None else []
+    if not inner or body.c_pack == NO_REGISTER:
+        return body.unknown(node, "language", "va_start")
+    body.emit(Assign(*body.place(node), NO_REGISTER, "=", body.slot(inner[0]), body.c_pack))
+    return body.c_pack
+
+
+_SPECIAL: Final[dict[str, Callable[[Body, Node, Node | None, Want], int]]] = {
+    "typeid": _typeid,
+    EITHER: _either,
+    "va_start": _va_start,
+}
+
+
+EXPRESSIONS: Final = {
+    "call_expression": _call,
+    "cast_expression": _c_cast,
+    "identifier": name,
+    "qualified_identifier": name,
+    "template_function": name,
+    "template_type": name,
+    "type_identifier": name,
+    "namespace_identifier": name,
+    "field_identifier": name,
+    "dependent_name": name,
+}

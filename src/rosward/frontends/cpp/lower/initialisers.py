@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is something initialised with? `(a, b)`, `{a, {b, c}}`, `{.x = 1}`, `= a`.
+
+T x{a, b};        Construct T (a, b) brace
+f({a, b})         Braces (a, b), for whoever makes something of it
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from rosward.frontends.cpp.lower.body import Body, Want
+from rosward.frontends.cpp.lower.survey import word
+from rosward.frontends.cpp.lower.types import declared_type, type_of
+from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Form, MakeType
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+
+class Given(NamedTuple):
+    """Arguments and how they are written."""
+
+    arguments: tuple[Argued, ...]
+    form: Form
+
+
+def _designated(node: Node) -> tuple[str, Node]:
+    """`.a = 1`: the name and the value."""
+    value = node.child_by_field_name("value")
+    if node.type != "initializer_pair" or value is None:
+        return "", node
+    designator = node.child_by_field_name("designator")
+    return word(designator).lstrip(". "), value
+
+
+def arguments(body: Body, node: Node | None) -> tuple[Argued, ...]:
+    """Those in an `argument_list`."""
+    listed = node.named_children if node is not None else []
+    return tuple(body.argued(child) for child in listed if child.type != "comment")
+
+
+def given(body: Body, node: Node | None, *, copy: bool = False) -> Given:
+    """What a type is made with: `argument_list`, `initializer_list` or (`copy`: after `=`) an expression."""
+    if node is None:
+        return Given((), "default")
+    if node.type == "argument_list":
+        return Given(arguments(body, node), "paren")
+    if node.type != "initializer_list":
+        return Given((body.argued(node),), "copy")
+    form: Form = "brace-copy" if copy else "brace"
+    if any(child.type == "initializer_pair" for child in node.named_children):
+        return Given((body.argued(node),), form)
+    return Given(arguments(body, node), form)
+
+
+def construct(body: Body, node: Node, type_: int, what: Given) -> int:
+    """A new value of a type."""
+    dst = body.register()
+    body.emit(Construct(*body.place(node), dst, type_, what.arguments, what.form))
+    return dst
+
+
+def _literal(body: Body, node: Node, _want: Want) -> int:
+    """`T{a}`, and `(T){a}` of C."""
+    kind = type_of(body, node.child_by_field_name("type"))
+    return construct(body, node, kind, given(body, node.child_by_field_name("value")))
+
+
+def _braces(body: Body, node: Node, _want: Want) -> int:
+    """`{a, b}` as a value."""
+    items: list[Argued] = []
+    names: list[str] = []
+    for child in node.named_children:
+        name, value = _designated(child)
+        names.append(name)
+        items.append(body.argued(value))
+    dst = body.register()
+    body.emit(Braces(*body.place(node), dst, tuple(items), tuple(names) if any(names) else ()))
+    return dst
+
+
+def _new(body: Body, node: Node, _want: Want) -> int:
+    """`new T(a)`, `new T[n]`."""
+    declarator = node.child_by_field_name("declarator")
+    kind = declared_type(body, node.child_by_field_name("type"), None)
+    if declarator is not None:
+        length = declarator.child_by_field_name("length")
+        kind = _array(body, declarator, kind, length)
+    made = construct(body, node, kind, given(body, node.child_by_field_name("arguments")))
+    dst = body.register()
+    body.emit(AddressOf(*body.place(node), dst, made))
+    return dst
+
+
+def _array(body: Body, node: Node, element: int, length: Node | None) -> int:
+    inner = (element,) if length is None else (element, body.value(length))
+    dst = body.register()
+    body.emit(MakeType(*body.place(node), dst, "array", inner))
+    return dst
+
+
+EXPRESSIONS: Final = {
+    "compound_literal_expression": _literal,
+    "initializer_list": _braces,
+    "new_expression": _new,
+}

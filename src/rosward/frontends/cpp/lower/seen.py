@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is known of the object before a dot, as far as that is written: whether it is constant, and the type that it is declared with.
+
+const Table & table;  table.at("x")      the `at` of constant objects
+void start(Base & b) { b.name(); }       the `name` of Base, where that is not virtual, whatever `b` is
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.frontends.cpp.lower.body import Body
+from rosward.frontends.cpp.lower.survey import word
+from rosward.frontends.cpp.lower.types import declared_type
+from rosward.ir.core import NO_REGISTER
+from rosward.ir.cpp import Declared
+from rosward.ir.op import Block
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_DEPTH: Final = 20
+_LIBRARIES: Final = (b"std::string", b"std::vector", b"std::map", b"rclcpp::", b"rclcpp_")
+"""How types begin in which nothing is hidden."""
+
+
+def declared(body: Body, node: Node | None, place: tuple[int, int]) -> tuple[Block, int]:
+    """Operations that give the type with which the object, or the pointer to it, is declared; none where that is not written."""
+    while node is not None and node.type == "parenthesized_expression" and node.named_children:
+        node = node.named_children[0]
+    if node is not None and node.type == "pointer_expression" and node.children[0].type == "*":
+        node = node.child_by_field_name("argument")
+    if node is None or node.type != "identifier":
+        return [], NO_REGISTER
+    variable = body.variable(word(node))
+    if variable is None:
+        if not body.has_this:
+            return [], NO_REGISTER
+        dst = body.register()
+        return [Declared(*place, dst, word(node))], dst
+    written = variable.written
+    if written is None or variable.raw or (written[0].text or b"").startswith(_LIBRARIES):
+        return [], NO_REGISTER
+    found = NO_REGISTER
+
+    def lower() -> None:
+        nonlocal found
+        found = declared_type(body, *written)
+
+    return body.block(lower), found
+
+
+def is_constant(body: Body, node: Node | None, *, through: bool = False) -> bool:
+    """Whether an expression stands for something constant; `through`: what it points to."""
+    here = node
+    for _ in range(_DEPTH):
+        if here is None:
+            return False
+        kind = here.type
+        if kind == "identifier":
+            variable = body.variable(word(here))
+            if variable is None:  # a field
+                return body.constant_this and not through
+            return variable.leads_to_constant if through else variable.constant
+        if kind == "this":
+            return body.constant_this and through
+        if kind == "parenthesized_expression":
+            here = here.named_children[0] if here.named_children else None
+        elif kind == "pointer_expression" and here.children[0].type == "*":
+            here, through = here.child_by_field_name("argument"), True
+        elif kind == "field_expression" and not through:
+            through = word(here.child_by_field_name("operator")) == "->"
+            here = here.child_by_field_name("argument")
+        elif kind == "subscript_expression" and not through:
+            here = here.child_by_field_name("argument")
+        else:
+            return kind == "call_expression" and word(here.child_by_field_name("function")) == "std::as_const"
+    return False

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How is a type, as it is written, made a value?
+
+std::vector<T> *      Name std.vector<T>; MakeType pointer
+unsigned int          MakeType 'unsigned int'
+decltype(x)           TypeOfValue of the slot of x
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.frontends.cpp.lower.body import Body, Want
+from rosward.frontends.cpp.lower.survey import word
+from rosward.ir.cpp import LocalSymbol, MakeType, TypeOfValue
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+_BUILTIN: Final = frozenset({"primitive_type", "sized_type_specifier"})
+_CLASSES: Final = frozenset({"class_specifier", "struct_specifier", "union_specifier", "enum_specifier"})
+_NAMES: Final = frozenset(
+    {"type_identifier", "identifier", "qualified_identifier", "template_type", "namespace_identifier", "template_function"}
+)  # fmt: skip
+_RUNS: Final = frozenset({"call_expression", "assignment_expression", "update_expression", "new_expression"})
+_LOOKED_AT: Final = 300
+
+TYPES: Final = (
+    _BUILTIN
+    | _CLASSES
+    | {"template_type", "decltype", "dependent_type", "type_descriptor", "placeholder_type_specifier"}
+)
+"""What is a type wherever it stands."""
+POINTERS: Final = frozenset({"pointer_declarator", "abstract_pointer_declarator", "pointer_type_declarator"})
+REFERENCES: Final = frozenset({"reference_declarator", "abstract_reference_declarator"})
+ARRAYS: Final = frozenset({"array_declarator", "abstract_array_declarator"})
+FUNCTIONS: Final = frozenset({"function_declarator", "abstract_function_declarator"})
+DECLARATORS: Final = 50
+"""How many pointers, references, brackets may stand in one declarator."""
+
+
+def type_of(body: Body, node: Node | None, *, keep: bool = False) -> int:
+    """The type that a node writes; of a `type_descriptor` with its pointers, and with references where they are to be kept."""
+    if node is None:
+        return body.nothing()
+    kind = node.type
+    if kind == "type_descriptor":
+        return declared_type(body, node.child_by_field_name("type"), node.child_by_field_name("declarator"), keep=keep)
+    if kind in _BUILTIN:
+        return _made(body, node, builtin(node))
+    if kind == "placeholder_type_specifier":
+        inner = node.child_by_field_name("constraint")
+        return _made(body, node if inner is None else inner, "auto")
+    if kind in ("auto", "decltype"):
+        return _decltype(body, node)
+    if kind in _NAMES:
+        return body.value(node)
+    if kind in ("dependent_type", "parameter_pack_expansion") and node.named_children:
+        return type_of(body, node.named_children[0], keep=keep)
+    if kind in _CLASSES:
+        return _class(body, node)
+    return body.unknown(node, "syntax")
+
+
+def builtin(node: Node | None) -> str:
+    """`unsigned   int` as `unsigned int`, '' for what is no such type. `size_t` and `uint8_t` are such types for the parser."""
+    return " ".join(word(node).split()) if node is not None and node.type in _BUILTIN else ""
+
+
+def declared_type(
+    body: Body, node: Node | None, declarator: Node | None, *, keep: bool = False, result: bool = False
+) -> int:
+    """The type of a variable, from what stands before the declarators and what its own adds; with `result`, of what a function returns."""
+    found = _made(body, declarator, "auto") if node is None and declarator is not None else type_of(body, node)
+    here = declarator
+    for _ in range(DECLARATORS):
+        if here is None:
+            break
+        if here.type in POINTERS:
+            found = _made(body, here, "pointer", (found,))
+        elif here.type in ARRAYS:
+            size = here.child_by_field_name("size")
+            found = _made(body, here, "array", (found,) if size is None else (found, body.value(size)))
+        elif here.type in FUNCTIONS and result:
+            break
+        elif here.type in FUNCTIONS:
+            found = _made(body, here, "function", (found, *_takes(body, here)))
+        elif here.type in REFERENCES and keep:
+            found = _made(body, here, "reference", (found,))
+        here = within(here)
+    return found
+
+
+def _takes(body: Body, declarator: Node) -> list[int]:
+    listed = declarator.child_by_field_name("parameters")
+    return [
+        declared_type(body, each.child_by_field_name("type"), each.child_by_field_name("declarator"), keep=True)
+        for each in (listed.named_children if listed is not None else ())
+        if each.child_by_field_name("type") is not None
+    ]
+
+
+def within(declarator: Node) -> Node | None:
+    """What a declarator is about: of `& x`, `* x`, `x[3]`, `x = 1` the `x`."""
+    if declarator.type == "qualified_identifier":  # `int A::* member`
+        name = declarator.child_by_field_name("name")
+        return name if name is not None and name.type in POINTERS | {"qualified_identifier"} else None
+    inner = declarator.child_by_field_name("declarator")
+    if inner is not None:
+        return inner
+    ends = ("declarator", "identifier")
+    return next((child for child in declarator.named_children if child.type.endswith(ends)), None)
+
+
+def is_buffer(node: Node | None, declarator: Node | None, *, const: bool, array: bool) -> bool:
+    """Whether something is declared as `char *`, through which characters may be written; as a parameter (`array`) also `char x[]`."""
+    if const or builtin(node) != "char" or has(declarator, FUNCTIONS | REFERENCES):
+        return False
+    return has(declarator, POINTERS | (ARRAYS if array else frozenset())) and not (
+        has(declarator, ARRAYS) and not array
+    )
+
+
+def has(declarator: Node | None, kinds: frozenset[str]) -> bool:
+    """Whether a declarator adds one of these to the type."""
+    here = declarator
+    for _ in range(DECLARATORS):
+        if here is None:
+            return False
+        if here.type in kinds:
+            return True
+        here = within(here)
+    return False
+
+
+def _type(body: Body, node: Node, _want: Want) -> int:
+    """A type where a value may stand as well: `typeid(int)`, an argument or default of a template."""
+    return type_of(body, node, keep=True)
+
+
+def _made(body: Body, node: Node, kind: str, inner: tuple[int, ...] = ()) -> int:
+    dst = body.register()
+    body.emit(MakeType(*body.place(node), dst, kind, inner))
+    return dst
+
+
+def _decltype(body: Body, node: Node) -> int:
+    """`decltype(x)`; what would run something if it were evaluated is not looked into."""
+    inner = next((child for child in node.named_children if child.type != "auto"), None)
+    if inner is None:
+        return _made(body, node, "auto")
+    waiting = [inner]
+    for _ in range(_LOOKED_AT):
+        if not waiting:
+            break
+        here = waiting.pop()
+        if here.type in _RUNS:
+            return body.unknown(node, "language", "decltype")
+        waiting += here.named_children
+    src = body.slot(inner)
+    dst = body.register()
+    body.emit(TypeOfValue(*body.place(node), dst, src))
+    return dst
+
+
+def _class(body: Body, node: Node) -> int:
+    """A class that is declared here, or `struct A` for a name."""
+    name = node.child_by_field_name("name")
+    known = name is not None and word(name) in body.scopes[-1].names
+    if name is not None and (known or node.child_by_field_name("body") is None):
+        return body.value(name)
+    symbol = body.shared.local(node)
+    if symbol is None:
+        return body.unknown(node, "syntax")
+    dst = body.register()
+    body.emit(LocalSymbol(*body.place(node), dst, symbol))
+    return dst
+
+
+EXPRESSIONS: Final = dict.fromkeys(_BUILTIN | _CLASSES | {"decltype", "dependent_type", "type_descriptor"}, _type)

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is known of a local variable, a block, a loop and what a function returns, while its body is lowered?"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple, final
+
+from rosward.ir.core import NO_REGISTER
+
+if TYPE_CHECKING:
+    from tree_sitter import Node
+
+
+@final
+class Variable:
+    """A local variable: in a register, or in a cell where something may refer to it.
+
+    `reference`: it holds a slot. `constant`: it is never assigned to, whoever gets it. `leads_to_constant`: a pointer, through which nothing
+    is changed. `builtin`: the arithmetic type that it has. `raw`: a
+    type, a constant of a template or a pack, which is taken as it is; `pack` tells the last, `type` a type or constant. `path`: it is no
+    variable at all, but another name for that (`using std::string;`, `namespace fs = std::filesystem;`), with '' first where that begins
+    with `::`. `written` is the type that it is declared with, and what its declarator adds. `members` are the enumerators of an enum.
+    """
+
+    __slots__ = (
+        "builtin",
+        "cell",
+        "constant",
+        "leads_to_constant",
+        "members",
+        "name",
+        "pack",
+        "path",
+        "raw",
+        "reference",
+        "register",
+        "type",
+        "written",
+    )
+
+    def __init__(
+        self,
+        name: str,
+        register: int,
+        cell: int,
+        *,
+        reference: bool = False,
+        builtin: str = "",
+        raw: bool = False,
+        pack: bool = False,
+        type_: bool = False,
+        path: tuple[str, ...] = (),
+    ) -> None:
+        self.name = name
+        self.register = register
+        self.cell = cell
+        self.reference = reference
+        self.builtin = builtin
+        self.constant = False
+        self.leads_to_constant = False
+        self.written: tuple[Node, Node | None] | None = None
+        self.raw = raw or pack or type_
+        self.pack = pack
+        self.type = type_
+        self.path = path
+        self.members: dict[str, Variable] = {}
+
+
+@final
+class Scope:
+    """A block: its names, and those of its variables that may be objects, in their order; `floor` is the first register that is free after it."""
+
+    __slots__ = ("floor", "names", "objects")
+
+    def __init__(self, floor: int) -> None:
+        self.floor = floor
+        self.names: dict[str, Variable] = {}
+        self.objects: list[Variable] = []
+
+
+class Loop(NamedTuple):
+    """A loop or `switch` around: how many blocks are outside, what `continue` has to do first, and the register that it sets within a `switch`."""
+
+    scopes: int
+    step: Callable[[], None] | None = None
+    is_switch: bool = False
+    flag: int = NO_REGISTER
+
+
+class Returns(NamedTuple):
+    """What a function returns: its type as it is written, whether that is a reference. `plain`: nothing is to be converted."""
+
+    type: Node | None = None
+    declarator: Node | None = None
+    reference: bool = False
+    plain: bool = True
+
+    @classmethod
+    def of_descriptor(cls, node: Node) -> Returns:
+        """Of `-> T`."""
+        type_ = node.child_by_field_name("type")
+        return cls.of(type_, node.child_by_field_name("declarator"))
+
+    @classmethod
+    def of(cls, type_: Node | None, declarator: Node | None) -> Returns:
+        """Of a function with this type before this declarator."""
+        reference = declarator is not None and declarator.type in {
+            "reference_declarator",
+            "abstract_reference_declarator",
+        }
+        plain = type_ is None or type_.type in {"placeholder_type_specifier", "auto"} or type_.text == b"void"
+        return cls(type_, declarator, reference, plain or reference)

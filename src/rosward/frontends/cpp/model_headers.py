@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which headers stand for the libraries that a program uses?
+
+    models/cpp/headers/rclcpp/node.hpp      what rclcpp::Node does, in C++: a file "models:rclcpp/node.hpp" of every program
+
+Each is read by itself: none includes another, as all of them are there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from rosward.findings import Finding
+from rosward.frontends.cpp.parse import CppParser
+from rosward.frontends.cpp.preprocess import Preprocessor
+from rosward.frontends.cpp.store import Versions
+from rosward.frontends.cpp.symbol_file import FileSymbols, Seen
+
+PREFIX: Final = "models:"
+"""What the names of files that are models begin with."""
+
+_HEADERS: Final = Path(__file__).parent.parent.parent / "models" / "cpp" / "headers"
+YIELDING: Final = frozenset({"controller_interface", "hardware_interface", "nav2", "nav2_util"})
+"""Libraries whose own sources count where they are there: they are written with the others."""
+_NOT_OF_ROS: Final = frozenset({"std"})
+
+_OWN: Final[dict[tuple[tuple[str, tuple[int, int, int]], ...], tuple[FileSymbols, ...]]] = {}
+"""The models under each set of versions: they and what is found in them never change, so that one run has them from the run before."""
+
+
+def modelled() -> frozenset[str]:
+    """The libraries of ROS that there are models of."""
+    return frozenset(folder.name for folder in _folders()) - _NOT_OF_ROS
+
+
+def model_headers(versions: Versions, parser: CppParser) -> Sequence[FileSymbols]:
+    """The models, in a fixed order; read once."""
+    key = tuple(sorted(versions.items()))
+    if key not in _OWN:
+        _OWN[key] = tuple(_read_all(versions, parser))
+    return _OWN[key]
+
+
+def _read_all(versions: Versions, parser: CppParser) -> list[FileSymbols]:
+    preprocessor = Preprocessor(_read, _named, lambda *_: None, versions)
+    seen = Seen()
+    for folder in _folders():
+        for path in sorted(folder.rglob("*.hpp")):
+            for prepared in preprocessor.translate(str(path), (), ()).files:
+                parsed = parser.parse(prepared)
+                if not isinstance(parsed, Finding):
+                    seen.files.append(FileSymbols(parsed, seen, source=False))
+    return seen.files
+
+
+def library_of(file: FileSymbols) -> str:
+    """The library of a file of the models."""
+    return file.parsed.prepared.file.removeprefix(PREFIX).partition("/")[0]
+
+
+def _folders() -> list[Path]:
+    return sorted(p for p in _HEADERS.iterdir() if p.is_dir()) if _HEADERS.is_dir() else []
+
+
+def _read(path: str) -> str:
+    return Path(path).read_text(encoding="utf-8")
+
+
+def _named(path: str) -> str:
+    return PREFIX + Path(path).relative_to(_HEADERS).as_posix()

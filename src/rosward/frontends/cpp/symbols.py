@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which names has a program?
+
+    lamp.hpp:  struct Lamp { void on(int level = 1); };      lamp.cpp:  void Lamp::on(int level) {…}      ->  Lamp::on: one function
+
+The files of a program are put together when a scope of it is asked for; what two programs share is computed once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+from hashlib import blake2b
+from typing import Final, final
+
+from rosward.frontends.cpp.same import Merged
+from rosward.frontends.cpp.symbol import CppSymbol
+from rosward.frontends.cpp.symbol_file import FileSymbols
+from rosward.ir.symbols import Scope, SymbolKind
+
+_TYPES: Final = frozenset({SymbolKind.CLASS, SymbolKind.ENUM})
+_LITERALS: Final = frozenset(
+    {
+        "number_literal",
+        "string_literal",
+        "char_literal",
+        "true",
+        "false",
+        "null",
+        "unary_expression",
+        "concatenated_string",
+    }
+)
+
+
+@final
+class CppSymbols:
+    """See `ir.symbols.Symbols`. `merged` is what is known of declarations that are one, for all programs."""
+
+    def __init__(self, files: Iterable[FileSymbols], merged: Merged) -> None:
+        self.files = tuple(dict.fromkeys(files))
+        self._merged = merged
+        self._scopes: dict[Scope, dict[str, list[CppSymbol]]] = {}
+        self._used: dict[Scope, Sequence[CppSymbol]] = {}
+        self._found: dict[tuple[Scope, str], Sequence[CppSymbol]] = {}
+
+    def at(self, scope: Scope, name: str) -> Sequence[CppSymbol]:
+        """What a scope declares under a name, over all files of the program, in their order."""
+        found = self._found.get((scope, name))
+        if found is None:
+            found = self._found[scope, name] = self._at(self._seen(scope), name)
+        return found
+
+    def _at(self, scope: Scope, name: str) -> Sequence[CppSymbol]:
+        declared: list[CppSymbol] = []
+        if scope:
+            label = scope[-1]
+            for symbol in self.at(scope[:-1], label.partition("<")[0]):
+                if symbol.kind in _TYPES and symbol.label == label:
+                    declared += symbol.named_members.get(name, ())
+            if label.endswith("()"):
+                declared += [each for file in self.files for each in file.locals.get(scope, {}).get(name, ())]
+        declared += self._scope(scope).get(name, ())
+        return self._merged.one_each(declared) if declared else ()
+
+    def used(self, scope: Scope) -> Sequence[CppSymbol]:
+        """The `using namespace` of a scope."""
+        found = self._used.get(scope)
+        if found is None:
+            seen = self._seen(scope)
+            found = self._used[scope] = [s for file in self._files.get(seen, ()) for s in file.used(seen)]
+        return found
+
+    def is_namespace(self, scope: Scope) -> bool:
+        """Whether anything is declared in a namespace of that name."""
+        return scope in self._spaces
+
+    @cached_property
+    def digest(self) -> str:
+        """What tells the program from one of other files, or of files that became something else."""
+        return blake2b("\n".join(file.text for file in self.files).encode(), digest_size=16).hexdigest()
+
+    @cached_property
+    def variables(self) -> Sequence[CppSymbol]:
+        """The variables outside of functions, and static members: first those whose first value is written there, then as the files are."""
+        found: dict[CppSymbol, None] = {}
+        for file in self.files:
+            for symbol in file.variables:
+                whole = next((s for s in self.at(symbol.scope, symbol.name) if s.key == symbol.key), None)
+                if whole is not None:
+                    found[whole] = None
+        return sorted(found, key=lambda symbol: not _is_written(symbol))
+
+    @cached_property
+    def main(self) -> CppSymbol | None:
+        """The function `main`."""
+        return next((s for s in self.at((), "main") if s.kind is SymbolKind.FUNCTION and s.defined), None)
+
+    @cached_property
+    def _spaces(self) -> frozenset[Scope]:
+        return frozenset(space for file in self.files for space in file.outline.spaces)
+
+    @cached_property
+    def _inlines(self) -> dict[Scope, Scope]:
+        return {inner: outer for file in self.files for inner, outer in file.outline.inlines.items()}
+
+    def _seen(self, scope: Scope) -> Scope:
+        """The scope without inline namespaces."""
+        if self._inlines:
+            for length in range(1, len(scope) + 1):
+                outer = self._inlines.get(scope[:length])
+                if outer is not None:
+                    return self._seen((*outer, *scope[length:]))
+        return scope
+
+    @cached_property
+    def _files(self) -> dict[Scope, list[FileSymbols]]:
+        """The files that have something in a scope."""
+        found: dict[Scope, list[FileSymbols]] = {}
+        for file in self.files:
+            for scope in dict.fromkeys((*file.plain, *file.elsewhere)):
+                found.setdefault(scope, []).append(file)
+        return found
+
+    def _scope(self, scope: Scope) -> dict[str, list[CppSymbol]]:
+        found = self._scopes.get(scope)
+        if found is None:
+            found = self._scopes[scope] = {}
+            for file in self._files.get(scope, ()):
+                for table in (file.plain, file.elsewhere):
+                    for name, symbols in table.get(scope, {}).items():
+                        found.setdefault(name, []).extend(symbols)
+        return found
+
+
+def _is_written(symbol: CppSymbol) -> bool:
+    """Whether the first value of a variable needs nothing to run."""
+    if not symbol.words.isdisjoint({"constexpr", "constinit"}):
+        return True
+    node = symbol.declared.node
+    value = node.child_by_field_name("value") or symbol.declared.whole.child_by_field_name("default_value")
+    return value is not None and value.type in _LITERALS

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a language with declarations declares: the names of a program by scope, each with code that says what it is, lowered when asked for.
+
+    namespace lamp { template <class T> struct Topic { static constexpr auto name = "a"; };  void on(const std::string & t = "x"); }
+    lamp            Topic: class, template (T)        on: function, one parameter by const reference with a default
+    lamp::Topic     name: variable, static
+
+A *thunk* is the code of a function without parameters that returns what is asked for (an initial value, a type); of a template, its parameters
+are those of the template.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+from rosward.ir.program import Code, ParameterSymbol, Scope, Signature, TemplateParameter, TypePattern
+
+__all__ = [
+    "BaseSymbol",
+    "ParameterSymbol",
+    "Scope",
+    "Signature",
+    "Symbol",
+    "SymbolKind",
+    "Symbols",
+    "TemplateParameter",
+    "TypePattern",
+]
+
+if TYPE_CHECKING:
+    from rosward.source.location import Place
+
+
+class SymbolKind(enum.Enum):
+    """What is declared."""
+
+    CLASS = "class"
+    ENUM = "enum"
+    ENUMERATOR = "enumerator"
+    FUNCTION = "function"
+    VARIABLE = "variable"
+    ALIAS = "alias"
+    USING = "using"
+    USING_NAMESPACE = "using namespace"
+    NAMESPACE_ALIAS = "namespace alias"
+
+
+class BaseSymbol(NamedTuple):
+    """A base of a class: a thunk of its type. `pack`: it returns several."""
+
+    type: Code
+    pack: bool = False
+    virtual: bool = False
+
+
+class Symbol(Protocol):
+    """One declaration; of a function, all declarations and the definition together: defaults and marks of the one, the body of the other.
+    One that is deleted is not there. What is expensive to know is computed when it is asked for; the same object for the same text of a file."""
+
+    @property
+    def kind(self) -> SymbolKind:
+        """What it is."""
+
+    @property
+    def scope(self) -> Scope:
+        """Where it is declared."""
+
+    @property
+    def name(self) -> str:
+        """As it is written; a destructor with its `~`, an operator as `operator==`, a conversion as `operator bool`."""
+
+    @property
+    def key(self) -> str:
+        """What names it for good."""
+
+    @property
+    def unit(self) -> str:
+        """The file that may see it where it is of internal linkage, else ''."""
+
+    @property
+    def place(self) -> Place:
+        """Where it stands."""
+
+    @property
+    def sure(self) -> bool:
+        """Whether it is surely there, whatever the preprocessor decides."""
+
+    @property
+    def defined(self) -> bool:
+        """A class or function with its body."""
+
+    @property
+    def static(self) -> bool:
+        """A static member; for a class or enum that does not matter."""
+
+    @property
+    def constant(self) -> bool:
+        """A variable that is `const` or `constexpr`, a member function of constant objects."""
+
+    @property
+    def virtual(self) -> bool:
+        """`virtual`, `override` or `final`."""
+
+    @property
+    def explicit(self) -> bool:
+        """A constructor that converts nothing by itself."""
+
+    @property
+    def enumeration(self) -> str:
+        """Of an enumerator, the dotted name of its enumeration; '' where that has none."""
+
+    @property
+    def template(self) -> tuple[TemplateParameter, ...] | None:
+        """The parameters of the innermost template that it is; None where it is none. An empty tuple: `template <>`."""
+
+    @property
+    def specialises(self) -> tuple[TypePattern, ...] | None:
+        """What a specialisation is for: `template <> struct Topic<Imu>`."""
+
+    @property
+    def inner(self) -> Scope:
+        """Of a class or enum: the scope of its members; that of a specialisation is its own."""
+
+    @property
+    def target(self) -> Scope:
+        """Of a `using`, `using namespace` or alias of a namespace: the names as they are written, '' first where they begin with `::`."""
+
+    @property
+    def code(self) -> Code | None:
+        """A function: its body, None where it has none. A variable: a thunk of its first value, None without; of a field that is not static,
+        with `this`. An enumerator: a thunk of its value (of the one before plus one). An alias: a thunk of its type. A `using` in a class:
+        a thunk of the class that it names a member of."""
+
+    @property
+    def type(self) -> Code | None:
+        """A variable: a thunk of its type; a function: of its return type. None for `auto` and constructors."""
+
+    @property
+    def reference(self) -> bool:
+        """A variable that is a reference; a function that returns one."""
+
+    @property
+    def parameters(self) -> tuple[ParameterSymbol, ...]:
+        """Those of a function, `this` left out."""
+
+    @property
+    def bases(self) -> tuple[BaseSymbol, ...]:
+        """Those of a class, in their order."""
+
+    @property
+    def members(self) -> Sequence[Symbol]:
+        """What a class declares, in its order: fields, functions, classes, aliases."""
+
+    @property
+    def marks(self) -> Mapping[str, tuple[str, ...]]:
+        """The attributes `[[rosward::mark("word")]]` of a model: each with its words."""
+
+
+class Symbols(Protocol):
+    """The names of a program."""
+
+    def at(self, scope: Scope, name: str) -> Sequence[Symbol]:
+        """What a scope declares under a name, over all files of the program, in their order; declarations before definitions elsewhere."""
+
+    def used(self, scope: Scope) -> Sequence[Symbol]:
+        """The `using namespace` of a scope."""
+
+    def is_namespace(self, scope: Scope) -> bool:
+        """Whether anything is declared in a namespace of that name."""
+
+    @property
+    def digest(self) -> str:
+        """What tells the program from one of other files, or of files that became something else."""
+
+    @property
+    def variables(self) -> Sequence[Symbol]:
+        """The variables of namespaces, and static members, in the order in which a program gives them their first values."""
+
+    @property
+    def main(self) -> Symbol | None:
+        """The function `main`."""

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What have all containers in common: what they keep of a value that is put in, where an element stands, what is taken away?
+
+v.push_back(lamp)           a copy of it, as a value of the type of the elements
+v.emplace_back("a", 1)      an object made of these
+v[0]                        the slot of an element, or the object that it is
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.compound import Tuple
+from rosward.domain.series import Series
+from rosward.domain.slots import Slot
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, Const, Ref, Value
+from rosward.models.cpp.conversions import convert, default_value
+from rosward.models.cpp.copies import copied
+from rosward.models.cpp.elements import between, series_of
+from rosward.models.cpp.iterators import as_iterator, iterator
+from rosward.models.cpp.slots import read
+from rosward.models.cpp.types import Shape, argument, name_of, shape_of
+from rosward.models.native import Machine, NativeCall
+from rosward.models.python.containers.lists import write_series
+from rosward.models.python.plain import int_of, unknown_from
+
+__all__ = ["cls_of", "element_from", "erased", "initial", "lost", "made_of", "nothing", "place_of", "receivers", "swap"]
+
+_MOST: Final = 1_000
+
+
+def receivers(call: NativeCall) -> list[Ref]:
+    """The containers on which a method is called."""
+    found = options(read(call.machine, call.args[0]))
+    return [o for o in found if isinstance(o, Ref) and call.machine.obj(o).kind in ("list", "set", "dict")]
+
+
+def lost(call: NativeCall, hint: str = "") -> Value:
+    """The receiver is no container that is known."""
+    return unknown_from(call.machine, call.name, hint, read(call.machine, call.args[0]))
+
+
+def element_from(machine: Machine, type_: Value, value: Value, index: int = 0) -> Value:
+    """What a container of a type keeps of a value: a copy of its own, as a value of the type of its elements."""
+    held = convert(machine, value, argument(type_, index))
+    return copied(machine, held)
+
+
+def made_of(machine: Machine, type_: Value, args: tuple[Value, ...], index: int = 0) -> Value:
+    """An element made in place, as `emplace` does."""
+    wanted = argument(type_, index)
+    if name_of(wanted) == "auto":
+        return copied(machine, args[0]) if args else NONE
+    if shape_of(wanted) in (Shape.CLASS, Shape.OTHER, Shape.LIST, Shape.SET, Shape.MAP, Shape.STREAM):
+        return machine.call(wanted, args)
+    if not args:
+        return default_value(machine, wanted)
+    if shape_of(wanted) in (Shape.PAIR, Shape.TUPLE):
+        return convert(machine, Tuple(tuple(read(machine, arg) for arg in args)) if len(args) > 1 else args[0], wanted)
+    return element_from(machine, type_, args[0], index) if len(args) == 1 else machine.call(wanted, args)
+
+
+def place_of(machine: Machine, ref: Ref, index: Value) -> Value:
+    """The slot of an element; an object itself."""
+    index = read(machine, index)
+    slot = Slot(ref, "item", index)
+    held = read(machine, slot)
+    return held if all(isinstance(option, Ref) for option in options(held)) else slot
+
+
+def cls_of(machine: Machine, ref: Ref) -> Value:
+    """The type of a container."""
+    return machine.obj(ref).cls
+
+
+def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
+    """The elements that `assign`, `insert` and constructors are given: (n, value), (first, last), (list)."""
+    values = [read(machine, arg) for arg in args]
+    if not values:
+        return Series()
+    if len(values) > 1 and as_iterator(values[0]) is not None:
+        return between(machine, values[0], values[1]).mapped(lambda v: element_from(machine, type_, v))
+    first = values[0]
+    if isinstance(first, (Tuple, Ref)):
+        return series_of(machine, first).mapped(lambda v: element_from(machine, type_, v))
+    many = [int_of(option) for option in options(first)]
+    fill = args[1] if len(args) > 1 else None
+
+    def one() -> Value:
+        return default_value(machine, argument(type_, 0)) if fill is None else element_from(machine, type_, fill)
+
+    count = many[0]
+    if len(many) == 1 and count is not None and 0 <= count <= _MOST:
+        return Series(tuple(one() for _ in range(count)))
+    return Series((), one())
+
+
+def erased(machine: Machine, ref: Ref, first: Value, last: Value | None) -> Value:
+    """container.erase(first, last): what leads to the element behind."""
+    series = machine.obj(ref).series()
+    a = as_iterator(first)
+    b = as_iterator(last) if last is not None else None
+    start = int_of(a.key) if a is not None and isinstance(a.key, Value) else None
+    if a is not None and a.key == NONE and (last is None or first == last):
+        return iterator(ref, NONE)
+    if start is not None and start >= 0:
+        if last is None:
+            rest = series.without_at(start) if series.at(start) is not None else series
+            return _without(machine, ref, rest, start)
+        if b is not None and b.key == NONE:
+            return _without(machine, ref, series.part(slice(None, start)), start)
+        stop = int_of(b.key) if b is not None and isinstance(b.key, Value) else None
+        if stop is not None and start <= stop and (series.exact or stop <= len(series.head)):
+            return _without(machine, ref, series.without_part(slice(start, stop)), start)
+    write_series(machine, ref, series.loose())
+    return join_all((iterator(ref, machine.unknown(Cause.OPERATION, "erase", "int")), iterator(ref, NONE)))
+
+
+def _without(machine: Machine, ref: Ref, series: Series, start: int) -> Value:
+    write_series(machine, ref, series)
+    return iterator(ref, NONE if series.exact and start >= len(series.head) else Const(start))
+
+
+def swap(call: NativeCall) -> Value:
+    """Two containers change what they hold."""
+    machine = call.machine
+    ours, theirs = (read(machine, arg) for arg in call.exactly(2))
+    if isinstance(ours, Ref) and isinstance(theirs, Ref):
+        a, b = machine.obj(ours), machine.obj(theirs)
+        machine.update(ours, b.replace(many=a.many, cls=a.cls))
+        machine.update(theirs, a.replace(many=b.many, cls=b.cls))
+    return NONE
+
+
+def nothing(call: NativeCall) -> Value:
+    """A method that matters to nobody."""
+    del call
+    return NONE

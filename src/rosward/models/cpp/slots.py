@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands at a place?
+
+    n, *p, v[2]         read(machine, slot): what stands there; of an object the object itself
+
+An object is its own slot. An element of a string has a slot whose base is the slot of the string, or the string itself.
+An iterator of a map leads to a slot of kind 'entry': the pair of a key and what stands under it.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rosward.domain.choice import join_all, options
+from rosward.domain.compound import External, Tuple
+from rosward.domain.heap import Obj
+from rosward.domain.slots import Slot, TypeOf
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Choice, Class, Const, Ref, Value
+from rosward.models.native import Machine
+from rosward.models.python.containers import dicts
+from rosward.models.python.operators import items as python_items
+from rosward.models.python.plain import int_of, text_of, unknown_from
+from rosward.models.ros import message_fields
+
+__all__ = ["key_of", "key_value", "new_pair", "read", "read_field"]
+
+_VALUE: Final = "value"
+_DEEPEST: Final = 12
+
+
+# Reading
+
+
+def read(machine: Machine, value: Value) -> Value:
+    """The value at a slot; what is no slot is itself."""
+    if value.__class__ is Slot:
+        return _read(machine, value)
+    if value.__class__ is Choice and any(o.__class__ is Slot for o in value.options):
+        inside = [o for o in value.options if not _is_end(o)]  # no execution goes on that reads what is behind the end
+        return join_all(read(machine, option) for option in inside or value.options)
+    return value
+
+
+def _is_end(value: Value) -> bool:
+    """Whether a slot is that to which the end of a container leads."""
+    return value.__class__ is Slot and value.kind != "cell" and value.key == NONE
+
+
+def _read(machine: Machine, slot: Slot) -> Value:
+    base, kind, key = slot
+    if base.__class__ is Slot:
+        base = read(machine, base)
+    if base.__class__ is Choice:
+        return join_all(_read(machine, Slot(option, kind, key)) for option in base.options)
+    if kind == "cell" and isinstance(base, Ref):
+        return _initialised(machine, machine.obj(base).attrs.get(_VALUE, UNBOUND), "variable")
+    if kind == "field" and isinstance(base, Ref) and isinstance(key, str):
+        return read_field(machine, base, key)
+    if not isinstance(key, Value):
+        return unknown_from(machine, "reference", "", base)
+    if key == NONE:
+        return machine.unknown(Cause.OPERATION, "dereference of end()")
+    if kind == "entry" and isinstance(base, Ref):
+        found = dicts.look_up(machine, machine.obj(base), key)
+        return new_pair(machine, key_value(machine, base, key), _initialised(machine, found.value, "element"))
+    return _element(machine, base, key)
+
+
+def _initialised(machine: Machine, value: Value, what: str) -> Value:
+    return machine.unknown(Cause.OPERATION, f"{what} without a value") if value is UNBOUND else value
+
+
+def read_field(machine: Machine, ref: Ref, name: str) -> Value:
+    """What stands in a field of an object. No execution that is defined reads one that has no value yet, so what it may hold is what it holds."""
+    obj = machine.obj(ref)
+    own = obj.attrs.get(name)
+    if own is not None and own is not UNBOUND and (name not in obj.partial or not isinstance(obj.cls, External)):
+        return own
+    if isinstance(obj.cls, External):
+        found = message_fields.load_field(machine, ref, name, own)
+        return message_fields.missing(machine, obj, name) if found is None else found
+    return machine.unknown(Cause.OPERATION, f"field `{name}` without a value")
+
+
+def _element(machine: Machine, base: Value, key: Value) -> Value:
+    """An element of a container, or a character of a string; undefined, so not known, where there is no such element."""
+    if isinstance(base, Ref):
+        obj = machine.obj(base)
+        if obj.kind == "dict":
+            return _initialised(machine, dicts.look_up(machine, obj, key_of(machine, key)).value, "element")
+        if obj.kind in ("list", "set"):
+            return _at(machine, obj, key)
+    elif isinstance(base, Const) and text_of(base) is not None:
+        text, number = str(base.value), int_of(key)
+        if number is None:
+            return unknown_from(machine, "[]", "str", key)
+        if not 0 <= number <= len(text):
+            return machine.unknown(Cause.OPERATION, "[]", "str")
+        return Const(text[number] if number < len(text) else "\0", base.origins)
+    elif not isinstance(base, Const):
+        return python_items.load_item(machine, base, key)
+    return unknown_from(machine, "[]", "", base, key)
+
+
+def _at(machine: Machine, obj: Obj, key: Value) -> Value:
+    """The element at an index; no execution goes on that asks for one behind the end."""
+    series = obj.series()
+    numbers = [int_of(option) for option in options(key)]
+    found = [series.element() if n is None else series.at(n) if n >= 0 else None for n in numbers]
+    known = [element for element in found if element is not None]
+    return join_all(known) if known else machine.unknown(Cause.OPERATION, "element beyond the end")
+
+
+# Keys of maps
+
+
+def key_of(machine: Machine, value: Value, depth: int = 0) -> Value:
+    """A value as the key of a map or element of a set: what is compared by its content is a tuple of that."""
+    value = read(machine, value)
+    if isinstance(value, Choice):
+        return join_all(key_of(machine, option, depth) for option in value.options)
+    if not isinstance(value, Ref):
+        return value
+    if depth >= _DEEPEST:
+        return machine.unknown(Cause.LIMIT, "key")
+    obj = machine.obj(value)
+    if obj.kind == "list":
+        if obj.items is None:
+            return unknown_from(machine, "key", "", obj.rest)
+        return Tuple(tuple(key_of(machine, item, depth + 1) for item in obj.items))
+    if obj.kind == "instance" and isinstance(obj.cls, TypeOf) and obj.cls.name == "std.pair":
+        parts = (read_field(machine, value, "first"), read_field(machine, value, "second"))
+        return Tuple(tuple(key_of(machine, part, depth + 1) for part in parts))
+    if obj.kind == "instance" and isinstance(obj.cls, Class) and not obj.many:
+        return _structure(machine, obj, depth + 1)
+    return value
+
+
+_OBJECT: Final = External("<object>")
+"""What a key begins with that is an object of a class: its class, the names of its fields and what they hold follow.
+
+Two that hold the same are one key; an operator of the class that says otherwise is not asked.
+"""
+
+
+def _structure(machine: Machine, obj: Obj, depth: int) -> Value:
+    held = [key_of(machine, field, depth) for field in obj.attrs.values()]
+    if obj.partial or any(isinstance(each, (Tuple, Choice)) and not _is_structure(each) for each in held):
+        return machine.unknown(Cause.OPERATION, "key that is an object")
+    return Tuple((_OBJECT, obj.cls, Tuple(tuple(map(Const, obj.attrs))), Tuple(tuple(held))))
+
+
+def _is_structure(value: Value) -> bool:
+    return isinstance(value, Tuple) and value.items[:1] == (_OBJECT,)
+
+
+def key_value(machine: Machine, ref: Ref, key: Value) -> Value:
+    """The value that a key of a map stands for: a pair or sequence again, where it is one."""
+    cls = machine.obj(ref).cls
+    wanted = cls.arguments[0] if isinstance(cls, TypeOf) and cls.arguments else NONE
+    return _unfolded(machine, key, wanted)
+
+
+def _unfolded(machine: Machine, key: Value, type_: Value) -> Value:
+    if not isinstance(key, Tuple):
+        return key
+    if _is_structure(key):
+        _, cls, names, held = key.items
+        assert isinstance(names, Tuple)
+        assert isinstance(held, Tuple)
+        fields = {
+            str(name.value): _unfolded(machine, each, NONE)
+            for name, each in zip(names.items, held.items, strict=True)
+            if isinstance(name, Const)
+        }
+        return machine.allocate(Obj("instance", cls, fields), ("key", key))
+    inner = type_.arguments if isinstance(type_, TypeOf) else ()
+    if isinstance(type_, TypeOf) and type_.name == "std.pair" and len(key.items) == 2:
+        first, second = (
+            _unfolded(machine, item, wanted) for item, wanted in zip(key.items, (*inner, NONE, NONE)[:2], strict=True)
+        )
+        return new_pair(machine, first, second, inner)
+    each = inner if len(inner) == len(key.items) and type_ != NONE else (*inner[:1], NONE)[:1] * len(key.items)
+    items = tuple(_unfolded(machine, item, wanted) for item, wanted in zip(key.items, each, strict=True))
+    cls = type_ if isinstance(type_, TypeOf) else TypeOf("std.vector", ())
+    return machine.allocate(Obj("list", cls, items=items), ("key", key))
+
+
+def new_pair(machine: Machine, first: Value, second: Value, types: tuple[Value, ...] = ()) -> Ref:
+    """A new `std::pair`."""
+    attrs = {"first": first, "second": second}
+    return machine.allocate(Obj("instance", TypeOf("std.pair", types), attrs), ("pair", first))

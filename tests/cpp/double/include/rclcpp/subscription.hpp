@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// What hears: twice a message with nothing but default values.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "rclcpp/callback_group.hpp"
+#include "rclcpp/publisher.hpp"
+
+namespace rclcpp
+{
+class MessageInfo
+{
+public:
+  MessageInfo() = default;
+};
+
+enum class TopicStatisticsState { Enable, Disable, NodeDefault };
+
+template<typename AllocatorT>
+struct SubscriptionOptionsWithAllocator
+{
+  struct TopicStatsOptions
+  {
+    TopicStatisticsState state = TopicStatisticsState::NodeDefault;
+    std::string publish_topic = "/statistics";
+    std::chrono::milliseconds publish_period{1000};
+  } topic_stats_options;
+  PublisherEventCallbacks event_callbacks;
+  bool use_default_callbacks = true;
+  bool ignore_local_publications = false;
+  std::shared_ptr<CallbackGroup> callback_group;
+  std::shared_ptr<AllocatorT> allocator;
+  QosOverridingOptions qos_overriding_options;
+  int use_intra_process_comm = 0;
+  struct ContentFilterOptions
+  {
+    std::string filter_expression;
+    std::vector<std::string> expression_parameters;
+  } content_filter_options;
+};
+using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void>>;
+
+class SubscriptionBase : public rosward_double::Entity
+{
+public:
+  using SharedPtr = std::shared_ptr<SubscriptionBase>;
+  using ConstSharedPtr = std::shared_ptr<const SubscriptionBase>;
+  using WeakPtr = std::weak_ptr<SubscriptionBase>;
+  SubscriptionBase(std::string topic, std::function<void()> callback) : topic_(std::move(topic)), callback_(std::move(callback)) {}
+  const char * get_topic_name() const { return topic_.c_str(); }
+  size_t get_publisher_count() const { return 1; }
+  QoS get_actual_qos() const { return QoS(10); }
+  bool serve() override
+  {
+    if (!turn()) {
+      return false;
+    }
+    callback_();
+    return true;
+  }
+  std::shared_ptr<rosward_double::Entity> statistics;
+
+private:
+  std::string topic_;
+  std::function<void()> callback_;
+};
+
+template<typename MessageT, typename AllocatorT = std::allocator<void>>
+class Subscription : public SubscriptionBase
+{
+public:
+  using SharedPtr = std::shared_ptr<Subscription>;
+  using ConstSharedPtr = std::shared_ptr<const Subscription>;
+  using UniquePtr = std::unique_ptr<Subscription>;
+  using WeakPtr = std::weak_ptr<Subscription>;
+  using SubscriptionBase::SubscriptionBase;
+  bool take(MessageT &, MessageInfo &) { return true; }
+};
+
+class GenericSubscription : public SubscriptionBase
+{
+public:
+  using SharedPtr = std::shared_ptr<GenericSubscription>;
+  using SubscriptionBase::SubscriptionBase;
+};
+}  // namespace rclcpp
+
+namespace rosward_double
+{
+// Calls what takes a message, in whichever form it does.
+template<typename M, typename F>
+void hear(F & callback)
+{
+  const rclcpp::MessageInfo info{};
+  using Serialized = std::shared_ptr<rclcpp::SerializedMessage>;
+  if constexpr (std::is_invocable_v<F &, std::shared_ptr<M>>) {
+    callback(std::make_shared<M>());
+  } else if constexpr (std::is_invocable_v<F &, const M &>) {
+    callback(M());
+  } else if constexpr (std::is_invocable_v<F &, std::unique_ptr<M>>) {
+    callback(std::make_unique<M>());
+  } else if constexpr (std::is_invocable_v<F &, Serialized>) {
+    callback(std::make_shared<rclcpp::SerializedMessage>());
+  } else if constexpr (std::is_invocable_v<F &, std::shared_ptr<M>, const rclcpp::MessageInfo &>) {
+    callback(std::make_shared<M>(), info);
+  } else if constexpr (std::is_invocable_v<F &, const M &, const rclcpp::MessageInfo &>) {
+    callback(M(), info);
+  } else if constexpr (std::is_invocable_v<F &, std::unique_ptr<M>, const rclcpp::MessageInfo &>) {
+    callback(std::make_unique<M>(), info);
+  } else {
+    static_assert(std::is_invocable_v<F &, Serialized, const rclcpp::MessageInfo &>, "no callback of a subscription");
+    callback(std::make_shared<rclcpp::SerializedMessage>(), info);
+  }
+}
+}  // namespace rosward_double
