@@ -16,7 +16,7 @@ import pytest
 import rosward
 from rosward.analysis.launched import launched
 from rosward.cli import main
-from rosward.deployment.declared import effects
+from rosward.deployment.declared import declarations
 from rosward.deployment.execution import includes
 from rosward.deployment.request import Request
 from rosward.engine.budget import Budget
@@ -133,7 +133,7 @@ def failing(*_: object, **__: object) -> Any:
 
 @pytest.mark.parametrize(
     ("module", "name", "lost"),
-    [(discovery, "describe", ""), (includes, "read_xml", "more.launch.xml"), (effects, "read_package", "")],
+    [(discovery, "describe", ""), (includes, "read_xml", "more.launch.xml"), (declarations, "read_package", "")],
 )
 def test_a_reader_costs_what_it_reads(
     workspace: Path, monkeypatch: pytest.MonkeyPatch, module: Any, name: str, lost: str

@@ -14,6 +14,7 @@ from rosward.domain.text import pattern
 from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.effects.log import EffectLog
+from rosward.findings import Finding
 from rosward.naming.final_name import final_name
 from rosward.naming.options import interface_types, name_options
 from rosward.ros.distro import Distro
@@ -91,5 +92,10 @@ def lines(log: EffectLog, address: int = 1) -> list[str]:
     return sorted(found)
 
 
+def told(log: EffectLog) -> list[Finding]:
+    """The findings of a process, then those of its nodes whose interface is not wholly known."""
+    return [*log.findings, *(f for findings in log.open.values() for f in findings)]
+
+
 def codes(log: EffectLog) -> list[str]:
-    return [f.code for f in log.findings]
+    return [f.code for f in told(log)]

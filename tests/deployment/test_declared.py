@@ -16,7 +16,7 @@ from rosward.effects.configuration import Configuration
 from rosward.naming.options import interface_types, name_options
 from rosward.ros.distro import Distro
 
-from .declared_nodes import HERE, Rows, codes, given, lines, nodes, start
+from .declared_nodes import HERE, Rows, codes, given, lines, nodes, start, told
 
 
 def test_robot_state_publisher() -> None:
@@ -188,11 +188,11 @@ def test_since_kilted_topics_of_layers_are_those_of_the_server() -> None:
 def test_a_plugin_that_is_not_declared_is_told() -> None:
     file: Rows = {"planner_server": {"planner_plugins": ["mine"], "mine.plugin": "my_planner::Mine"}}
     log = start("nav2_planner", "planner_server", file=file)
-    assert [f.message for f in log.findings] == [
+    assert [f.message for f in told(log)] == [
         "The interface of nav2_planner/planner_server is not completely known: a planner is of a class that is not declared."
     ]
     assert codes(log) == ["RW314"]
-    assert next(iter(log.findings)).place == HERE
+    assert told(log)[0].place == HERE
 
 
 def test_behaviors_are_actions_of_their_ids() -> None:

@@ -106,6 +106,9 @@ def _compiled(exclusion: Exclusion) -> _Compiled:
             names.append("*")  # but each folder that is in it is not
     anchored = "/" in text.rstrip("/")
     names = names if anchored or names[0] == "**" else ["**", *names]
+    names = [
+        n for n, before in zip(names, [None, *names], strict=False) if not n == before == "**"
+    ]  # one says the same
     parts = tuple(None if name == "**" else re.compile(fnmatch.translate(_for_fnmatch(name))) for name in names)
     return _Compiled(exclusion, _split(exclusion.base), parts, text.endswith("/"))
 
@@ -141,10 +144,4 @@ def _excludes(pattern: _Compiled, parts: tuple[str, ...], given: int, path: str)
 
 def _after_stars(states: set[int], pattern: _Compiled) -> set[int]:
     """`**` also means no folder at all."""
-    found = set(states)
-    for state in sorted(states):
-        at = state
-        while at < len(pattern.parts) and pattern.parts[at] is None:
-            at += 1
-            found.add(at)
-    return found
+    return states | {s + 1 for s in states if s < len(pattern.parts) and pattern.parts[s] is None}
