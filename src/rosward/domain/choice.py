@@ -62,13 +62,14 @@ def join_all(values: Iterable[Value]) -> Value:
     """The least value that covers all; UNBOUND where there are none."""
     found: dict[Value, None] = {}
     unknown: Unknown | None = None
-    consts: dict[Const, Const] = {}  # by the value alone
+    consts: dict[object, Const] = {}  # by the value alone
     for value in values:
         for option in options(value):
             if option.__class__ is Unknown:
                 unknown = option if unknown is None else _join_unknown(unknown, option)
             elif option.__class__ is Const:
-                key = Const(option.value) if option.origins else option
+                text = option.value.__class__ is str
+                key = option.value if text else Const(option.value) if option.origins else option
                 before = consts.get(key)
                 if before is None:
                     consts[key] = option

@@ -109,6 +109,15 @@ class Heap:
                     if obj is not None and self.pages[number][offset] is not obj:
                         self[(number << SHIFT) + offset] = obj
 
+    def changed_since(self, before: Heap) -> Iterator[tuple[int, Obj]]:
+        """The objects that an earlier copy has not, or has otherwise."""
+        for number, page in self.pages.items():
+            theirs = before.pages.get(number, _BLANK)
+            if page is not theirs:
+                for offset, (obj, old) in enumerate(zip(page, theirs, strict=True)):
+                    if obj is not None and obj is not old:
+                        yield (number << SHIFT) + offset, obj
+
     def items(self) -> Iterator[tuple[int, Obj]]:
         """All objects with their addresses."""
         for number, page in self.pages.items():

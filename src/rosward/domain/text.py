@@ -135,6 +135,9 @@ def matches(value: Value, text: str) -> bool:
         return value.hint in ("", "str")
     if value.__class__ is not Text:
         return False
+    first, last = value.parts[0], value.parts[-1]
+    if (first.__class__ is str and not text.startswith(first)) or (last.__class__ is str and not text.endswith(last)):
+        return False
     reached = {0}
     for part in value.parts:
         if isinstance(part, str):

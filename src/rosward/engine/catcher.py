@@ -114,11 +114,11 @@ class Catcher:
         self.version = found.version
         self.snapshot.state = join_states(self.snapshot.state, found.copy(), machine.fresh_version)
 
-    def take_over(self, machine: Execution, inner: Catcher) -> None:
-        """What may be raised in an inner statement, and is not surely caught there, may arrive here."""
+    def take_over(self, machine: Execution, inner: Catcher, state: State | None = None) -> None:
+        """What may be raised in an inner statement, and is not surely caught there, may arrive here; in another state, where one is given."""
         if not inner.level:
             return
-        self.note(machine, inner.level, inner.snapshot.state)
+        self.note(machine, inner.level, state or inner.snapshot.state)
         self.importing = self.importing or inner.importing
         if inner.frame is self.frame:
             self.snapshot.registers = join_registers(self.snapshot.registers, inner.snapshot.registers)

@@ -17,7 +17,7 @@ from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import INSTEAD, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
-from rosward.engine.throwing import note
+from rosward.engine.throwing import note_turn
 from rosward.ir import ops
 from rosward.models.ros import parameter_table
 from rosward.source.location import Place
@@ -135,7 +135,7 @@ def loop(
         limit += number + 1
         number = number + 1 if 0 <= number < machine.budget.unroll_while else ANY_TURN
     while True:
-        note(machine)
+        note_turn(machine)
         _enter_turn(machine, op, frame, context, number)
         if number == ANY_TURN:
             alive = until_stable(machine, op, frame, None, None) and machine.run(op.orelse, frame)
@@ -243,7 +243,7 @@ def until_stable(
     machine.precision.fixpoints += 1
     for number in range(machine.budget.fixpoint * 4):
         machine.resume(frame, Snapshot(head.registers.copy(), head.state.copy()))
-        note(machine)
+        note_turn(machine)
         ended = None
         alive = True
         if isinstance(op, ops.While):

@@ -184,7 +184,7 @@ class Interpreter(Answers):
         before = state.version
         self._versions += 1
         state.version = self._versions
-        if self.catchers:
+        if self.catchers and self.language.raises_anywhere:
             self.catchers[-1].wrote(self, address, obj, before)
 
     def update(self, ref: Ref, obj: Obj) -> None:

@@ -172,6 +172,8 @@ class Language:
     table: Mapping[type[ops.Op], Handler]
     run_noting: Callable[[Engine, ops.Block, Frame], bool]
     """Run a block inside of a `try`: what its operations may raise is noted."""
+    raises_anywhere: bool
+    """Whether any operation may raise, so that what is written behind one that does may be seen by handlers; else calls alone do, and say so."""
     cells_outlive: bool
     """Whether a variable may be used when the call that has it has ended."""
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, options
@@ -13,6 +14,7 @@ from rosward.models.failures import tell_uncaught
 from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
+    from rosward.domain.state import State
     from rosward.engine.machine import Engine
 
 
@@ -21,6 +23,12 @@ def note(machine: Engine, level: int = OPERATION) -> None:
     if machine.catchers:
         machine.noted = max(machine.noted, level)
         machine.catchers[-1].note(machine, level)
+
+
+def note_turn(machine: Engine) -> None:
+    """A loop goes round: in Python that may raise."""
+    if machine.catchers and machine.language.raises_anywhere:
+        note(machine)
 
 
 def note_call(machine: Engine) -> None:
@@ -64,13 +72,17 @@ def throw(machine: Engine, exception: Value) -> None:
         machine.uncaught(exception)
 
 
-def rethrow(machine: Engine, inner: Catcher) -> None:
-    """What leaves a call by exceptions reaches the `try` around it; the machine's state is left as it is."""
+def rethrow(machine: Engine, inner: Catcher, seen: Callable[[State], State] | None = None) -> None:
+    """What leaves a call by exceptions reaches the `try` around it; the machine's state is left as it is.
+
+    `seen`: what a state of it is for who calls.
+    """
     if machine.catchers and inner.level:
-        machine.catchers[-1].take_over(machine, inner)
+        state = inner.snapshot.state
+        machine.catchers[-1].take_over(machine, inner, state if seen is None else seen(state))
         machine.noted = max(machine.noted, inner.level)
     here = machine.state
     for exception, snapshot in inner.arrivals.items():
-        machine.state = snapshot.state.copy()
+        machine.state = snapshot.state.copy() if seen is None else seen(snapshot.state).copy()
         throw(machine, exception)
     machine.state = here

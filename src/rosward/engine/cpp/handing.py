@@ -57,7 +57,6 @@ def hand_over(
 
     `informed`: it is declared among the sources, so it may know every class of the program.
     """
-    note_call(machine)
     held = _bound(machine, [bare(machine, v) for v in values])
     machine.escape((*held, *(t for t in types if isinstance(t, Class))), name, callee)
     for value in held if informed else ():
@@ -66,6 +65,7 @@ def hand_over(
     for slot in (*changed, *reached):
         if isinstance(slot, Slot) and _may_be_written(machine, read(machine, slot)) and not _is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
+    note_call(machine)  # now, or before it wrote anything: what it may have written covers both
 
 
 def give_to(machine: Engine, args: Sequence[Value], type_: Value) -> None:

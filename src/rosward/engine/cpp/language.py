@@ -108,6 +108,7 @@ CPP: Final = replace(
     load_module=_load_module,
     table={**CORE, **OWN},
     run_noting=_run_noting,
+    raises_anywhere=False,
     cells_outlive=False,
     truth=_truth,
     unary=operators.unary,

@@ -18,7 +18,7 @@ from rosward.domain.state import Merge, State, join_states
 from rosward.domain.suspended import Point, Suspension, add_points
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
-from rosward.engine import activation, declared
+from rosward.engine import activation, bodies, declared
 from rosward.engine.budget import LimitReachedError
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Yielded
@@ -48,7 +48,7 @@ def make(machine: Engine, function: Function, registers: list[Value]) -> Ref:
         context = machine.context("summary", code.key)
     else:
         lineage = (*lineage, code.key)
-        context = activation.context_of(machine, code, caller)
+        context = bodies.context_of(machine, code, caller)
     points = {Point(function, context, (), ()): tuple(registers)}
     record = Obj("generator", NONE, payload=Suspension(points, lineage=lineage, shared=shared))
     if shared:
@@ -212,7 +212,7 @@ def _run_from(
             alive = machine.run(code.ops, frame)
     finally:
         machine.frames.pop()
-    return activation.left_by(machine, frame, alive=alive)
+    return bodies.left_by(machine, frame, alive=alive)
 
 
 def close(machine: Engine, ref: Ref) -> None:

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One summary for all calls of a function: of a recursion that is too deep to follow, or of a large body where precision is given up.
+
+def walk(n): …; walk(n - 1)      solved once for the join of all such calls, by iteration from below
+layer.compute_caches()           run once for all callers between which nothing has changed of what it looks at
+
+A call changes what the body changes, and nothing else of the state that it comes from; but for recursions, whose calls see each other's
+states whole.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import widen
+from rosward.domain.state import EventKey, State, join_states
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import UNBOUND, Function, Value
+from rosward.engine.bodies import run_body
+from rosward.engine.budget import LimitReachedError
+from rosward.engine.catcher import Catcher
+from rosward.engine.summaries import Summary
+from rosward.engine.throwing import rethrow
+
+if TYPE_CHECKING:
+    from rosward.domain.state import Merge
+    from rosward.engine.machine import Engine
+
+
+def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
+    """What a call gives by the summary of its function."""
+    key = (function.code.key, function.cells)
+    running = machine.summaries.running.get(key)
+    reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
+
+    def widening(old: Value, new: Value) -> Value:
+        return widen(old, new, reason)
+
+    if running is not None:
+        return _inside(machine, running, registers, widening)
+    if len(machine.frames) >= machine.budget.depth * 2:
+        raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
+    called = machine.state
+    summary = machine.summaries.finished.pop(key, None) if machine.precision.coarse else None
+    whole = function.code.key in machine.summaries.recursive
+    if summary is None:
+        summary = Summary(list(registers), called.copy())
+    else:
+        changed = _join_call(machine, summary, registers, widening, whole=whole)
+        known = not summary.provisional or not machine.summaries.running or summary.turn == machine.summaries.turns
+        if known and not changed:  # a call like those before
+            machine.summaries.finished[key] = summary
+            machine.summaries.provisional += summary.provisional and bool(machine.summaries.running)
+            return _of_summary(machine, summary, called, whole=whole)
+        if not whole:
+            summary.value, summary.after, summary.catcher = UNBOUND, None, None
+    _solve(machine, summary, function, key, widening)
+    if summary.catcher is not None:
+        machine.summaries.finished[key] = summary
+    return _of_summary(machine, summary, called, whole=whole or function.code.key in machine.summaries.recursive)
+
+
+def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Merge) -> Value:
+    """A call inside a recursion that is being solved: what is known of it so far."""
+    summary.registers = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+    summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, merge)
+    machine.summaries.provisional += 1  # what is computed from it now may not be its last word
+    machine.asked_for |= summary.asked_for
+    if summary.after is None:
+        return UNBOUND
+    machine.state = summary.after.copy()
+    return summary.value
+
+
+def _join_call(machine: Engine, summary: Summary, registers: list[Value], merge: Merge, *, whole: bool) -> bool:
+    """One more call; whether the body must run again."""
+    if not whole:
+        return summary.take_in(machine, registers, merge)
+    before = (list(summary.registers), summary.before.version)
+    summary.registers = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+    summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, merge)
+    return before != (summary.registers, summary.before.version)
+
+
+def _solve(machine: Engine, summary: Summary, function: Function, key: object, merge: Merge) -> None:
+    """Run the body for all calls that are known, until nothing changes any more."""
+    summaries = machine.summaries
+    outer, outermost = machine.catchers, not summaries.running
+    summaries.running[key] = summary
+    if machine.precision.coarse:
+        summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
+        machine.catchers = [*outer, summary.catcher]
+    context = machine.context("summary", function.code.key)
+    asked_for, machine.asked_for = machine.asked_for, summary.asked_for
+    epoch, summaries.epoch = summaries.epoch, machine.fresh_version()
+    try:
+        for _ in range(machine.budget.fixpoint * 4):
+            reads, seen, changes = summaries.provisional, summary.versions, summaries.changes
+            summaries.turns += outermost
+            machine.state = summary.before.copy()
+            value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
+            if value is not UNBOUND:
+                summary.value = merge(summary.value, value) if summary.value is not UNBOUND else value
+                summary.after = (
+                    machine.state.copy()
+                    if summary.after is None
+                    else join_states(summary.after, machine.state.copy(), machine.fresh_version, merge)
+                )
+            summary.provisional = summaries.provisional != reads
+            summary.turn = summaries.turns
+            if not summary.provisional:
+                break  # nothing inside asked for an unfinished summary: this turn was exact
+            summaries.changes += seen != summary.versions
+            if summaries.changes == changes or (not outermost and machine.precision.coarse):
+                break  # (of one inside another the turns are those of the outermost)
+        else:
+            machine.report("RW201", f"the recursion of {function.code.name} did not converge")
+    finally:
+        del summaries.running[key]
+        machine.catchers = outer
+        machine.asked_for = asked_for
+        summaries.epoch = epoch
+
+
+def _of_summary(machine: Engine, summary: Summary, called: State, *, whole: bool) -> Value:
+    """What a call from the state `called` gives by its summary."""
+    machine.asked_for |= summary.asked_for  # of the body, which may not have run for this call
+    done: frozenset[EventKey] = called.done
+
+    def seen(state: State) -> State:
+        return state if whole else summary.behind(machine, called, state)
+
+    if summary.catcher is not None:
+        rethrow(machine, summary.catcher, seen)
+    if summary.after is None:
+        return UNBOUND
+    machine.state = seen(summary.after).copy()
+    machine.state.done |= done
+    return summary.value
