@@ -126,6 +126,7 @@ class EffectLog:
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
         self.ends: list[frozenset[tuple[object, ...]]] = []
+        self.remembered: dict[object, object] = {}  # what was computed of its configuration, for who asks again
         self._addresses: set[int] = set()
 
     def add_node(self, machine: Execution, effect: NodeEffect) -> None:

@@ -5,14 +5,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, final
 
-from rosward.domain.choice import join
-from rosward.domain.state import State, join_objects
 from rosward.domain.values import UNBOUND, Value
 
 if TYPE_CHECKING:
-    from rosward.domain.state import Merge
+    from rosward.domain.state import State
     from rosward.engine.catcher import Catcher
-    from rosward.engine.machine import Engine
 
 
 @final
@@ -39,49 +36,6 @@ class Summary:
         """What must not change any more."""
         after = self.after.version if self.after is not None else -1
         return (tuple(self.registers), self.before.version, self.value, after)
-
-    def take_in(self, machine: Engine, registers: list[Value], merge: Merge) -> bool:
-        """One more call, from the machine's state: whether the body may do something else in it than it is known to do.
-
-        Then `before` is that state, with what the other calls had where the body looks.
-        """
-        new = [merge(a, b) for a, b in zip(self.registers, registers, strict=True)]
-        changed = new != self.registers
-        self.registers = new
-        state = machine.state.copy()
-        known, heap = self.before.heap, state.heap
-        for address in self.asked_for:
-            ours, theirs = known.get(address), heap.get(address)
-            if ours is theirs:
-                continue
-            ours, theirs = known.stands(address), heap.stands(address)
-            if ours is None or theirs is None:
-                changed = changed or ours is None
-                if theirs is None and ours is not None:
-                    heap[address] = ours
-                continue
-            both = join_objects(ours, theirs, merge)
-            changed = changed or both is not ours
-            heap[address] = both
-        self.before.done &= state.done
-        if changed:
-            state.done = self.before.done
-            state.version = machine.fresh_version()
-            self.before = state
-        return changed
-
-    def behind(self, machine: Engine, called: State, state: State) -> State:
-        """What a state that the body left is for a call from the state `called`: that, with what the body changed."""
-        found = called.copy()
-        for address, obj in state.heap.changed_since(self.before.heap):
-            old = found.heap.get(address)
-            if old is None or self.before.heap.get(address) is not None:
-                found.heap[address] = obj
-            else:  # another one was made there before
-                found.heap[address] = join_objects(old, obj, join).replace(many=True)
-        found.done |= state.done - self.before.done
-        found.version = machine.fresh_version()
-        return found
 
 
 @final

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import widen
-from rosward.domain.state import EventKey, State, join_states
+from rosward.domain.choice import join, widen
+from rosward.domain.state import EventKey, State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Function, Value
 from rosward.engine.bodies import run_body
@@ -75,11 +75,56 @@ def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Me
 def _join_call(machine: Engine, summary: Summary, registers: list[Value], merge: Merge, *, whole: bool) -> bool:
     """One more call; whether the body must run again."""
     if not whole:
-        return summary.take_in(machine, registers, merge)
+        return _take_in(machine, summary, registers, merge)
     before = (list(summary.registers), summary.before.version)
     summary.registers = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
     summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, merge)
     return before != (summary.registers, summary.before.version)
+
+
+def _take_in(machine: Engine, summary: Summary, registers: list[Value], merge: Merge) -> bool:
+    """One more call, from the machine's state: whether the body may do something else in it than it is known to do.
+
+    Then `before` is that state, with what the other calls had where the body looks.
+    """
+    new = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+    changed = new != summary.registers
+    summary.registers = new
+    state = machine.state.copy()
+    known, heap = summary.before.heap, state.heap
+    for address in summary.asked_for:
+        ours, theirs = known.get(address), heap.get(address)
+        if ours is theirs:
+            continue
+        ours, theirs = known.stands(address), heap.stands(address)
+        if ours is None or theirs is None:
+            changed = changed or ours is None
+            if theirs is None and ours is not None:
+                heap[address] = ours
+            continue
+        both = join_objects(ours, theirs, merge)
+        changed = changed or both is not ours
+        heap[address] = both
+    summary.before.done &= state.done
+    if changed:
+        state.done = summary.before.done
+        state.version = machine.fresh_version()
+        summary.before = state
+    return changed
+
+
+def _behind(machine: Engine, summary: Summary, called: State, state: State) -> State:
+    """What a state that the body left is for a call from the state `called`: that, with what the body changed."""
+    found = called.copy()
+    for address, obj in state.heap.changed_since(summary.before.heap):
+        old = found.heap.get(address)
+        if old is None or summary.before.heap.get(address) is not None:
+            found.heap[address] = obj
+        else:  # another one was made there before
+            found.heap[address] = join_objects(old, obj, join).replace(many=True)
+    found.done |= state.done - summary.before.done
+    found.version = machine.fresh_version()
+    return found
 
 
 def _solve(machine: Engine, summary: Summary, function: Function, key: object, merge: Merge) -> None:
@@ -128,7 +173,7 @@ def _of_summary(machine: Engine, summary: Summary, called: State, *, whole: bool
     done: frozenset[EventKey] = called.done
 
     def seen(state: State) -> State:
-        return state if whole else summary.behind(machine, called, state)
+        return state if whole else _behind(machine, summary, called, state)
 
     if summary.catcher is not None:
         rethrow(machine, summary.catcher, seen)

@@ -10,7 +10,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import lift, options, reasons_of
@@ -61,15 +60,6 @@ class CommandLine(NamedTuple):
         return tuple(r.rule for r in self.remaps)
 
 
-_MOST_LINES: Final = 256
-
-
-@lru_cache(_MOST_LINES)
-def _parsed(words: tuple[Holed, ...]) -> arguments.RosArguments:
-    """What rcl makes of words; each name of a node asks for the same ones again."""
-    return arguments.parse_arguments(words)
-
-
 def read_words(series: Series, configuration: Configuration | None = None) -> CommandLine:
     """Read the words of a command line; `configuration` knows the parameter files that they name.
 
@@ -79,7 +69,7 @@ def read_words(series: Series, configuration: Configuration | None = None) -> Co
     between = _between(series.middle)
     if not words and between == _NOTHING:
         return CommandLine()
-    parsed = _parsed(tuple([pattern(w) for w in words]))
+    parsed = arguments.parse_arguments([pattern(w) for w in words])
     at = parsed.positions
     found: list[tuple[int, ValueRule]] = []
     further = [*between.open]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from rosward.domain.certain import text_of
 from rosward.domain.choice import join_all, lift, options
+from rosward.domain.series import Series
 from rosward.domain.text import concat, make, pattern
 from rosward.domain.values import NONE, UNBOUND, Const, Text, Value
 from rosward.effects.log import EffectLog, NodeEffect
@@ -18,7 +19,15 @@ from rosward.ros import names
 
 def command_lines(log: EffectLog, effect: NodeEffect) -> tuple[CommandLine, CommandLine]:
     """What the node's own arguments (cli_args) and those of its context say."""
-    return read_words(effect.words, log.configuration), read_words(effect.global_words, log.configuration)
+    return _read(log, effect.words), _read(log, effect.global_words)
+
+
+def _read(log: EffectLog, words: Series) -> CommandLine:
+    """Each name of a node asks for the same words again."""
+    found = log.remembered.get(words)
+    if not isinstance(found, CommandLine):
+        found = log.remembered[words] = read_words(words, log.configuration)
+    return found
 
 
 def remaps_of(log: EffectLog, effect: NodeEffect) -> tuple[ValueRule, ...]:
