@@ -5,7 +5,8 @@
     self.declare_parameter('rate', 10)                                  rate, surely: declared again, it raises
     Node('n', allow_undeclared_parameters=True)                         none; any other once `ros2 param set` can have come
 
-The table is a dict on the heap: names, values, and what stands under names that are not known.
+The table is a dict on the heap: names, values, and what stands under names that are not known. Names of which a part is known have a dict of
+their own: what is declared as `*.depth` is not what stands under `*.topic`.
 """
 
 from __future__ import annotations
@@ -13,19 +14,25 @@ from __future__ import annotations
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.choice import join_all, options
-from rosward.domain.text import origins_of, readable
+from rosward.domain.choice import join, join_all, options
+from rosward.domain.compound import Native
+from rosward.domain.heap import Obj
+from rosward.domain.text import make, origins_of, readable
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import FALSE, NONE, Const, Ref, Unknown, Value
+from rosward.domain.values import FALSE, NONE, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
 from rosward.models.python.containers import dicts
+from rosward.models.python.operators.compare import equal
 from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
     from rosward.models.native import Machine
 
 _TABLE: Final = "__parameters__"
+_PATTERNS: Final = "__parameter_patterns__"
+_MOST_PATTERNS: Final = 100
+_STAR: Final = "*"
 UNDECLARED: Final = "__undeclared__"
 """Attribute of a node: whether it takes parameters that it never declared."""
 REFUSES: Final = "__refuses__"
@@ -60,6 +67,8 @@ def is_declared(machine: Machine, node: Value, name: Value) -> bool | None:
     if any(not origin.settled for each in options(name) for origin in origins_of(each)):
         return None  # somebody may set another name
     missing = dicts.look_up(machine, machine.obj(table), name).missing
+    if missing and _of_patterns(machine, node, name):
+        return None
     if missing and flag(machine, node, UNDECLARED) and may_be_set(machine):
         return None
     return None if missing is None else not missing
@@ -73,8 +82,52 @@ def may_be_set(machine: Machine) -> bool:
 def put(machine: Machine, node: Value, name: Value, value: Value, *, sure: bool = True) -> None:
     """A node has a parameter of this name and value from here on; not `sure`: it may have."""
     table = table_of(machine, node)
-    if table is not None:
-        dicts.store(machine, table, name, value, weak=not sure)
+    if table is None:
+        return
+    apart = [o for o in options(name) if isinstance(o, Text) and _put_pattern(machine, node, table, o, value)]
+    others = [o for o in options(name) if o not in apart]
+    if others:
+        dicts.store(machine, table, join_all(others), value, weak=not sure or bool(apart))
+
+
+def _put_pattern(machine: Machine, node: Value, table: Ref, name: Text, value: Value) -> bool:
+    """A node may have a parameter of a name of which a part is known; False where there are too many of those."""
+    patterns = machine.obj(node).attrs.get(_PATTERNS) if isinstance(node, Ref) else None
+    if not isinstance(patterns, Ref):
+        return False
+    held, key = machine.obj(patterns), Const(readable(name))
+    if key not in held.entries and len(held.entries) >= _MOST_PATTERNS:
+        return False
+    dicts.store(machine, patterns, key, value, weak=True)
+    record = machine.obj(table)
+    entries = {k: join(v, value) if equal(machine, k, name) is not False else v for k, v in record.entries.items()}
+    if entries != record.entries:
+        machine.update(table, record.replace(entries=entries))
+    return True
+
+
+def _of_patterns(machine: Machine, node: Value, name: Value) -> list[Value]:
+    """What stands under the names, known in part, that a name may be."""
+    patterns = machine.obj(node).attrs.get(_PATTERNS) if isinstance(node, Ref) else None
+    if not isinstance(patterns, Ref):
+        return []
+    found = [(_pattern(k), v) for k, v in machine.obj(patterns).entries.items() if isinstance(k, Const)]
+    return [v for pattern, v in found if any(equal(machine, pattern, o) is not False for o in options(name))]
+
+
+def _pattern(key: Const) -> Value:
+    """The name, known in part, that a key stands for."""
+    parts = str(key.value).split(_STAR)
+    return make([part for text in parts for part in (text, Hole(()))][:-1])
+
+
+def has_others(machine: Machine, node: Value) -> bool:
+    """Whether a node may have parameters whose names are not known."""
+    table = table_of(machine, node)
+    if table is None or machine.obj(table).rest is not None:
+        return True
+    patterns = machine.obj(node).attrs.get(_PATTERNS) if isinstance(node, Ref) else None
+    return isinstance(patterns, Ref) and bool(machine.obj(patterns).entries)
 
 
 def put_any(machine: Machine, node: Value, subject: str) -> None:
@@ -104,6 +157,8 @@ def value_of(machine: Machine, node: Value, name: Value) -> Value | None:
         return None
     found = dicts.look_up(machine, machine.obj(table), name)
     known = [o for o in options(found.value) if found.missing is not True]
+    if found.missing is not False:
+        known += _of_patterns(machine, node, name)
     return join_all(known) if known else None
 
 
@@ -176,7 +231,8 @@ def is_unset(value: Value) -> bool | None:
 
 def new_table(machine: Machine, node: Ref, undeclared: Value | None) -> None:
     """A new node has no parameters."""
-    obj = machine.obj(node).with_attr(_TABLE, machine.new_dict({}))
+    patterns = machine.allocate(Obj("dict", Native("builtins.dict")), _PATTERNS)
+    obj = machine.obj(node).with_attr(_TABLE, machine.new_dict({})).with_attr(_PATTERNS, patterns)
     machine.update(node, obj.with_attr(UNDECLARED, undeclared or FALSE))
 
 

@@ -220,9 +220,9 @@ def _by_prefix(call: NativeCall) -> Value:
     cls = machine.load_attr(machine.load_module("rclpy.parameter"), "Parameter")
     result = machine.new_dict({})
     for node in options(call.args[0]):
-        known = table.table_of(machine, node)
-        rest = machine.obj(known).rest if known is not None else None
-        any_ = known is None or (table.flag(machine, node, table.UNDECLARED) and table.may_be_set(machine))
+        any_ = table.has_others(machine, node) or (
+            table.flag(machine, node, table.UNDECLARED) and table.may_be_set(machine)
+        )
         for part in parts:
             text = text_of(part)
             if not isinstance(part, Const):
@@ -236,7 +236,7 @@ def _by_prefix(call: NativeCall) -> Value:
                     sure = len(parts) == 1 and table.is_declared(machine, node, key) is True
                     each = machine.call(cls, (key, NONE, NONE if value is None else value))
                     dicts.store(machine, result, short, each, weak=not sure)
-        if rest is not None or any_:
+        if any_:
             any_name = machine.unknown(Cause.PARAMETER, f"{pattern(prefix)}.*", "str")
             each = machine.call(cls, (any_name, NONE, Unknown(any_name.reasons)))
             dicts.store(machine, result, any_name, each, weak=True)

@@ -173,9 +173,7 @@ def _get_below(call: NativeCall) -> Value:
                 sure = table.is_declared(machine, each, key) is True
                 dicts.store(machine, found, short, NONE if value is None else value, weak=not sure)
                 any_ = True
-        of_node = table.table_of(machine, each)
-        rest = machine.obj(of_node).rest if of_node is not None else machine.unknown(Cause.PARAMETER, "parameters")
-        if rest is not None and isinstance(found, Ref):
+        if table.has_others(machine, each) and isinstance(found, Ref):
             others = machine.unknown(Cause.PARAMETER, f"{prefix}.*", "str")
             dicts.store(machine, found, others, Unknown(others.reasons), weak=True)
             any_ = True
