@@ -5,7 +5,8 @@
 
 CHECKOUTS holds the repositories as OWNER+NAME; each is analysed whole. Only facts of trust `hard` count. A fact is
 found when the file, the line (any within the statement), the kind, the node, the name and the type agree; `*` in our
-names stands for anything (found as a pattern), and a type that we do not know for any. Of what the client library adds
+names stands for anything (found as a pattern), and a type that we do not know for any. Where a repository holds the source of a library that we
+have a model of, the call of the library in the program's own file is its place as well. Of what the client library adds
 the place does not matter. Of programs in C++, each parameter of a node is a fact as well: its name and its default.
 Exit status 1 where a fact is missing.
 """
@@ -147,7 +148,8 @@ def _fact(record: dict[str, Any]) -> Fact:
     file, line = record["at"]
     node, name, type_ = (record[key] or "" for key in ("node", "name", "type"))
     system = record.get("system", False) and "entry" in record
-    return Fact(file, line, record["file"] or "", kind, node, name, type_, system)
+    run = record.get("program") or record["file"] or ""
+    return Fact(file, line, run, kind, node, name, type_, system)
 
 
 def _parameters(record: dict[str, Any]) -> Iterator[Fact]:
@@ -182,6 +184,9 @@ def _judge(repo: str, graph: Graph, fact: Fact, lines: range) -> Verdict:
     if here and not fact.system:
         return Verdict(repo, fact, False, "name", ", ".join(sorted({e.name for e in here})))
     same = [e for e in graph.entities if e.kind == fact.kind and e.name == fact.name and fnmatchcase(fact.node, e.node)]
+    called = [e for e in same if e.type == fact.type and any(file == fact.run for file, _ in e.spots)]
+    if called and fact.run != fact.file:
+        return Verdict(repo, fact, found=True, exact=any(e.node == fact.node for e in called))
     if same:
         return Verdict(repo, fact, False, "place", ", ".join(f"{f}:{n}" for e in same for f, n in e.spots))
     return Verdict(repo, fact, False, "entity", _said(graph, fact, lines))

@@ -15,7 +15,7 @@ struct Constants
   static constexpr double DEFAULT_HEARTBEAT_TIMEOUT = 4.0;
   static constexpr double DEFAULT_DISCONNECT_TIMEOUT = 2.0;
   static constexpr double DEFAULT_HEARTBEAT_PERIOD = 1.0;
-  static constexpr char DISABLE_HEARTBEAT_TIMEOUT_PARAM[] = "bond_disable_heartbeat_timeout";
+  static constexpr char DISABLE_HEARTBEAT_TIMEOUT_PARAM[] = "/bond_disable_heartbeat_timeout";
 };
 }  // namespace msg
 

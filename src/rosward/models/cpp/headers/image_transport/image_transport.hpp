@@ -32,18 +32,45 @@ std::string camera_info(const std::string & base_topic)
   return base_topic.substr(0, slash) + "/camera_info";
 }
 
-template<typename NodeT, typename QosT>
-void advertise(const NodeT & node, const std::string & base_topic, const QosT & qos)
+template<typename NodeT, typename TypeT, typename QosT>
+void offer(
+  const NodeT & node, const std::string & topic, const TypeT & type, const QosT & qos, const rclcpp::PublisherOptions & options)
 {
-  rosward::create("publisher", node, base_topic, rosward::type<sensor_msgs::msg::Image>(), qos);
+  rclcpp::detail::declare_qos_parameters(
+    node, "publisher", topic, rclcpp::detail::as_qos(qos), options.qos_overriding_options);
+  rosward::create("publisher", node, topic, type, qos);
+}
+
+// Of each topic a list of transports, all that are installed where it is not given
+template<typename NodeT>
+void declare_transports(const NodeT & node, const std::string & topic)
+{
+  std::string name = topic.substr(std::string(node->get_effective_namespace()).length());
+  std::replace(name.begin(), name.end(), '/', '.');
+  if (name.front() == '.') {
+    name = name.substr(1);
+  }
+  name += ".enable_pub_plugins";
+  if (!node->has_parameter(name)) {
+    std::vector<std::string> installed = rosward::unknown("environment", "plugins of image_transport");
+    node->declare_parameter(name, installed);
+  }
+}
+
+template<typename NodeT, typename QosT>
+void advertise(
+  const NodeT & node, const std::string & base_topic, const QosT & qos,
+  const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
+{
+  declare_transports(node, rosward::resolve_name(node, base_topic, "topic"));
+  rclcpp::detail::schedule_events(options.event_callbacks);
+  offer(node, base_topic, rosward::type<sensor_msgs::msg::Image>(), qos, options);
   if (rosward::unknown("environment", "plugins of image_transport", "bool")) {
-    rosward::create(
-      "publisher", node, base_topic + "/compressed", rosward::type<sensor_msgs::msg::CompressedImage>(), qos);
-    rosward::create(
-      "publisher", node, base_topic + "/compressedDepth", rosward::type<sensor_msgs::msg::CompressedImage>(), qos);
-    rosward::create("publisher", node, base_topic + "/zstd", rosward::type<sensor_msgs::msg::CompressedImage>(), qos);
-    rosward::create(
-      "publisher", node, base_topic + "/theora", rosward::type<theora_image_transport::msg::Packet>(), qos);
+    auto compressed = rosward::type<sensor_msgs::msg::CompressedImage>();
+    offer(node, base_topic + "/compressed", compressed, qos, options);
+    offer(node, base_topic + "/compressedDepth", compressed, qos, options);
+    offer(node, base_topic + "/zstd", compressed, qos, options);
+    offer(node, base_topic + "/theora", rosward::type<theora_image_transport::msg::Packet>(), qos, options);
   }
 }
 
@@ -68,11 +95,13 @@ class Publisher
 public:
   Publisher() {}
   template<typename NodeT, typename QosT>
-  void _advertise(const NodeT & node, const std::string & base_topic, const QosT & qos)
+  void _advertise(
+    const NodeT & node, const std::string & base_topic, const QosT & qos,
+    const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
   {
     _node = rosward::interface_of(node);
     _topic = base_topic;
-    detail::advertise(_node, base_topic, qos);
+    detail::advertise(_node, base_topic, qos, options);
   }
   size_t getNumSubscribers() const {return rosward::unknown("live", "subscriptions of a topic", "int");}
   std::string getTopic() const {return rosward::resolve_name(_node, _topic, "topic");}
@@ -93,11 +122,13 @@ class CameraPublisher
 public:
   CameraPublisher() {}
   template<typename NodeT, typename QosT>
-  void _advertise(const NodeT & node, const std::string & base_topic, const QosT & qos)
+  void _advertise(
+    const NodeT & node, const std::string & base_topic, const QosT & qos,
+    const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
   {
     _node = rosward::interface_of(node);
     _topic = base_topic;
-    detail::advertise(_node, base_topic, qos);
+    detail::advertise(_node, base_topic, qos, options);
     rosward::create(
       "publisher", _node, detail::camera_info(base_topic), rosward::type<sensor_msgs::msg::CameraInfo>(), qos);
   }
@@ -174,20 +205,22 @@ public:
   std::string _transport;
 };
 
-template<typename NodeT, typename QosT = rclcpp::QoS, typename... OptionsT>
+template<typename NodeT, typename QosT = rclcpp::QoS>
 [[rosward::creator]] Publisher create_publisher(
-  NodeT node, const std::string & base_topic, const QosT & custom_qos = rmw_qos_profile_default, const OptionsT & ... options)
+  NodeT node, const std::string & base_topic, const QosT & custom_qos = rmw_qos_profile_default,
+  const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
 {
   Publisher publisher;
-  publisher._advertise(node, base_topic, custom_qos);
+  publisher._advertise(node, base_topic, custom_qos, options);
   return publisher;
 }
-template<typename NodeT, typename QosT = rclcpp::QoS, typename... OptionsT>
+template<typename NodeT, typename QosT = rclcpp::QoS>
 [[rosward::creator]] CameraPublisher create_camera_publisher(
-  NodeT node, const std::string & base_topic, const QosT & custom_qos = rmw_qos_profile_default, const OptionsT & ... options)
+  NodeT node, const std::string & base_topic, const QosT & custom_qos = rmw_qos_profile_default,
+  const rclcpp::PublisherOptions & options = rclcpp::PublisherOptions())
 {
   CameraPublisher publisher;
-  publisher._advertise(node, base_topic, custom_qos);
+  publisher._advertise(node, base_topic, custom_qos, options);
   return publisher;
 }
 template<typename NodeT, typename CallbackT, typename QosT = rclcpp::QoS, typename... OptionsT>

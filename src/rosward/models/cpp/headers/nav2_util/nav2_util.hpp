@@ -15,8 +15,8 @@ public:
     const std::string & node_name, const std::string & ns = "", const rclcpp::NodeOptions & options = rclcpp::NodeOptions())
   : rclcpp_lifecycle::LifecycleNode(node_name, ns, options)
   {
-    declare_parameter("bond_disable_heartbeat_timeout", true);
-    set_parameter(rclcpp::Parameter("bond_disable_heartbeat_timeout", true));
+    declare_parameter("/bond_disable_heartbeat_timeout", true);
+    set_parameter(rclcpp::Parameter("/bond_disable_heartbeat_timeout", true));
   }
   virtual ~LifecycleNode() {}
   std::shared_ptr<LifecycleNode> shared_from_this() {return this;}
