@@ -23,7 +23,8 @@ from rosward.source.workspace import Workspace
 
 __all__ = ["Plugins", "plugins_of"]
 
-_TYPE: Final = re.compile(r"\w+(?:::\w+)*", re.ASCII)
+_TYPE: Final = re.compile(r"\w+(?:::\w+)*(?: ?<[\w:<>, ]*>)?", re.ASCII)
+"""A type that a loader can make, as C++ writes it: `demo::Square`, `demo::Grid<>`, `demo::Grid<demo::Cell>`."""
 _MOST: Final = 500
 """So many classes a loader is told of."""
 

@@ -74,9 +74,10 @@ def invoke(
         if visitors.is_visitor(function):
             fitting = visitors.chosen(machine, function, args)
             return each_apart(machine, fitting, lambda each: invoke(machine, each, args, types, keywords))
-        return invoke(
-            machine, function.function, (*function.arguments, *args), types, {**keywords, **dict(function.keywords)}
-        )
+        inner, given = function.function, (*function.arguments, *args)
+        if isinstance(inner, Function) and _leads(inner):  # `std::bind(&Lamp::on, this)`
+            inner = Overloads(inner.code.name, (inner,), None, ())
+        return invoke(machine, inner, given, types, {**keywords, **dict(function.keywords)})
     if isinstance(function, Choice):
         callees = [o for o in function.options if o != NONE] or list(function.options)
         return each_apart(machine, callees, lambda each: invoke(machine, each, args, types, keywords))
@@ -103,6 +104,9 @@ def _of_several(
     given = args
     functions: Sequence[Function] = several.functions
     if several.receiver is None and functions and _leads(functions[0]):  # a member function without its object
+        overridden = _overridden(machine, several, args)
+        if overridden:
+            return each_apart(machine, overridden, lambda each: invoke(machine, each, args[1:], types, keywords))
         given = args[1:]
     chosen = choose(machine, functions, given, types)
     if not chosen:
@@ -114,6 +118,17 @@ def _of_several(
         return call_function(machine, function, (*receiver, *args), keywords, types)
 
     return one(chosen[0]) if len(chosen) == 1 else each_apart(machine, list(chosen), one)
+
+
+def _overridden(machine: Engine, several: Overloads, args: Arguments) -> list[Value]:
+    """What a pointer to a virtual member function calls: that of the class of each object. Empty where it is not virtual."""
+    info = linked(machine).info(several.functions[0].module)
+    if info is None or not args or not members.is_virtual(machine, info, several.name):
+        return []
+    held = [o.target if isinstance(o, Pointer) else o for o in options(read(machine, args[0]))]
+    objects = [members.member(machine, o, several.name) for o in held if isinstance(o, Ref)]
+    found: list[Value] = [m for m in objects if isinstance(m, Overloads) and m.receiver is not None]
+    return found if len(found) == len(held) else []
 
 
 def _leads(function: Function) -> bool:
@@ -181,6 +196,8 @@ def _special(machine: Engine, function: Function, registers: list[Value]) -> Fun
 def _without_body(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """A function that is only declared: what a library's does is nothing that matters; what any other does nobody knows."""
     symbol = linked(machine).stubs[function.code.key]
+    if symbol.name.startswith("~") and "default" in symbol.marks:
+        return NONE
     values = [v for v in registers if v is not UNBOUND]
     signature = function.code.signature
     name = f"{function.module.name}.{symbol.name}"

@@ -13,6 +13,7 @@ p->template set("a", 1);                 p->         set("a", 1);
 a ? b : throw E();                       a ? b : ~~~~~ E();
 using Ts::operator()...;                 using Ts::operator()   ;
 template class Tree<Node>;               nothing: it runs nothing
+extern template int sum<int>(int);       the same
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ _SLOTS: Final = re.compile(r"(?:(?<=\bpublic)|(?<=\bprivate)|(?<=\bprotected))[ 
 _SIGNALS: Final = re.compile(r"^([ \t]*)signals(?=[ \t]*:[^:])", re.MULTILINE)
 _EMIT: Final = re.compile(r"(^|[;{}):])([ \t]*)emit(?=[ \t]+[A-Za-z_])", re.MULTILINE)
 _INSTANTIATION: Final = re.compile(
-    r"^[ \t]*(?:extern[ \t]+)?template[ \t]+(?:class|struct)\b[^;{}()]{0,500};", re.MULTILINE
+    r"^[ \t]*(?:extern[ \t]+)?template(?=[ \t\n]+[A-Za-z_])[^;{}]{0,1000};", re.MULTILINE
 )
 _NO_ARGUMENTS: Final = re.compile(r"(?:(?<=->)|(?<=::)|(?<=\w\.))[ \t]*\btemplate\b(?=[ \t]+\w+[ \t]*\()")
 
@@ -71,8 +72,14 @@ def suited(text: str) -> str:
     if "emit" in text:
         text = _EMIT.sub(r"\1\2    ", text)
     if "template" in text:
-        text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_blank, text))
+        text = _NO_ARGUMENTS.sub(_blank, _INSTANTIATION.sub(_nothing, text))
     return text
+
+
+def _nothing(found: re.Match[str]) -> str:
+    """An explicit instantiation, blank: not where the line before goes on, as in `node->` and `template set<int>(1);`."""
+    before = found.string[max(0, found.start() - 200) : found.start()].rstrip()
+    return found[0] if before.endswith(("->", ".", "::")) else blank(found[0])
 
 
 def _plain_pointer(found: re.Match[str]) -> str:

@@ -238,9 +238,13 @@ class Builds:
                     definitions |= dict.fromkeys(other.handed.definitions)
                 packages.append(owner.package)
             links = (link.partition("::")[0] for link in target.own.links if "::" in link)
-            for name in dict.fromkeys([*packages, *links, *build.depends]):
+            reached = dict.fromkeys([*packages, *links, *build.depends])
+            waiting = list(reached)
+            for name in waiting:  # which grows: a header includes those of what its package depends on
                 other_build = self.build(name)
                 if other_build is not None:
+                    waiting += (d for d in other_build.depends if d not in reached)
+                    reached |= dict.fromkeys(other_build.depends)
                     includes |= dict.fromkeys(other_build.exported)
                     folder = os.path.join(other_build.folder, "include")  # noqa: PTH118
                     if os.path.isdir(folder):  # noqa: PTH112

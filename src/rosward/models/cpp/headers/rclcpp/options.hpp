@@ -111,6 +111,9 @@ class NodeOptions
 public:
   NodeOptions() {}
   explicit NodeOptions(const rcl_allocator_t & allocator) {}
+  // For models: options that are never without these words, so that those of several nodes, taken together, have them too.
+  NodeOptions(const std::vector<std::string> & words, bool use_global_arguments)
+  : arguments_(words), use_global_arguments_(use_global_arguments) {}
 
   std::shared_ptr<Context> context() const
   {

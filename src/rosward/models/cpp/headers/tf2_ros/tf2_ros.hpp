@@ -118,9 +118,9 @@ public:
   template<typename BufferT>
   [[rosward::creator]] explicit TransformListener(BufferT & buffer, bool spin_thread = true, bool static_only = false)
   {
-    rclcpp::NodeOptions options;
-    options.arguments(
-      {"--ros-args", "-r", "__node:=" + std::string("transform_listener_impl_") + rosward::unknown("random", "address", "str")});
+    const std::vector<std::string> words = {
+      "--ros-args", "-r", "__node:=" + std::string("transform_listener_impl_") + rosward::unknown("random", "address", "str")};
+    rclcpp::NodeOptions options(words, true);
     options.start_parameter_event_publisher(false);
     options.start_parameter_services(false);
     _own = rclcpp::Node::make_shared("_", options);
