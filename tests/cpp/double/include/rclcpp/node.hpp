@@ -88,6 +88,7 @@ public:
   std::shared_ptr<Clock> get_clock() const { return std::make_shared<Clock>(); }
   std::string resolve_topic_name(const std::string & name, bool only_expand = false) const { return core_->resolve(name, false, !only_expand); }
   std::string resolve_service_name(const std::string & name, bool only_expand = false) const { return core_->resolve(name, true, !only_expand); }
+  std::string resolve_topic_or_service_name(const std::string & name, bool is_service, bool only_expand = false) const { return core_->resolve(name, is_service, !only_expand); }
 
 private:
   std::shared_ptr<rosward_double::Core> core_;

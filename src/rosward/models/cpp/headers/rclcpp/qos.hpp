@@ -209,14 +209,10 @@ private:
 namespace detail
 {
 // A QoS of a depth, a profile or a QoS.
-template<typename QosT>
-QoS as_qos(const QosT & qos)
-{
-  if (rosward::field_among("deadline", qos) == nullptr) {
-    return QoS(qos);
-  }
-  return QoS(QoSInitialization::from_rmw(qos), qos);
-}
+QoS as_qos(const rmw_qos_profile_t & profile) {return QoS(QoSInitialization::from_rmw(profile), profile);}
+QoS as_qos(const QoS & qos) {return qos;}
+QoS as_qos(const QoSInitialization & initialization) {return QoS(initialization);}
+QoS as_qos(size_t depth) {return QoS(depth);}
 
 // The words that a parameter has for policies.
 std::string history_word(int policy)
