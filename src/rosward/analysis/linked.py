@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import Tuple
@@ -11,6 +12,8 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole
 from rosward.engine.cpp.program import start_component, start_main
 from rosward.findings import Finding
+from rosward.frontends.cpp.model_headers import PREFIX, modelled
+from rosward.frontends.cpp.symbols import CppSymbols
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -35,6 +38,8 @@ def start(machine: Interpreter, entry: Entry, configuration: Configuration | Non
             message = f"The class {entry.classes[0]} is not among the sources of {entry.label}."
             machine.log.findings.add(Finding("RW009", message, place))
         return
+    if isinstance(symbols, CppSymbols) and not _speaks_of_ros(symbols):
+        return
     folder = Hole((Reason(Cause.FILE, "folder of the executable", place),))
     name = entry.executable or entry.file.rpartition("/")[2].rpartition(".")[0]
     program = make((folder, f"/{name}"))
@@ -45,3 +50,9 @@ def start(machine: Interpreter, entry: Entry, configuration: Configuration | Non
     if not start_main(machine, symbols, words, place):
         message = f"{entry.label} has no function main among the sources."
         machine.log.findings.add(Finding("RW009", message, place))
+
+
+def _speaks_of_ros(symbols: CppSymbols) -> bool:
+    """Whether a source or header of a program says the name of a library that there are models of; else nothing that it runs creates anything."""
+    said = re.compile(rf"\b(?:{'|'.join(sorted(map(re.escape, modelled())))})\b")
+    return any(said.search(f.parsed.prepared.text) for f in symbols.files if not f.text.startswith(PREFIX))
