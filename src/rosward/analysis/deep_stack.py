@@ -7,12 +7,24 @@ import gc
 import sys
 import threading
 from collections.abc import Callable
+from types import FunctionType
 from typing import Final, TypeVar
 
 _T = TypeVar("_T")
 
 _STACK: Final = 512 * 1024 * 1024
 _RECURSION: Final = 60_000
+_SLOTS: Final = (1 << 22) + 1
+"""CPython keeps the frames of a thread in chunks of 16 KB, and gives a chunk back whenever calls return across its beginning, which costs a
+quarter of the time of a deep analysis. The frame of a function that says to need so many slots of 8 bytes begins a chunk of the next power of
+two; the frames of all that it calls have the other half of it. No slot is touched before it is used."""
+
+
+def _call(work: Callable[[], _T]) -> _T:
+    return work()
+
+
+_in_one_chunk: Final = FunctionType(_call.__code__.replace(co_stacksize=_SLOTS), {})
 
 
 def with_deep_stack(work: Callable[[], _T]) -> _T:
@@ -26,7 +38,7 @@ def with_deep_stack(work: Callable[[], _T]) -> _T:
         limit = sys.getrecursionlimit()
         sys.setrecursionlimit(_RECURSION)
         try:
-            outcome.append(work())
+            outcome.append(_in_one_chunk(work))
         except BaseException as error:
             failure.append(error)
         finally:
