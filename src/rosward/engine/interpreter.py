@@ -90,7 +90,7 @@ class Interpreter(Answers):
             precision.spend(0, self)
         if precision.steps > precision.loop_limit:
             precision.coarse = True
-        if self.catchers:
+        if self.catchers and self.language.run_noting is not None:
             return self.language.run_noting(self, block, frame)
         table = self.language.table
         for op in block:
@@ -184,7 +184,7 @@ class Interpreter(Answers):
         before = state.version
         self._versions += 1
         state.version = self._versions
-        if self.catchers and self.language.raises_anywhere:
+        if self.catchers and self.language.run_noting is not None:
             self.catchers[-1].wrote(self, address, obj, before)
 
     def update(self, ref: Ref, obj: Obj) -> None:
@@ -231,6 +231,7 @@ class Interpreter(Answers):
             if not joined.many:
                 joined = joined.replace(many=True)
             if joined is old:
+                self.asked_for.add(address)  # nothing is written, because of what stands there
                 return
             obj = joined
         if obj is not old:
@@ -240,7 +241,7 @@ class Interpreter(Answers):
         """The object that belongs to an attribute of another one."""
         key = ("inner", owner.address, name)
         address = self.place_key(key)
-        if again or self.state.heap.get(address) is None:
+        if again or self.own(address) is None:
             self.place_at(key, obj)
         return Ref(address)
 

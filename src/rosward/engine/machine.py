@@ -170,10 +170,11 @@ class Language:
 
     name: str
     table: Mapping[type[ops.Op], Handler]
-    run_noting: Callable[[Engine, ops.Block, Frame], bool]
-    """Run a block inside of a `try`: what its operations may raise is noted."""
-    raises_anywhere: bool
-    """Whether any operation may raise, so that what is written behind one that does may be seen by handlers; else calls alone do, and say so."""
+    run_noting: Callable[[Engine, ops.Block, Frame], bool] | None
+    """Run a block inside of a `try`: what its operations may raise is noted, and what is written behind one that may is seen by handlers.
+
+    None where calls alone raise, and say so themselves.
+    """
     cells_outlive: bool
     """Whether a variable may be used when the call that has it has ended."""
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join_all, options
+from rosward.domain.state import State
 from rosward.domain.unknown import Cause
 from rosward.domain.values import Unknown, Value
 from rosward.engine.catcher import ANYTHING, LIBRARY, OPERATION, Catcher
@@ -14,7 +15,6 @@ from rosward.models.failures import tell_uncaught
 from rosward.models.python.plain import EXCEPTION_HINT
 
 if TYPE_CHECKING:
-    from rosward.domain.state import State
     from rosward.engine.machine import Engine
 
 
@@ -27,7 +27,7 @@ def note(machine: Engine, level: int = OPERATION) -> None:
 
 def note_turn(machine: Engine) -> None:
     """A loop goes round: in Python that may raise."""
-    if machine.catchers and machine.language.raises_anywhere:
+    if machine.catchers and machine.language.run_noting is not None:
         note(machine)
 
 
@@ -72,17 +72,16 @@ def throw(machine: Engine, exception: Value) -> None:
         machine.uncaught(exception)
 
 
-def rethrow(machine: Engine, inner: Catcher, seen: Callable[[State], State] | None = None) -> None:
+def rethrow(machine: Engine, inner: Catcher, seen: Callable[[State], State] = State.copy) -> None:
     """What leaves a call by exceptions reaches the `try` around it; the machine's state is left as it is.
 
-    `seen`: what a state of it is for who calls.
+    `seen`: what a state of it is for who calls, as a state of its own.
     """
     if machine.catchers and inner.level:
-        state = inner.snapshot.state
-        machine.catchers[-1].take_over(machine, inner, state if seen is None else seen(state))
+        machine.catchers[-1].take_over(machine, inner, seen(inner.snapshot.state))
         machine.noted = max(machine.noted, inner.level)
     here = machine.state
     for exception, snapshot in inner.arrivals.items():
-        machine.state = snapshot.state.copy() if seen is None else seen(snapshot.state).copy()
+        machine.state = seen(snapshot.state)
         throw(machine, exception)
     machine.state = here

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.compound import BoundMethod, External, TooManyPartsError, Tuple
+from rosward.domain.compound import BoundMethod, External, Tuple
 from rosward.domain.series import Series
 from rosward.domain.values import Class, Ref, Value
 from rosward.engine.cpp import access, calls, methods, narrowing, operators
@@ -26,21 +26,8 @@ from rosward.models.native import Items
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
-    from rosward.ir import ops
 
 __all__ = ["CPP"]
-
-
-def _run_noting(machine: Engine, block: ops.Block, frame: Frame) -> bool:
-    """Run a block inside of a `try`: in C++ calls alone raise, and say so themselves."""
-    table = machine.language.table
-    for op in block:
-        try:
-            if table[op.__class__](machine, op, frame) is False:
-                return False
-        except TooManyPartsError:  # noqa: PERF203 - it costs nothing where nothing is raised
-            machine.give_up_value(op, frame)
-    return True
 
 
 def _series(machine: Engine, value: Value) -> Series:
@@ -107,8 +94,7 @@ CPP: Final = replace(
     name=NAME,
     load_module=_load_module,
     table={**CORE, **OWN},
-    run_noting=_run_noting,
-    raises_anywhere=False,
+    run_noting=None,
     cells_outlive=False,
     truth=_truth,
     unary=operators.unary,

@@ -58,7 +58,6 @@ PYTHON: Final = Language(
     name=NAME,
     table={**CORE, **OWN},
     run_noting=failing.run_noting,
-    raises_anywhere=True,
     cells_outlive=True,
     truth=equality.truth,
     unary=equality.unary,
