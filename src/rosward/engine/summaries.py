@@ -19,7 +19,18 @@ class Summary:
     Of the state before, what counts is what stands at the addresses that the body asked for; of the one behind, what it changed.
     """
 
-    __slots__ = ("after", "asked_for", "before", "catcher", "provisional", "registers", "turn", "value")
+    __slots__ = (
+        "after",
+        "asked_for",
+        "before",
+        "begun",
+        "catcher",
+        "provisional",
+        "registers",
+        "turn",
+        "value",
+        "whole",
+    )
 
     def __init__(self, registers: list[Value], before: State) -> None:
         self.registers = registers
@@ -28,6 +39,8 @@ class Summary:
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
         self.asked_for: set[int] = set()  # the addresses whose records its body read
+        self.begun = before.done  # what had surely happened before its body ran last
+        self.whole = False  # who calls sees all of the states behind, not only what the body changed
         self.provisional = False  # it was made of another summary that was unfinished then
         self.turn = -1  # the turn of the outermost summary in which it was made last
 

@@ -5,7 +5,7 @@ def walk(n): …; walk(n - 1)      solved once for the join of all such calls, b
 layer.compute_caches()           run once for all callers between which nothing has changed of what it looks at
 
 A call changes what the body changes, and nothing else of the state that it comes from; but for recursions, whose calls see each other's
-states whole.
+states whole, and for what may end the program, where each state counts.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join, widen
-from rosward.domain.state import EventKey, State, join_objects, join_states
+from rosward.domain.state import State, join_objects, join_states
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Function, Value
 from rosward.engine.bodies import run_body
@@ -42,28 +42,26 @@ def summarised(machine: Engine, function: Function, registers: list[Value]) -> V
         raise LimitReachedError(f"calls nested more than {machine.budget.depth} deep", machine.place)
     called = machine.state
     summary = machine.summaries.finished.pop(key, None) if machine.precision.coarse else None
-    whole = function.code.key in machine.summaries.recursive
     if summary is None:
         summary = Summary(list(registers), called.copy())
     else:
-        changed = _join_call(machine, summary, registers, widening, whole=whole)
         known = not summary.provisional or not machine.summaries.running or summary.turn == machine.summaries.turns
-        if known and not changed:  # a call like those before
+        join_call = _join_whole if summary.whole else _take_in
+        if not join_call(machine, summary, registers, widening) and known:  # a call like those before
             machine.summaries.finished[key] = summary
             machine.summaries.provisional += summary.provisional and bool(machine.summaries.running)
-            return _of_summary(machine, summary, called, whole=whole)
-        if not whole:
+            return _of_summary(machine, summary, called)
+        if not summary.whole:
             summary.value, summary.after, summary.catcher = UNBOUND, None, None
     _solve(machine, summary, function, key, widening)
     if summary.catcher is not None:
         machine.summaries.finished[key] = summary
-    return _of_summary(machine, summary, called, whole=whole or function.code.key in machine.summaries.recursive)
+    return _of_summary(machine, summary, called)
 
 
 def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Merge) -> Value:
     """A call inside a recursion that is being solved: what is known of it so far."""
-    summary.registers = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
-    summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, merge)
+    _join_whole(machine, summary, registers, merge)
     machine.summaries.provisional += 1  # what is computed from it now may not be its last word
     machine.asked_for |= summary.asked_for
     if summary.after is None:
@@ -72,14 +70,17 @@ def _inside(machine: Engine, summary: Summary, registers: list[Value], merge: Me
     return summary.value
 
 
-def _join_call(machine: Engine, summary: Summary, registers: list[Value], merge: Merge, *, whole: bool) -> bool:
-    """One more call; whether the body must run again."""
-    if not whole:
-        return _take_in(machine, summary, registers, merge)
-    before = (list(summary.registers), summary.before.version)
-    summary.registers = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
+def _join_whole(machine: Engine, summary: Summary, registers: list[Value], merge: Merge) -> bool:
+    """One more call, from the machine's state: whether the body must run again, where all of that counts."""
+    before = (summary.registers, summary.before.version)
+    summary.registers = _joined(summary, registers, merge)
     summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, merge)
     return before != (summary.registers, summary.before.version)
+
+
+def _joined(summary: Summary, registers: list[Value], merge: Merge) -> list[Value]:
+    """The arguments of all calls."""
+    return [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
 
 
 def _take_in(machine: Engine, summary: Summary, registers: list[Value], merge: Merge) -> bool:
@@ -87,34 +88,40 @@ def _take_in(machine: Engine, summary: Summary, registers: list[Value], merge: M
 
     Then `before` is that state, with what the other calls had where the body looks.
     """
-    new = [merge(a, b) for a, b in zip(summary.registers, registers, strict=True)]
-    changed = new != summary.registers
-    summary.registers = new
+    before, summary.registers = summary.registers, _joined(summary, registers, merge)
+    changed = before != summary.registers
     state = machine.state.copy()
     known, heap = summary.before.heap, state.heap
     for address in summary.asked_for:
-        ours, theirs = known.get(address), heap.get(address)
-        if ours is theirs:
+        if known.get(address) is heap.get(address):
             continue
         ours, theirs = known.stands(address), heap.stands(address)
-        if ours is None or theirs is None:
-            changed = changed or ours is None
-            if theirs is None and ours is not None:
-                heap[address] = ours
-            continue
-        both = join_objects(ours, theirs, merge)
-        changed = changed or both is not ours
-        heap[address] = both
-    summary.before.done &= state.done
+        if ours is None:
+            changed = True
+        elif theirs is None:
+            heap[address] = ours
+        else:
+            both = heap[address] = join_objects(ours, theirs, merge)
+            changed = changed or both is not ours
     if changed:
-        state.done = summary.before.done
+        state.done &= summary.before.done
         state.version = machine.fresh_version()
         summary.before = state
     return changed
 
 
 def _behind(machine: Engine, summary: Summary, called: State, state: State) -> State:
-    """What a state that the body left is for a call from the state `called`: that, with what the body changed."""
+    """What a state that the body left is for a call from the state `called`; what the body did is done there, too."""
+    found = state.copy() if summary.whole else _changed(machine, summary, called, state)
+    found.done = called.done | (state.done - summary.begun)
+    return found
+
+
+def _changed(machine: Engine, summary: Summary, called: State, state: State) -> State:
+    """The state of a call with what the body changed.
+
+    And with what it looked at and the call has not: objects that others gave it, and those that it made for others and makes again.
+    """
     found = called.copy()
     for address, obj in state.heap.changed_since(summary.before.heap):
         old = found.heap.get(address)
@@ -122,12 +129,15 @@ def _behind(machine: Engine, summary: Summary, called: State, state: State) -> S
             found.heap[address] = obj
         else:  # another one was made there before
             found.heap[address] = join_objects(old, obj, join).replace(many=True)
-    found.done |= state.done - summary.before.done
+    for address in summary.asked_for:
+        seen = state.heap.get(address)
+        if seen is not None and found.heap.stands(address) is None:
+            found.heap[address] = seen
     found.version = machine.fresh_version()
     return found
 
 
-def _solve(machine: Engine, summary: Summary, function: Function, key: object, merge: Merge) -> None:
+def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str, object], merge: Merge) -> None:
     """Run the body for all calls that are known, until nothing changes any more."""
     summaries = machine.summaries
     outer, outermost = machine.catchers, not summaries.running
@@ -136,13 +146,14 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: object, m
         summary.catcher = summary.catcher or Catcher(machine, machine.frames[-1])
         machine.catchers = [*outer, summary.catcher]
     context = machine.context("summary", function.code.key)
+    ended = _ended(machine)
     asked_for, machine.asked_for = machine.asked_for, summary.asked_for
     epoch, summaries.epoch = summaries.epoch, machine.fresh_version()
     try:
         for _ in range(machine.budget.fixpoint * 4):
             reads, seen, changes = summaries.provisional, summary.versions, summaries.changes
             summaries.turns += outermost
-            machine.state = summary.before.copy()
+            machine.state, summary.begun = summary.before.copy(), summary.before.done
             value = run_body(machine, function, list(summary.registers), machine.frames[-1], context)
             if value is not UNBOUND:
                 summary.value = merge(summary.value, value) if summary.value is not UNBOUND else value
@@ -163,22 +174,27 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: object, m
     finally:
         del summaries.running[key]
         machine.catchers = outer
+        summary.asked_for |= machine.asked_for  # which is another set where callbacks have run
         machine.asked_for = asked_for
+        summary.whole = summary.whole or key[0] in summaries.recursive or ended != _ended(machine)
         summaries.epoch = epoch
 
 
-def _of_summary(machine: Engine, summary: Summary, called: State, *, whole: bool) -> Value:
+def _ended(machine: Engine) -> int | None:
+    """What tells whether a state was kept for the end of the program: one that is not kept for later calls."""
+    return None if machine.ends is None else machine.ends.version
+
+
+def _of_summary(machine: Engine, summary: Summary, called: State) -> Value:
     """What a call from the state `called` gives by its summary."""
     machine.asked_for |= summary.asked_for  # of the body, which may not have run for this call
-    done: frozenset[EventKey] = called.done
 
     def seen(state: State) -> State:
-        return state if whole else _behind(machine, summary, called, state)
+        return _behind(machine, summary, called, state)
 
     if summary.catcher is not None:
         rethrow(machine, summary.catcher, seen)
     if summary.after is None:
         return UNBOUND
-    machine.state = seen(summary.after).copy()
-    machine.state.done |= done
+    machine.state = seen(summary.after)
     return summary.value

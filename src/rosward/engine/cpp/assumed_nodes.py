@@ -38,7 +38,7 @@ def method(machine: Engine, owner: Value, name: str, types: tuple[Value, ...]) -
     if not isinstance(cls, Class) or info is None or functions is None:
         return None
     address = machine.place_key(("assumed node", owner))
-    if machine.state.heap.get(address) is None:
+    if machine.own(address) is None:
         machine.put(address, Obj("instance", cls))
         construct.construct_in_place(machine, Ref(address), info, (owner,))
     return overloads(machine, functions, types, Ref(address))

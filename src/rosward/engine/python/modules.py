@@ -140,7 +140,7 @@ def _load_found(
     """The module that an import of a name leads to."""
     if found is None and not level and name.startswith("_rosward"):  # a program's own, and not among the sources
         return machine.unknown(Cause.MODULE, name)
-    if found is None and not level and (space := machine.place_key(("module", name))) in machine.state.heap:
+    if found is None and not level and machine.own(space := machine.place_key(("module", name))) is not None:
         return ModuleValue(space, name, "")
     if found is None:
         ours = machine.library.sources.belongs(name) if not level else name and not machine.catchers
@@ -162,10 +162,10 @@ def _load_found(
             parent = ModuleValue(machine.place_key(("module", above)), ".".join(parts[:-1]), "")
             machine.run_module(parent, parent.name)
     address = machine.place_key(("module", found.key))
-    if address in machine.state.heap:
+    if machine.own(address) is not None:
         address = import_path.imported(machine, whole, found, address)
     module = ModuleValue(address, whole, found.file)
-    if address not in machine.state.heap:
+    if machine.own(address) is None:
         if not machine.run_module(module, whole):
             return UNBOUND
         given = None if level else import_path.registered(machine, whole)
@@ -188,7 +188,7 @@ def run_packages(machine: Engine, module: ModuleValue) -> bool:
             continue
         address = machine.place_key(("module", found.key))
         package = ModuleValue(address, name, found.file)
-        if address not in machine.state.heap and not machine.run_module(package, name):
+        if machine.own(address) is None and not machine.run_module(package, name):
             return False
     return True
 
@@ -268,7 +268,7 @@ def load_below(machine: Engine, module: ModuleValue, name: str) -> Value | None:
         return machine.library.load_model(found)
     address = machine.place_key(("module", found.key))
     value = ModuleValue(address, f"{module.name}.{name}", found.file)
-    if address not in machine.state.heap and not machine.run_module(value, value.name):
+    if machine.own(address) is None and not machine.run_module(value, value.name):
         return UNBOUND
     return value
 
