@@ -16,8 +16,14 @@ if TYPE_CHECKING:
     from rosward.frontends.cpp.headers import Headers
 
 _INCLUDE: Final = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^">\n]+)[">]', re.MULTILINE)
-_ROS: Final = re.compile(r"rcl\w*/.*|[\w.]+/(?:msg|srv|action)/.*")
+_INTERFACE: Final = re.compile(r"[\w.]+/(?:msg|srv|action)/.*")
 _FILES: Final = 5_000
+
+
+def makes_entities(header: str, modelled: frozenset[str]) -> bool:
+    """Whether a header, as it is included, is of a library that makes nodes or entities: one of the `modelled` ones, or a client library."""
+    library = header.partition("/")[0]
+    return library in modelled or library.startswith("rcl")
 
 
 @final
@@ -45,12 +51,12 @@ class RosHeaders:
             for name, quoted in self._includes(here):
                 found = self._headers.find(name, here, includes, quoted)
                 if found is None:
-                    if name.partition("/")[0] in self._modelled or _ROS.fullmatch(name):
+                    if makes_entities(name, self._modelled) or _INTERFACE.fullmatch(name):
                         return True
                 elif found not in seen:
                     seen.add(found)
                     waiting.append(found)
-        return False
+        return bool(waiting)  # what was not looked at may
 
     def _includes(self, path: str) -> tuple[tuple[str, bool], ...]:
         found = self._included.get(path)

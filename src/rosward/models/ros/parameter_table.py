@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Native
 from rosward.domain.heap import Obj
-from rosward.domain.text import make, origins_of, readable
+from rosward.domain.text import origins_of, readable
 from rosward.domain.unknown import Cause, Origin
-from rosward.domain.values import FALSE, NONE, Const, Hole, Ref, Text, Unknown, Value
+from rosward.domain.values import FALSE, NONE, UNBOUND, Const, Hole, Ref, Text, Unknown, Value
 from rosward.ir.program import CPP, PYTHON
 from rosward.models.failures import fail
 from rosward.models.python.containers import dicts
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 _TABLE: Final = "__parameters__"
 _PATTERNS: Final = "__parameter_patterns__"
 _MOST_PATTERNS: Final = 100
-_STAR: Final = "*"
+_ANYTHING: Final = Hole(())
 UNDECLARED: Final = "__undeclared__"
 """Attribute of a node: whether it takes parameters that it never declared."""
 REFUSES: Final = "__refuses__"
@@ -43,12 +43,18 @@ _EXCEPTIONS: Final = MappingProxyType({PYTHON: "rclpy.exceptions", CPP: "rclcpp.
 """The module or namespace that has the exceptions of the client library, by language."""
 
 
-def table_of(machine: Machine, node: Value) -> Ref | None:
+def table_of(machine: Machine, node: Value, which: str = _TABLE) -> Ref | None:
     """The table of an object that surely is a node."""
     if not isinstance(node, Ref):
         return None
-    found = machine.obj(node).attrs.get(_TABLE)
+    found = machine.obj(node).attrs.get(which)
     return found if isinstance(found, Ref) else None
+
+
+def _patterns_of(machine: Machine, node: Value) -> Obj | None:
+    """The table of names that are known in part."""
+    found = table_of(machine, node, _PATTERNS)
+    return None if found is None else machine.obj(found)
 
 
 def flag(machine: Machine, node: Value, name: str) -> bool:
@@ -92,33 +98,24 @@ def put(machine: Machine, node: Value, name: Value, value: Value, *, sure: bool 
 
 def _put_pattern(machine: Machine, node: Value, table: Ref, name: Text, value: Value) -> bool:
     """A node may have a parameter of a name of which a part is known; False where there are too many of those."""
-    patterns = machine.obj(node).attrs.get(_PATTERNS) if isinstance(node, Ref) else None
-    if not isinstance(patterns, Ref):
+    patterns = table_of(machine, node, _PATTERNS)
+    if patterns is None:
         return False
-    held, key = machine.obj(patterns), Const(readable(name))
+    held, key = machine.obj(patterns), Text(tuple(p if isinstance(p, str) else _ANYTHING for p in name.parts))
     if key not in held.entries and len(held.entries) >= _MOST_PATTERNS:
         return False
-    dicts.store(machine, patterns, key, value, weak=True)
+    old = held.entries.get(key, UNBOUND)
+    machine.update(patterns, held.replace(entries={**held.entries, key: join(old, value)}))
     record = machine.obj(table)
-    entries = {k: join(v, value) if equal(machine, k, name) is not False else v for k, v in record.entries.items()}
-    if entries != record.entries:
-        machine.update(table, record.replace(entries=entries))
+    machine.update(table, record.replace(entries=dicts.with_possible(machine, record.entries, name, value)))
     return True
 
 
 def _of_patterns(machine: Machine, node: Value, name: Value) -> list[Value]:
     """What stands under the names, known in part, that a name may be."""
-    patterns = machine.obj(node).attrs.get(_PATTERNS) if isinstance(node, Ref) else None
-    if not isinstance(patterns, Ref):
-        return []
-    found = [(_pattern(k), v) for k, v in machine.obj(patterns).entries.items() if isinstance(k, Const)]
-    return [v for pattern, v in found if any(equal(machine, pattern, o) is not False for o in options(name))]
-
-
-def _pattern(key: Const) -> Value:
-    """The name, known in part, that a key stands for."""
-    parts = str(key.value).split(_STAR)
-    return make([part for text in parts for part in (text, Hole(()))][:-1])
+    patterns = _patterns_of(machine, node)
+    entries = {} if patterns is None else patterns.entries
+    return [v for k, v in entries.items() if any(equal(machine, k, o) is not False for o in options(name))]
 
 
 def has_others(machine: Machine, node: Value) -> bool:
@@ -126,8 +123,8 @@ def has_others(machine: Machine, node: Value) -> bool:
     table = table_of(machine, node)
     if table is None or machine.obj(table).rest is not None:
         return True
-    patterns = machine.obj(node).attrs.get(_PATTERNS) if isinstance(node, Ref) else None
-    return isinstance(patterns, Ref) and bool(machine.obj(patterns).entries)
+    patterns = _patterns_of(machine, node)
+    return patterns is not None and bool(patterns.entries)
 
 
 def put_any(machine: Machine, node: Value, subject: str) -> None:

@@ -8,6 +8,7 @@ d.get(unknown)      1, 2 or None
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final, NamedTuple
 
 from rosward.domain.choice import join, join_all, options
@@ -127,11 +128,16 @@ def _store_known(obj: Obj, key: Value, value: Value, weak: bool) -> Obj:
 
 
 def _store_unknown(machine: Machine, obj: Obj, key: Value, value: Value) -> Obj:
-    entries = {k: join(v, value) if equal(machine, k, key) is not False else v for k, v in obj.entries.items()}
+    entries = with_possible(machine, obj.entries, key, value)
     if obj.rest is None:
         return obj.replace(entries=entries, rest=value, rest_key=_bare(key))
     rest_key = None if obj.rest_key is None else join(obj.rest_key, _bare(key))
     return obj.replace(entries=entries, rest=join(obj.rest, value), rest_key=rest_key)
+
+
+def with_possible(machine: Machine, entries: Mapping[Value, Value], key: Value, value: Value) -> dict[Value, Value]:
+    """Entries where a value may stand under each key that may be equal to `key`."""
+    return {k: join(v, value) if equal(machine, k, key) is not False else v for k, v in entries.items()}
 
 
 def _bounded(obj: Obj) -> Obj:
