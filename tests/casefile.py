@@ -91,12 +91,17 @@ def read_cases(file: Path) -> list[Case]:
     return cases
 
 
-def run_case(case: Case, folder: Path) -> list[str]:
-    """Write the files, extract, and tell what came out in the words of an expectation."""
+def write_files(case: Case, folder: Path) -> None:
+    """Lay the files of a case into a folder."""
     for name, text in case.files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
+
+
+def run_case(case: Case, folder: Path) -> list[str]:
+    """Write the files, extract, and tell what came out in the words of an expectation."""
+    write_files(case, folder)
     result = rosward.extract(folder, distro=case.options.get("distro", "jazzy"))
     return told(result, system="show system" in case.expected, messages="show findings" in case.expected)
 

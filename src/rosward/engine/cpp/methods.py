@@ -8,7 +8,7 @@ pointer.reset()              of the pointer itself
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
@@ -23,7 +23,8 @@ from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
 from rosward.engine.frame import Frame
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.receivers import OF_PLACES
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import method_types, name_of
 from rosward.models.native import NativeCall, perform
@@ -49,15 +50,16 @@ def invoke(
 ) -> Value:
     """`owner.name<types>(args)`; `scope`: `owner.Scope::name(args)`; `own`: of `this`; `constant`: of an object that is so;
     `declared` gives the type that it, or the pointer to it, is declared with."""
-    held = read(machine, owner)
-    several = [o for o in options(held) if o != NONE] or [held]
+    receivers = _receivers(machine, owner, name)
 
-    def one(option: Value) -> Value:
-        receiver = owner if isinstance(owner, Slot) and len(several) == 1 and not isinstance(option, Ref) else option
+    def one(receiver: tuple[Value, Value]) -> Value:
+        slot, option = receiver
+        if len(receivers) > 1 and slot is not option:
+            write(machine, slot, option)  # where it is this one
         return _of_one(
             machine,
             frame,
-            receiver,
+            slot,
             option,
             name,
             args,
@@ -68,7 +70,34 @@ def invoke(
             declared=declared,
         )
 
-    return each_apart(machine, several, one)
+    return each_apart(machine, receivers, one)
+
+
+def _receivers(machine: Engine, owner: Value, name: str) -> list[tuple[Value, Value]]:
+    """What a method is called on: each value that stands before the dot, and where it stands, as far as that matters."""
+    held = _but_none(read(machine, owner))
+    if isinstance(owner, Slot) and len(held) == 1:
+        return [(option if isinstance(option, Ref) else owner, option) for option in held]
+    if not any(_takes_place(machine, option, name) for option in held):
+        return [(option, option) for option in held]
+    return [
+        (place if isinstance(place, Slot) and _takes_place(machine, option, name) else option, option)
+        for place in options(owner)
+        for option in _but_none(read(machine, place))
+    ]
+
+
+def _but_none(value: Value) -> Sequence[Value]:
+    return [o for o in options(value) if o != NONE] or [value]
+
+
+def _takes_place(machine: Engine, value: Value, name: str) -> bool:
+    """Whether a method may put another value in place of this one, or lead to where it stands."""
+    if isinstance(value, Ref):
+        return False
+    natives = [f"{t}.{name}" for t in method_types(machine, value)]
+    known = [n for n in natives if machine.library.native(n) is not None]
+    return not known or known[0] in OF_PLACES
 
 
 def _of_one(

@@ -96,16 +96,18 @@ def _write_character(machine: Machine, slot: Slot, value: Value, *, weak: bool) 
     """`s[i] = c`: the string is a value, so another one stands in its slot."""
     if slot.base.__class__ is not Slot or not isinstance(slot.key, Value):
         return
-    old, number, char = read(machine, slot.base), int_of(slot.key), character_of(value)
-    text = text_of(old)
-    source = old.origins if isinstance(old, Const) else NO_ORIGINS
-    if text is not None and char == "\0" and number is not None and 0 <= number <= len(text):
-        changed: Value = Const(text[:number], source)  # an array of characters ends there
-    elif text is None or number is None or char is None or len(char) != 1 or not 0 <= number <= len(text):
-        changed = unknown_from(machine, "[]", "str", old, slot.key, value)
-    else:
-        changed = Const(text[:number] + char + text[number + 1 :], source)
-    write(machine, slot.base, changed, weak=weak)
+    index, number, char = slot.key, int_of(slot.key), character_of(value)
+
+    def one(old: Value) -> Value:
+        text = text_of(old)
+        source = old.origins if isinstance(old, Const) else NO_ORIGINS
+        if text is not None and char == "\0" and number is not None and 0 <= number <= len(text):
+            return Const(text[:number], source)  # an array of characters ends there
+        if text is None or number is None or char is None or len(char) != 1 or not 0 <= number <= len(text):
+            return unknown_from(machine, "[]", "str", old, index, value)
+        return Const(text[:number] + char + text[number + 1 :], source)
+
+    write(machine, slot.base, join_all(map(one, options(read(machine, slot.base)))), weak=weak)
 
 
 # Copying

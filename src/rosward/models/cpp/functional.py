@@ -21,7 +21,7 @@ from rosward.models.cpp.types import REFERENCE, is_reference
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import unknown_from
 
-__all__ = ["NATIVES", "kept"]
+__all__ = ["NATIVES", "OF_PLACES", "kept"]
 
 _PLACEHOLDER: Final = re.compile(r"(?:(?:std|boost)\.)?(?:placeholders\.)?_(\d)")
 _BOUND: Final = External("std.bind.call")
@@ -173,6 +173,7 @@ def _once(call: NativeCall) -> Value:
     return NONE
 
 
+OF_PLACES: Final = frozenset(("std.function.swap",))
 NATIVES: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("std.bind", "boost.bind"), _bind),
     _BOUND.name: _call_bound,

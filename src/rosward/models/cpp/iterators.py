@@ -23,6 +23,7 @@ from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import all_of, int_of, text_of, unknown_from
 
 __all__ = [
+    "OF_PLACES",
     "as_iterator",
     "begin",
     "distance",
@@ -332,6 +333,7 @@ _OF_CONTAINERS: Final[dict[str, NativeFunction]] = {
 }
 _CONTAINERS: Final = ("std.vector", "std.map", "std.string")
 
+OF_PLACES: Final = frozenset(f"std.string.{name}" for name in _OF_CONTAINERS) - {"std.string.size", "std.string.empty"}
 NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"std.{name}": function for name, function in with_least(_OF_CONTAINERS, 1, None).items()},
     **{

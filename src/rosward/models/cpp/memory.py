@@ -27,7 +27,7 @@ from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.plain import int_of, unknown_from
 
-__all__ = ["NATIVES", "pointer_to"]
+__all__ = ["NATIVES", "OF_PLACES", "pointer_to"]
 
 
 def pointer_to(machine: Machine, value: Value) -> Value:
@@ -209,6 +209,7 @@ _POINTER: Final[dict[str, NativeFunction]] = {
     "owner_before": _unique,
 }
 
+OF_PLACES: Final = frozenset(f"std.shared_ptr.{name}" for name in ("reset", "release", "swap"))
 NATIVES: Final[dict[str, NativeFunction]] = {
     **dict.fromkeys(("std.make_shared", "std.make_unique", "boost.make_shared", "std.allocate_shared"), _make),
     **{f"std.{kind}_ptr.new": _new for kind in ("shared", "unique", "weak", "auto")},

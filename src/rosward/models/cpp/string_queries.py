@@ -31,7 +31,7 @@ from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.operators import operators as python
 from rosward.models.python.plain import int_of, origins, spread, text_of, unknown_from
 
-__all__ = ["NATIVES"]
+__all__ = ["NATIVES", "OF_PLACES"]
 
 
 def _find(call: NativeCall) -> Value:
@@ -176,6 +176,7 @@ _LEAST: Final = {
         2,
     ),
 }
+OF_PLACES: Final = frozenset(f"std.string.{name}" for name in ("at", "front", "back"))
 NATIVES: Final[dict[str, NativeFunction]] = {
     f"std.string.{name}": function for name, function in with_least(_METHODS, 1, _LEAST).items()
 }

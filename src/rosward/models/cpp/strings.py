@@ -32,7 +32,7 @@ from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.operators import operators as python
 from rosward.models.python.plain import from_python, int_of, origins, spread, text_of, unknown_from
 
-__all__ = ["NATIVES"]
+__all__ = ["NATIVES", "OF_PLACES"]
 
 
 def _changed(call: NativeCall, text: Value) -> Value:
@@ -210,6 +210,7 @@ _METHODS: Final[dict[str, Callable[[NativeCall], Value]]] = {
     **dict.fromkeys(("capacity", "max_size"), _capacity),
 }
 
+OF_PLACES: Final = frozenset(f"std.string.{name}" for name in _METHODS)
 _LEAST: Final = {
     **dict.fromkeys(
         (

@@ -23,7 +23,7 @@ from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import argument, name_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
 
-__all__ = ["NATIVES"]
+__all__ = ["NATIVES", "OF_PLACES"]
 
 
 def _opaque(machine: Machine, name: str) -> Ref:
@@ -217,6 +217,7 @@ _LEAST: Final = {
         3,
     ),
 }
+OF_PLACES: Final = frozenset(f"std.atomic.{name}" for name in _ATOMIC)
 NATIVES: Final[dict[str, NativeFunction]] = {
     **{f"{space}.thread.new": _thread for space in ("std", "boost")},
     "std.jthread.new": _thread,
