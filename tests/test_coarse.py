@@ -12,8 +12,13 @@ from casefile import WORDS, Case, read_cases, told, write_files
 import rosward
 from rosward.engine.budget import Budget
 
-CASES = [case for file in sorted((Path(__file__).parent / "cases").glob("*.md")) for case in read_cases(file)]
-COARSE = Budget(coarse=0.0, entry_coarse=0)
+CASES = [
+    case
+    for file in sorted((Path(__file__).parent / "cases").glob("*.md"))
+    for case in read_cases(file)
+    if not case.known
+]
+COARSE = Budget(coarse=0.0, entry_coarse=0, large=-1)
 
 
 class Line:

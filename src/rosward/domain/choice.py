@@ -13,7 +13,7 @@ from typing import Final
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Range, Slice, Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
-from rosward.domain.unknown import Cause, Reason
+from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unbound, Unknown, Value
 from rosward.source.location import Place
 
@@ -147,12 +147,17 @@ def generalise(values: tuple[Value, ...]) -> Value:
     reasons = tuple(dict.fromkeys(r for v in values for r in reasons_of(v)))[:MAX_REASONS]
     if any(map(_acts, values)):
         reasons = tuple(dict.fromkeys((Reason(Cause.MANY, _BEHAVIOUR, _NOWHERE), *reasons)))[:MAX_REASONS]
-    elif not reasons:
-        reasons = (Reason(Cause.MANY, "", _NOWHERE),)
+    elif any(not reasons_of(v) for v in values):
+        reasons = _telling(reasons, Reason(Cause.MANY, "", _NOWHERE))
     if all(_is_text(v) for v in values):
         return common(values, reasons)
     kinds = {_kind(v) for v in values}
     return Unknown(reasons, kinds.pop() if len(kinds) == 1 else "")
+
+
+def _telling(reasons: tuple[Reason, ...], why: Reason) -> tuple[Reason, ...]:
+    """The reasons of an unknown that something known has become a part of: not only such as may be taken for nothing."""
+    return reasons if any(r.cause not in TAKEN_FOR_NOTHING for r in reasons) else (why, *reasons)[:MAX_REASONS]
 
 
 def _is_text(value: Value) -> bool:
@@ -191,7 +196,8 @@ def widen(old: Value, new: Value, reason: Reason) -> Value:
     moving = {_kind(o) for o in plain}
     if moving and (absorbed & moving or "" in absorbed):  # an unknown of that type is there already: it covers them
         gone = {o for o in plain if "" in absorbed or _kind(o) in absorbed}
-        joined = join_all(o for o in options(joined) if o not in gone)
+        rest = [o for o in options(joined) if o not in gone]
+        joined = join_all(Unknown(_telling(o.reasons, reason), o.hint) if o.__class__ is Unknown else o for o in rest)
         moving = {_kind(o) for o in plain if o not in gone}
     if not moving or joined == old:
         return joined

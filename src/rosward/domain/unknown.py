@@ -62,6 +62,8 @@ class Reason(NamedTuple):
 
 INSTEAD: Final = frozenset((Cause.OTHER, Cause.SET))
 """What somebody gives where the program itself has a value otherwise: beside that, it is one instance of many."""
+TAKEN_FOR_NOTHING: Final = INSTEAD | {Cause.ARGUMENT}
+"""What, where it alone is why something is not known, is not always told."""
 _SET_BY_NAME: Final = frozenset((Cause.LAUNCH_ARGUMENT, Cause.ENVIRONMENT, Cause.SET))
 
 

@@ -18,7 +18,8 @@ from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
 
-_LARGE: Final = 50
+_OF_LOOPS: Final = 50
+"""So many operations a loop counts for."""
 
 
 def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value:
@@ -34,7 +35,14 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         machine.summaries.recursive.add(code.key)
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
-    key = (function, tuple(registers), machine.state.version, bool(machine.catchers), machine.summaries.epoch)
+    key = (
+        function,
+        tuple(registers),
+        machine.state.version,
+        bool(machine.catchers),
+        machine.summaries.epoch,
+        machine.language.situation(machine),
+    )
     remembered = machine.summaries.memo.get(key)
     if remembered is not None:
         value, level = remembered
@@ -60,7 +68,7 @@ def _is_large(machine: Engine, function: Function) -> bool:
     if found is None:
         precise = machine.library.facts.precise
         kept = code.name == "__init__" or declared.is_model(function) or _calls(code.ops, precise)
-        found = machine.summaries.large[code.key] = not kept and _weight(code.ops) > _LARGE
+        found = machine.summaries.large[code.key] = not kept and _weight(code.ops) > machine.budget.large
     return found
 
 
@@ -83,4 +91,4 @@ def _inner(op: Op) -> tuple[Block, ...]:
 def _weight(block: Block) -> int:
     """About how much there is to interpret in a block: loops go round several times."""
     loops = sum(1 for op in block if isinstance(op, (While, ForEach)))
-    return len(block) + _LARGE * loops + sum(_weight(inner) for op in block for inner in _inner(op))
+    return len(block) + _OF_LOOPS * loops + sum(_weight(inner) for op in block for inner in _inner(op))

@@ -18,7 +18,7 @@ class Budget(NamedTuple):
     `coarse`: the part of the main body's, and of those of all callbacks, after which precision is given up, so that
     what computes much comes to rest: loops are no longer followed turn by turn, nor calls in contexts of their own.
     `entry_coarse`: the steps of one callback after which the same happens; `loop_steps`:
-    those of one outermost loop, until it ends.
+    those of one outermost loop, until it ends; `large`: the operations of a body that is then followed once for all its calls.
     `depth`: nested calls. `recursion`: calls of one function inside itself that are followed with their own arguments.
     `unroll`: turns of a loop over a known sequence that are followed one by one; `unroll_while`: the same for a `while` whose condition is
     known; `unroll_forever`: for `while True`.
@@ -35,6 +35,7 @@ class Budget(NamedTuple):
     coarse: float = 0.25
     entry_coarse: int = 30_000
     loop_steps: int = 120_000
+    large: int = 50
     depth: int = 60
     recursion: int = 4
     unroll: int = 300

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """What a call gives by the summary of its function."""
-    key = (function.code.key, function.cells)
+    language = machine.language
+    key = (function.code.key, (function.cells, language.instance(function, registers), language.situation(machine)))
     running = machine.summaries.running.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 
@@ -167,8 +168,11 @@ def _solve(machine: Engine, summary: Summary, function: Function, key: tuple[str
             if not summary.provisional:
                 break  # nothing inside asked for an unfinished summary: this turn was exact
             summaries.changes += seen != summary.versions
-            if summaries.changes == changes or (not outermost and machine.precision.coarse):
-                break  # (of one inside another the turns are those of the outermost)
+            if not machine.precision.coarse:
+                if seen == summary.versions:
+                    break  # those inside are solved anew in each turn
+            elif not outermost or summaries.changes == changes:
+                break  # of one inside another the turns are those of the outermost
         else:
             machine.report("RW201", f"the recursion of {function.code.name} did not converge")
     finally:

@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import enum
-from typing import Final, Literal, NamedTuple, final
+from collections.abc import Sequence
+from typing import Final, Literal, NamedTuple, TypeVar, final
 
 from rosward.ir.op import Block, Op, walk
+
+_T = TypeVar("_T")
 
 
 class CodeKind(enum.Enum):
@@ -111,6 +114,10 @@ class Signature(NamedTuple):
     using: tuple[Scope, ...] = ()
     owned: tuple[int, ...] = ()
     constant: bool = False
+
+    def types(self, registers: Sequence[_T]) -> tuple[_T, ...]:
+        """What a call has given for the parameters of the template."""
+        return tuple(registers[self.leading : self.leading + len(self.template)])
 
 
 @final

@@ -186,7 +186,7 @@ def _special(machine: Engine, function: Function, registers: list[Value]) -> Fun
     found = program.special.get((function.code.key, function.module.address))
     if found is None or signature is None:
         return None
-    given = tuple(registers[signature.leading : signature.leading + len(signature.template)])
+    given = signature.types(registers)
     for symbol in found:
         if specialised(machine, symbol, function.module, given) == {}:
             return function_of(machine, symbol, function.module)

@@ -13,6 +13,7 @@ from rosward.domain.values import Class, Ref, Value
 from rosward.engine.cpp import access, calls, methods, narrowing, operators
 from rosward.engine.cpp.handing import is_open, own_functions
 from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.packs import body_of
 from rosward.engine.cpp.program import named
 from rosward.engine.cpp.transfer import OWN
 from rosward.engine.python.language import PYTHON
@@ -72,6 +73,10 @@ def _is_stepped(_machine: Engine, _value: Value) -> bool:
     return False
 
 
+def _situation(machine: Engine) -> tuple[tuple[int, Value], ...]:
+    return tuple(dict.fromkeys(linked(machine).constructing))  # each once: of a recursion there is no end
+
+
 def _truth(machine: Engine, value: Value) -> bool | None:
     return operators.truth(machine, value)
 
@@ -95,6 +100,8 @@ CPP: Final = replace(
     load_module=_load_module,
     table={**CORE, **OWN},
     run_noting=None,
+    situation=_situation,
+    instance=body_of,
     cells_outlive=False,
     truth=_truth,
     unary=operators.unary,

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rosward.domain.choice import join_all, options
 from rosward.domain.compound import External, Partial
 from rosward.domain.slots import Overloads, TypeOf
 from rosward.domain.values import NONE, Class, ModuleValue, Ref, Unknown, Value
@@ -76,30 +77,35 @@ def declared_type(machine: Engine, name: str, frame: Frame) -> Value:
     return evaluate(machine, first.type, found.env)
 
 
-def this_of(frame: Frame) -> Ref | None:
-    """The object of the member function that runs, or of the one around a lambda."""
+def this_of(frame: Frame) -> tuple[Ref, ...]:
+    """The object of the member function that runs, or of the one around a lambda; several where it is followed for several calls at once."""
     signature = frame.code.signature
-    has_one = signature is not None and signature.leading and frame.code.parameters.positional[0] == "this"
-    first = frame.registers[0] if has_one else None
-    return first if isinstance(first, Ref) else None
+    if signature is None or not signature.leading or frame.code.parameters.positional[0] != "this":
+        return ()
+    return tuple(o for o in options(frame.registers[0]) if isinstance(o, Ref))
 
 
 def _declared(
     machine: Engine, frame: Frame, found: Found, types: tuple[Value, ...] | None, *, qualified: bool
 ) -> Value:
     first = found.symbols[0]
-    this = this_of(frame) if found.owner is not None else None
-    if this is not None and found.owner is not None and _is_of(machine, this, found.owner):
+    owner = found.owner
+    objects = [o for o in this_of(frame) if _is_of(machine, o, owner)] if owner is not None else []
+    if objects:
         if first.kind is SymbolKind.FUNCTION and qualified:  # Base::f(): that one, whatever the object is
-            return overloads(machine, found, types or (), this)
+            return join_all(overloads(machine, found, types or (), o) for o in objects)
         if first.kind in {SymbolKind.FUNCTION, SymbolKind.USING} or (
             first.kind is SymbolKind.VARIABLE and not first.static
         ):
-            lexical = found.owner if qualified else linked(machine).info(frame.module)
-            member = members.member(machine, this, first.name, types or (), lexical or found.owner)
+            lexical = owner if qualified else linked(machine).info(frame.module)
             signature = frame.code.signature
             constant = signature is not None and signature.constant
-            return of_constness(member, constant=constant) if isinstance(member, Overloads) else member
+
+            def one(this: Ref) -> Value:
+                member = members.member(machine, this, first.name, types or (), lexical or owner)
+                return of_constness(member, constant=constant) if isinstance(member, Overloads) else member
+
+            return join_all(map(one, objects))
     if first.kind is SymbolKind.VARIABLE:
         return variable(machine, found, types)
     return value_of(machine, found, types)
@@ -112,13 +118,9 @@ def _is_of(machine: Engine, this: Ref, owner: Info) -> bool:
 
 def _not_declared(machine: Engine, frame: Frame, found: Value) -> Value:
     """What nothing declares may come from a base that is not among the sources."""
-    this = this_of(frame)
-    if (
-        this is None
-        or not isinstance(found, (External, TypeOf))
-        or "." in found.name
-        or machine.library.native(found.name)
-    ):
+    if not isinstance(found, (External, TypeOf)) or "." in found.name or machine.library.native(found.name):
         return found
-    inherited = members.member(machine, this, found.name, found.arguments if isinstance(found, TypeOf) else ())
-    return inherited if isinstance(inherited, (External, Overloads, Partial)) else found
+    types = found.arguments if isinstance(found, TypeOf) else ()
+    inherited = [members.member(machine, this, found.name, types) for this in this_of(frame)]
+    usable = [i for i in inherited if isinstance(i, (External, Overloads, Partial))]
+    return join_all(usable) if usable else found

@@ -16,6 +16,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
 from rosward.engine.cpp import access, calls, construct, initialising, methods, naming, narrowing, operators
 from rosward.engine.cpp.classes import instance_of
+from rosward.engine.cpp.packs import items_of
 from rosward.engine.cpp.types import pointer_to, type_of
 from rosward.engine.frame import Frame
 from rosward.engine.machine import Handler
@@ -41,10 +42,8 @@ def given(frame: Frame, arguments: tuple[cpp.Argued, ...]) -> tuple[Value, ...]:
     values: list[Value] = []
     for argument in arguments:
         value = frame.registers[argument.register]
-        if argument.kind == "pack" and isinstance(value, Tuple):
-            values += value.items
-        else:
-            values.append(value)
+        items = items_of(value) if argument.kind == "pack" else None
+        values += (value,) if items is None else items
     return tuple(values)
 
 
@@ -226,10 +225,10 @@ def _braces(_machine: Engine, op: cpp.Braces, frame: Frame) -> None:
 
 def _spread(machine: Engine, op: cpp.Spread, frame: Frame) -> bool | None:
     frame.op, frame.sequence = op, 0
-    packs = [frame.registers[r] for r in op.packs]
-    if not all(isinstance(p, Tuple) for p in packs):
+    packs = [items_of(frame.registers[r]) for r in op.packs]
+    several = [items for items in packs if items is not None]
+    if len(several) < len(packs):
         return _kept(frame, op.dst, machine.unknown(Cause.CALL, "parameter pack"))
-    several = [p.items for p in packs if isinstance(p, Tuple)]
     results: list[Value] = [frame.registers[op.init]] if op.init != ops.NO_REGISTER else []
     context = frame.context
     for number, items in enumerate(zip(*several, strict=False)):

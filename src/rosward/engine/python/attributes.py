@@ -270,17 +270,7 @@ def _of_class(machine: Engine, cls: Class, name: str) -> Value:
     fallback = in_metaclass(machine, cls, "__getattr__")
     if fallback is not None:
         return machine.call(bind(machine, fallback, cls, metaclass_of(machine, cls)), (Const(name),))
-    if name in (
-        "__init__",
-        "__new__",
-        "__init_subclass__",
-        "__setattr__",
-        "__getattribute__",
-        "__repr__",
-        "__str__",
-        "__hash__",
-        "__eq__",
-    ):
+    if name.startswith("__") and name != "__doc__" and hasattr(object, name):
         return Native(f"object.{name}")
     return machine.unknown(Cause.ERROR, f"no attribute {name} in {cls.name}")
 

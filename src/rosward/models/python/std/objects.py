@@ -11,9 +11,9 @@ from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join, lift, options
-from rosward.domain.compound import BoundMethod, Native, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Tuple
 from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Class, Const, Function, ModuleValue, Ref, Unknown, Value
 from rosward.models.native import NativeCall, NativeFunction
 from rosward.models.python.contents import CONTENTS, contents
 from rosward.models.python.plain import EXCEPTION_HINT
@@ -224,6 +224,8 @@ def _kind_of(call: NativeCall) -> Value:
     def one(value: Value) -> Value:
         if isinstance(value, BoundMethod) and isinstance(value.function, Native):
             return Const("builtin")
+        if isinstance(value, (External, Unknown)):
+            return unknown_from(call, "str", (value,))
         return Const(_KINDS.get(value.__class__, "value"))
 
     return lift(one, call.args[0]) if call.args else NONE
