@@ -125,18 +125,27 @@ class Heap:
                 if obj is not None:
                     yield (number << SHIFT) + offset, obj
 
-    def cover(self, other: Heap, merge: Callable[[Obj, Obj], Obj], *, widens: bool = False) -> tuple[int, bool]:
+    def cover(
+        self,
+        other: Heap,
+        merge: Callable[[Obj, Obj], Obj],
+        *,
+        widens: bool = False,
+        known: Heap | None = None,
+    ) -> tuple[int, bool]:
         """Take over what only the other has, and merge what both have: how many objects differed, and whether anything changed here.
 
-        `merge` gives its first argument where that covers the second.
+        `merge` gives its first argument where that covers the second. `known`: a heap that this one surely covers; what the other has as it was
+        there is not looked at.
         """
         changed, compared = False, 0
         covered = self._covered.pairs(widens=widens)
         on_ground = self._changed | other._changed if self._changed or other._changed else self._changed
         numbers = [*other.pages, *(self._changed - other.pages.keys())] if self._changed else other.pages
+        before = {} if known is None or on_ground else known.pages
         for number in numbers:
             ours, theirs = self.pages.get(number), other.pages.get(number)
-            if ours is theirs:
+            if ours is theirs or (theirs is not None and before.get(number) is theirs):
                 continue
             if number in on_ground:
                 ours, theirs = self._grounded(number, ours, theirs), self._grounded(number, theirs, ours)
@@ -147,8 +156,12 @@ class Heap:
             assert ours is not None
             assert theirs is not None
             merged, as_here, as_there = ours, True, number not in on_ground
+            seen = before.get(number, _BLANK)
             for offset, (a, b) in enumerate(zip(ours, theirs, strict=True)):
                 if a is b:
+                    continue
+                if b is not None and seen[offset] is b:
+                    as_there = False
                     continue
                 compared += 1
                 if b is None or (id(a), id(b)) in covered:

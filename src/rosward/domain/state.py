@@ -43,17 +43,19 @@ class State:
         return State(self.heap.copy(), self.version, self.done)
 
 
-def join_states(left: State, right: State, fresh: Callable[[int], int], merge: Merge = join) -> State:
+def join_states(
+    left: State, right: State, fresh: Callable[[int], int], merge: Merge = join, known: Heap | None = None
+) -> State:
     """The least state that covers both (`merge` may widen instead: left is then the older one). Reuses `left` in place.
 
     The version of the result is left's where left already covers right: so a fixpoint shows by its version. `fresh` gives a new one, and is
-    told how many objects were looked at.
+    told how many objects were looked at. `known`: a heap that left surely covers: the one that it was joined with last.
     """
     left.done &= right.done
     if left.version == right.version:
         return left
     compared, changed = left.heap.cover(
-        right.heap, lambda ours, theirs: join_objects(ours, theirs, merge), widens=merge is not join
+        right.heap, lambda ours, theirs: join_objects(ours, theirs, merge), widens=merge is not join, known=known
     )
     version = fresh(compared)
     if changed:

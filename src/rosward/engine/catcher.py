@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.heap import Obj
+from rosward.domain.memory import Heap
 from rosward.domain.state import State, join_objects, join_registers, join_states
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
@@ -38,7 +39,19 @@ class Catcher:
     object that is written and each change of the frame's registers since.
     """
 
-    __slots__ = ("arrivals", "classes", "frame", "handles", "importing", "level", "noted", "snapshot", "version")
+    __slots__ = (
+        "arrivals",
+        "arrived",
+        "classes",
+        "covered",
+        "frame",
+        "handles",
+        "importing",
+        "level",
+        "noted",
+        "snapshot",
+        "version",
+    )
 
     def __init__(
         self, machine: Execution, frame: Frame, *, handles: bool = False, classes: tuple[str, ...] = ()
@@ -49,7 +62,9 @@ class Catcher:
         self.snapshot = Snapshot(frame.registers, machine.state)  # of no meaning before something is noted
         self.noted: list[Value] = []
         self.version = -1  # of the state that the snapshot covers
+        self.covered: Heap | None = None  # the heap that it was made of last
         self.arrivals: dict[Value, Snapshot] = {}
+        self.arrived: dict[Value, Heap] = {}  # by exception, the heap in which it came last
         self.level = 0
         self.importing = False  # an import in the body may fail
 
@@ -83,8 +98,12 @@ class Catcher:
         """An exception comes in a state (which is not used up)."""
         for each in options(exception):
             snapshot = Snapshot(self.frame.registers.copy(), state.copy())
-            self.arrivals[each] = join_into(machine, self.arrivals.get(each), snapshot)
+            heap = snapshot.state.heap
+            self.arrivals[each] = join_into(machine, self.arrivals.get(each), snapshot, known=self.arrived.get(each))
+            self.arrived[each] = heap
         self.arrivals = self.few(machine, _MOST)
+        if len(self.arrivals) < len(self.arrived):
+            self.arrived = {each: heap for each, heap in self.arrived.items() if each in self.arrivals}
 
     def few(self, machine: Execution, most: int) -> dict[Value, Snapshot]:
         """The exceptions that are known, each with its state; all joined where there are more than so many."""
@@ -112,7 +131,9 @@ class Catcher:
     def _take(self, machine: Execution, found: State) -> None:
         """The state has become another one, not by writes alone: an exception that is not known may come in all of it."""
         self.version = found.version
-        self.snapshot.state = join_states(self.snapshot.state, found.copy(), machine.fresh_version)
+        taken = found.copy()
+        self.snapshot.state = join_states(self.snapshot.state, taken, machine.fresh_version, known=self.covered)
+        self.covered = taken.heap
 
     def take_over(self, machine: Execution, inner: Catcher, state: State | None = None) -> None:
         """What may be raised in an inner statement, and is not surely caught there, may arrive here; in another state, where one is given."""

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import join
+from rosward.domain.memory import Heap
 from rosward.domain.state import Merge, State, join_registers, join_states
 from rosward.domain.suspended import Point
 from rosward.domain.values import UNBOUND, Function, ModuleValue, Value
@@ -31,12 +32,14 @@ class Snapshot:
         self.state = state
 
 
-def join_into(machine: Execution, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join) -> Snapshot:
-    """Join a snapshot (used up) into another of the same frame."""
+def join_into(
+    machine: Execution, target: Snapshot | None, snapshot: Snapshot, merge: Merge = join, known: Heap | None = None
+) -> Snapshot:
+    """Join a snapshot (used up) into another of the same frame; `known`: a heap that this surely covers."""
     if target is None:
         return snapshot
     registers = join_registers(target.registers, snapshot.registers, merge)
-    state = join_states(target.state, snapshot.state, machine.fresh_version, merge)
+    state = join_states(target.state, snapshot.state, machine.fresh_version, merge, known)
     return Snapshot(registers, state)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, final
 from rosward.domain.values import UNBOUND, Value
 
 if TYPE_CHECKING:
+    from rosward.domain.memory import Heap
     from rosward.domain.state import State
     from rosward.engine.catcher import Catcher
 
@@ -25,6 +26,7 @@ class Summary:
         "before",
         "begun",
         "catcher",
+        "joined",
         "provisional",
         "registers",
         "turn",
@@ -36,6 +38,7 @@ class Summary:
         self.registers = registers
         self.before = before
         self.value: Value = UNBOUND
+        self.joined: Heap | None = None  # the heap that `before` was joined with last
         self.after: State | None = None
         self.catcher: Catcher | None = None  # what leaves it by exceptions; in coarse mode only
         self.asked_for: set[int] = set()  # the addresses whose records its body read

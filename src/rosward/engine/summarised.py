@@ -75,7 +75,9 @@ def _join_whole(machine: Engine, summary: Summary, registers: list[Value], merge
     """One more call, from the machine's state: whether the body must run again, where all of that counts."""
     before = (summary.registers, summary.before.version)
     summary.registers = _joined(summary, registers, merge)
-    summary.before = join_states(summary.before, machine.state.copy(), machine.fresh_version, merge)
+    called = machine.state.copy()
+    summary.before = join_states(summary.before, called, machine.fresh_version, merge, summary.joined)
+    summary.joined = called.heap
     return before != (summary.registers, summary.before.version)
 
 
@@ -107,7 +109,7 @@ def _take_in(machine: Engine, summary: Summary, registers: list[Value], merge: M
     if changed:
         state.done &= summary.before.done
         state.version = machine.fresh_version()
-        summary.before = state
+        summary.before, summary.joined = state, None
     return changed
 
 

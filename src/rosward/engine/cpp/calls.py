@@ -32,6 +32,7 @@ from rosward.engine.cpp.types import dotted, type_of
 from rosward.engine.cpp.values import function_of, overloads
 from rosward.engine.escape import name_of
 from rosward.engine.python import calls as python_calls
+from rosward.models.cpp.c_functions import C_FUNCTIONS
 from rosward.models.cpp.slots import read
 from rosward.models.native import NativeCall, perform
 
@@ -272,5 +273,6 @@ def unknown_call(machine: Engine, function: Value, args: Arguments, types: Argum
     name = name_of(function)
     if isinstance(function, TypeOf):
         types = (*types, *function.arguments)
-    hand_over(machine, args, [a for a in args if isinstance(a, Slot)], name, function, types)
+    changed = [a for a in args if isinstance(a, Slot)]
+    hand_over(machine, args, changed, name, function, types, throws=name.removeprefix("std.") not in C_FUNCTIONS)
     return Unknown(function.reasons) if isinstance(function, Unknown) else machine.unknown(Cause.CALL, name)

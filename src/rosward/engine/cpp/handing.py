@@ -52,10 +52,11 @@ def hand_over(
     types: Sequence[Value] = (),
     *,
     informed: bool = False,
+    throws: bool = True,
 ) -> None:
     """Unknown code called `name` gets values, may write to those in `changed`, and make objects of the types that it is told of.
 
-    `informed`: it is declared among the sources, so it may know every class of the program.
+    `informed`: it is declared among the sources, so it may know every class of the program. `throws`: it may.
     """
     held = _bound(machine, [bare(machine, v) for v in values])
     machine.escape((*held, *(t for t in types if isinstance(t, Class))), name, callee)
@@ -65,7 +66,8 @@ def hand_over(
     for slot in (*changed, *reached):
         if isinstance(slot, Slot) and _may_be_written(machine, read(machine, slot)) and not _is_constant(machine, slot):
             write(machine, slot, machine.unknown(Cause.CALL, name), weak=True)
-    note_call(machine)  # now, or before it wrote anything: what it may have written covers both
+    if throws:
+        note_call(machine)  # now, or before it wrote anything: what it may have written covers both
 
 
 def give_to(machine: Engine, args: Sequence[Value], type_: Value) -> None:
