@@ -10,6 +10,7 @@ What a callable is asked is asked once for each element, or once for all of them
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from rosward.domain.choice import join_all
@@ -18,7 +19,7 @@ from rosward.domain.series import Series
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Const, Value
 from rosward.models.cpp.arity import with_least
-from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.copies import copied, for_each, several, write
 from rosward.models.cpp.elements import between
 from rosward.models.cpp.iterators import as_iterator, iterator, moved
 from rosward.models.cpp.ranges import INSERTERS, emit, place, places, rewrite, whole_text
@@ -66,7 +67,7 @@ def _transform(call: NativeCall) -> Value:
     where = places(machine, call.args[0], call.args[1])
     if where is None:
         element = between(machine, call.args[0], call.args[1], slots=True).element()
-        made = Series((), None if element is None else machine.call(function, (element,)))
+        made = Series((), None if element is None else several(machine, machine.call(function, (element,))))
     else:
         made = Series(tuple(machine.call(function, (place(machine, each),)) for each in where))
     return UNBOUND if UNBOUND in made.head else emit(machine, call.args[2], made.mapped(lambda v: read(machine, v)))
@@ -83,11 +84,12 @@ def _transform_two(call: NativeCall) -> Value:
     first = between(machine, call.args[0], call.args[1])
     second = read(machine, call.args[2])
     if not first.exact:
-        made = Series((), machine.call(function, (first.element() or NONE, unknown_from(machine, "transform", ""))))
+        given = first.element() or NONE, unknown_from(machine, "transform", "")
+        made = Series((), several(machine, machine.call(function, given)))
     else:
         others = between(machine, second, moved(machine, second, Const(len(first.head))))
-        given = zip(first.head, others.head, strict=False)
-        made = Series(tuple(machine.call(function, pair) for pair in given))
+        pairs = zip(first.head, others.head, strict=False)
+        made = Series(tuple(machine.call(function, pair) for pair in pairs))
     return UNBOUND if UNBOUND in made.head else emit(machine, call.args[3], made)
 
 
@@ -177,18 +179,19 @@ def _replace(call: NativeCall) -> Value:
             else join_all((value, copied(machine, fresh)))
         )
 
-    rewrite(machine, call.args[0], call.args[1], series.mapped(one))
+    rewrite(machine, call.args[0], call.args[1], for_each(machine, series, one))
     return NONE
 
 
 def _fill(call: NativeCall) -> Value:
     machine = call.machine
-    rewrite(
-        machine,
-        call.args[0],
-        call.args[1],
-        between(machine, call.args[0], call.args[1]).mapped(lambda _: copied(machine, call.args[2])),
-    )
+    return _rewritten(call, lambda: copied(machine, call.args[2]))
+
+
+def _rewritten(call: NativeCall, make: Callable[[], Value]) -> Value:
+    """Each element of a range becomes one that is made for it."""
+    made = for_each(call.machine, between(call.machine, call.args[0], call.args[1]), lambda _: make())
+    rewrite(call.machine, call.args[0], call.args[1], made)
     return NONE
 
 
@@ -202,14 +205,16 @@ def _fill_n(call: NativeCall) -> Value:
         return machine.call(function, ()) if generate else copied(machine, function)
 
     known = count is not None and 0 <= count <= 1_000
-    return emit(machine, call.args[0], Series(tuple(one() for _ in range(count or 0))) if known else Series((), one()))
+    return emit(
+        machine,
+        call.args[0],
+        Series(tuple(one() for _ in range(count or 0))) if known else Series((), several(machine, one())),
+    )
 
 
 def _generate(call: NativeCall) -> Value:
     machine, function = call.machine, read(call.machine, call.args[2])
-    series = between(machine, call.args[0], call.args[1])
-    rewrite(machine, call.args[0], call.args[1], series.mapped(lambda _: machine.call(function, ())))
-    return NONE
+    return _rewritten(call, lambda: machine.call(function, ()))
 
 
 def _iota(call: NativeCall) -> Value:

@@ -17,7 +17,7 @@ from rosward.domain.slots import Slot
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.cpp.conversions import convert, default_value
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import copied, for_each, several
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.iterators import as_iterator, iterator
 from rosward.models.cpp.slots import read
@@ -81,10 +81,10 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
     if not values:
         return Series()
     if len(values) > 1 and as_iterator(values[0]) is not None:
-        return between(machine, values[0], values[1]).mapped(lambda v: element_from(machine, type_, v))
+        return for_each(machine, between(machine, values[0], values[1]), lambda v: element_from(machine, type_, v))
     first = values[0]
     if isinstance(first, (Tuple, Ref)):
-        return series_of(machine, first).mapped(lambda v: element_from(machine, type_, v))
+        return for_each(machine, series_of(machine, first), lambda v: element_from(machine, type_, v))
     many = [int_of(option) for option in options(first)]
     fill = args[1] if len(args) > 1 else None
 
@@ -94,7 +94,7 @@ def initial(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Series:
     count = many[0]
     if len(many) == 1 and count is not None and 0 <= count <= _MOST:
         return Series(tuple(one() for _ in range(count)))
-    return Series((), one())
+    return Series((), several(machine, one()))
 
 
 def erased(machine: Machine, ref: Ref, first: Value, last: Value | None) -> Value:

@@ -21,7 +21,7 @@ from rosward.domain.slots import Pointer, Slot, TypeOf, is_char_text
 from rosward.domain.unknown import Cause
 from rosward.domain.values import EMPTY, FALSE, NONE, UNBOUND, Choice, Class, Const, Ref, Text, Unknown, Value
 from rosward.models.cpp.chrono import as_duration, unit_of
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import copied, several
 from rosward.models.cpp.number_conversions import NUMBERS
 from rosward.models.cpp.ordering import unique
 from rosward.models.cpp.slots import key_of, new_pair, read, read_field
@@ -111,7 +111,7 @@ def _default_series(machine: Machine, type_: Value, shape: Shape, depth: int) ->
         return Series()
     count = int_of(argument(type_, 1))
     if count is None:
-        return Series((), default_value(machine, argument(type_, 0), depth + 1))
+        return Series((), several(machine, default_value(machine, argument(type_, 0), depth + 1)))
     if not 0 <= count <= _MOST_DEFAULT:
         return Series((), machine.unknown(Cause.LIMIT, "array", hint_of(argument(type_, 0))))
     return Series(tuple(default_value(machine, argument(type_, 0), depth + 1) for _ in range(count)))

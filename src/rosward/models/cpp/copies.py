@@ -8,12 +8,13 @@ b = a;              assigned(machine, Ref(8), Ref(7)): the object stays where it
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
+from rosward.domain.series import Series
 from rosward.domain.slots import Slot
 from rosward.domain.state import join_objects
 from rosward.domain.table import marked
@@ -27,7 +28,7 @@ from rosward.models.python.containers import dicts
 from rosward.models.python.operators import items as python_items
 from rosward.models.python.plain import int_of, text_of, unknown_from
 
-__all__ = ["COPY", "REFERENCES", "assigned", "copied", "write"]
+__all__ = ["COPY", "REFERENCES", "assigned", "copied", "for_each", "several", "write"]
 
 COPY: Final = "<copy>"
 """The attribute of a class that makes a copy of an object of it: a callable of the object; NONE where objects of it are never copied."""
@@ -198,20 +199,47 @@ def _contents(machine: Machine, obj: Obj, known: dict[int, Value], depth: int) -
     def one(value: Value) -> Value:
         return _copied(machine, value, known, depth)
 
+    def each(rest: Value) -> Value:
+        """Elements of which the number is not known: where they are one object, their copies are."""
+        shared = any(isinstance(o, Ref) and machine.obj(o).many for o in options(rest))
+        return several(machine, one(rest)) if shared else one(rest)
+
     changes: dict[str, object] = {}
     references = _references(machine, obj.cls)
     attrs = {name: value if name in references else one(value) for name, value in obj.attrs.items()}
     if any(value is not obj.attrs[name] for name, value in attrs.items()):
         changes["attrs"] = attrs
     if obj.kind == "list" and obj.items is None:
-        changes["rest"] = None if obj.rest is None else one(obj.rest)
+        changes["rest"] = None if obj.rest is None else each(obj.rest)
         changes["ends"] = None if obj.ends is None else obj.ends.mapped(one)
     elif obj.items and any(v.__class__ in (Ref, Choice, Tuple) for v in obj.items):
         changes["items"] = tuple(map(one, obj.items))
     if obj.kind == "dict":
         changes["entries"] = {key: one(value) for key, value in obj.entries.items()}
-        changes["rest"] = None if obj.rest is None else one(obj.rest)
+        changes["rest"] = None if obj.rest is None else each(obj.rest)
     return obj.replace(**changes) if changes else obj
+
+
+def several(machine: Machine, value: Value) -> Value:
+    """What was made once stands for any number of them, and so does what it holds by value: `std::vector<Lamp>(n)` of an unknown `n`."""
+    waiting = [value]
+    while waiting:
+        for option in options(waiting.pop()):
+            obj = machine.obj(option) if isinstance(option, Ref) else None
+            if isinstance(option, Ref) and obj is not None and not obj.many and obj.kind in _COPIED:
+                machine.update(option, obj.replace(many=True))
+                references = _references(machine, obj.cls)
+                waiting += (held for name, held in obj.attrs.items() if name not in references)
+                waiting += (*(obj.items or ()), *obj.entries.values(), *(() if obj.rest is None else (obj.rest,)))
+    return value
+
+
+def for_each(machine: Machine, series: Series, make: Callable[[Value], Value]) -> Series:
+    """What is made for each element; for those of which the number is not known it is made once."""
+    made = series.mapped(make)
+    if made.middle is not None:
+        several(machine, made.middle)
+    return made
 
 
 def _own(machine: Machine, cls: Value, name: str) -> Value | None:

@@ -21,7 +21,7 @@ from rosward.domain.slots import Pointer, Slot, TypeOf
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.conversions import convert, default_value, new_container
-from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.copies import copied, several, write
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import Shape, name_of, shape_of
 from rosward.models.native import Machine, NativeCall, NativeFunction
@@ -66,7 +66,7 @@ def _make_array(machine: Machine, type_: Value, args: tuple[Value, ...]) -> Valu
     series = (
         Series(tuple(default_value(machine, inner) for _ in range(count or 0)))
         if known
-        else Series((), default_value(machine, inner))
+        else Series((), several(machine, default_value(machine, inner)))
     )
     made = new_container(machine, TypeOf("array", (inner,)), series, "new")
     return Pointer(Slot(made, "item", Const(0)))

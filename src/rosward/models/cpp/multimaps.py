@@ -17,7 +17,7 @@ from rosward.domain.values import NONE, UNBOUND, Const, Ref, Unknown, Value
 from rosward.models.cpp.arity import with_least
 from rosward.models.cpp.containers import cls_of, erased, nothing, receivers
 from rosward.models.cpp.conversions import convert, new_container
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import copied, for_each
 from rosward.models.cpp.elements import between, series_of
 from rosward.models.cpp.iterators import as_iterator, iterator
 from rosward.models.cpp.ordering import in_order
@@ -80,7 +80,7 @@ def _insert(call: NativeCall) -> Value:
                 )
             )
             continue
-        _sorted(machine, ref, concatenated((old, more.mapped(lambda v, c=cls: _pair(machine, c, (v,))))))  # type: ignore[misc]
+        _sorted(machine, ref, concatenated((old, for_each(machine, more, lambda v, c=cls: _pair(machine, c, (v,))))))  # type: ignore[misc]
     return join_all(found) if found else NONE
 
 
@@ -168,7 +168,7 @@ def _new(call: NativeCall) -> Value:
         more = Series(values[0].items)
     else:
         more = Series(tuple(values)) if values else series_of(machine, Tuple(()))
-    _sorted(machine, made, more.mapped(lambda v: _pair(machine, type_, (v,))))
+    _sorted(machine, made, for_each(machine, more, lambda v: _pair(machine, type_, (v,))))
     return made
 
 

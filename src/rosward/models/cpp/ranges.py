@@ -17,7 +17,7 @@ from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, Const, Ref, Text, Value
 from rosward.models.cpp import streams
 from rosward.models.cpp.containers import element_from
-from rosward.models.cpp.copies import copied, write
+from rosward.models.cpp.copies import copied, for_each, write
 from rosward.models.cpp.iterators import as_iterator, iterator, length, moved
 from rosward.models.cpp.slots import key_of, read
 from rosward.models.cpp.string_parts import characters, from_characters
@@ -154,7 +154,7 @@ def emit(machine: Machine, out: Value, series: Series) -> Value:
     start = size if slot.key == NONE else int_of(slot.key) if isinstance(slot.key, Value) else None
     if start is not None and size is not None and start + len(series.head) <= size:
         stop = iterator(slot.base, Const(start + len(series.head)))
-        rewrite(machine, out, stop, series.mapped(lambda v: copied(machine, v)))
+        rewrite(machine, out, stop, for_each(machine, series, lambda v: copied(machine, v)))
         return moved(machine, out, Const(len(series.head)))
     for number, value in enumerate(series.head):
         target = as_iterator(moved(machine, out, Const(number)))
@@ -183,7 +183,7 @@ def _insert_into(machine: Machine, kind: str, ref: Ref, series: Series) -> None:
             first, second = (read(machine, Slot(read(machine, pair), "field", name)) for name in ("first", "second"))
             dicts.store(machine, ref, key_of(machine, first), copied(machine, second), weak=not series.exact)
         return
-    fresh = series.mapped(lambda v: element_from(machine, cls, v))
+    fresh = for_each(machine, series, lambda v: element_from(machine, cls, v))
     if name_of(cls).endswith("set"):
         fresh = fresh.mapped(lambda v: key_of(machine, v))
     old = obj.series()

@@ -31,7 +31,7 @@ from rosward.models.cpp.containers import (
     swap,
 )
 from rosward.models.cpp.conversions import convert, default_value, new_container
-from rosward.models.cpp.copies import copied
+from rosward.models.cpp.copies import copied, for_each
 from rosward.models.cpp.elements import series_of
 from rosward.models.cpp.exceptions import may_raise, raises
 from rosward.models.cpp.iterators import as_iterator, iterator
@@ -180,7 +180,8 @@ def _assign(call: NativeCall) -> Value:
 def _fill(call: NativeCall) -> Value:
     for ref in receivers(call):
         cls = cls_of(call.machine, ref)
-        filled = call.machine.obj(ref).series().mapped(lambda _, c=cls: element_from(call.machine, c, call.args[1]))  # type: ignore[misc]
+        series = call.machine.obj(ref).series()
+        filled = for_each(call.machine, series, lambda _, c=cls: element_from(call.machine, c, call.args[1]))  # type: ignore[misc]
         write_series(call.machine, ref, filled)
     return NONE
 
