@@ -17,6 +17,7 @@ from rosward.domain.suspended import ANY_TURN
 from rosward.domain.unknown import INSTEAD, Cause, Reason
 from rosward.domain.values import UNBOUND, Choice, Const, Unknown, Value
 from rosward.engine.frame import Frame, Snapshot, join_into
+from rosward.engine.rest import Rest
 from rosward.engine.throwing import note_turn
 from rosward.ir import ops
 from rosward.models.ros import parameter_table
@@ -231,11 +232,12 @@ def until_stable(
     def widening(old: Value, new: Value) -> Value:
         return widen(old, new, reason)
 
-    head = machine.snapshot(frame)
-    done = head.state.done
-    if machine.precision.coarse:  # where it came to rest before it probably does again
-        head = join_into(machine, machine.precision.heads.pop((frame.code.key, op.number), None), head, widening)
-        head = Snapshot(head.registers.copy(), head.state.copy())
+    begun = machine.snapshot(frame)
+    known = machine.precision.heads.get((frame.code.key, op.number)) if machine.precision.coarse else None
+    if known is not None:  # where it came to rest before it probably does again
+        head = known.joined(machine, begun, widening)
+    else:
+        head = Snapshot(begun.registers, begun.state.copy())
     ended: Snapshot | None = None
     frame.uncertain += 1
     # Inside a loop that is followed to a fixpoint itself, each turn would be joined many times over: there it widens at once.
@@ -270,10 +272,9 @@ def until_stable(
     frame.uncertain -= 1
     machine.precision.fixpoints -= 1
     if machine.precision.coarse:
-        machine.precision.heads[frame.code.key, op.number] = head
+        machine.precision.heads[frame.code.key, op.number] = Rest.of(begun, head)
     if ended is None:
         _never_ends(machine, frame)
         return False
-    ended.state.done |= done  # the heads of other times knew less
     machine.resume(frame, ended)
     return True

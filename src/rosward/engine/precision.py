@@ -16,7 +16,8 @@ from rosward.engine.budget import Budget, LimitReachedError
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution
-    from rosward.engine.frame import Frame, Snapshot
+    from rosward.engine.frame import Frame
+    from rosward.engine.rest import Rest
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
 
@@ -61,7 +62,7 @@ class Precision:
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
         self.turns = 0  # turns followed one by one since the outermost of them began
-        self.heads: dict[OpKey, Snapshot] = {}  # where loops came to rest; in coarse mode only
+        self.heads: dict[OpKey, Rest] = {}  # where loops came to rest; in coarse mode only
         self.spent = 0  # steps of all callbacks, but for those that are running
         self._begun = 0  # how many steps there were when these began
         self._in_callbacks = False
