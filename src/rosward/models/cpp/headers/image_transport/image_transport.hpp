@@ -14,7 +14,7 @@ public:
   TransportHints(
     const NodeT & node, const std::string & default_transport = "raw", const std::string & parameter_name = "image_transport")
   {
-    _transport = rosward::interface_of(node)->get_parameter_or(parameter_name, default_transport);
+    _transport = rosward::interface_of(node)->rclcpp::AnyNode::get_parameter_or(parameter_name, default_transport);
   }
   const std::string & getTransport() const {return _transport;}
 

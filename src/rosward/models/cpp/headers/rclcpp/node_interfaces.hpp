@@ -139,27 +139,27 @@ TimerBase::SharedPtr create_timer(
   NodeT && node, Clock::SharedPtr clock, const PeriodT & period, CallbackT && callback,
   CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
 {
-  return rosward::interface_of(node)->create_timer(period, callback);
+  return rosward::interface_of(node)->AnyNode::create_timer(period, callback);
 }
 template<typename BaseT, typename TimersT, typename PeriodT, typename CallbackT>
 TimerBase::SharedPtr create_timer(
   BaseT && node_base, TimersT && node_timers, Clock::SharedPtr clock, const PeriodT & period, CallbackT && callback,
   CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
 {
-  return rosward::interface_of(node_base)->create_timer(period, callback);
+  return rosward::interface_of(node_base)->AnyNode::create_timer(period, callback);
 }
 template<typename ClockT, typename PeriodT, typename CallbackT, typename GroupT, typename BaseT, typename TimersT>
 TimerBase::SharedPtr create_timer(
   ClockT clock, const PeriodT & period, CallbackT && callback, GroupT group, BaseT * node_base, TimersT * node_timers,
   bool autostart = true)
 {
-  return rosward::interface_of(node_base)->create_timer(period, callback);
+  return rosward::interface_of(node_base)->AnyNode::create_timer(period, callback);
 }
 template<typename PeriodT, typename CallbackT, typename GroupT, typename BaseT, typename TimersT>
 TimerBase::SharedPtr create_wall_timer(
   const PeriodT & period, CallbackT callback, GroupT group, BaseT * node_base, TimersT * node_timers, bool autostart = true)
 {
-  return rosward::interface_of(node_base)->create_timer(period, callback);
+  return rosward::interface_of(node_base)->AnyNode::create_timer(period, callback);
 }
 
 template<typename MessageT, typename NodeT, typename TimeoutT = int>

@@ -88,6 +88,12 @@ public:
   using CancelCallback = std::function<CancelResponse(std::shared_ptr<ServerGoalHandle<ActionT>>)>;
   using AcceptedCallback = std::function<void(std::shared_ptr<ServerGoalHandle<ActionT>>)>;
   Server() {}
+  void configure_introspection(rclcpp::Clock::SharedPtr clock, const rclcpp::QoS & qos, rcl_service_introspection_state_t state)
+  {
+    if (state != RCL_SERVICE_INTROSPECTION_OFF) {
+      rosward::introspect("action_server", _node, _action, rosward::type<ActionT>(), qos);
+    }
+  }
 };
 
 template<typename ActionT>
@@ -148,6 +154,13 @@ public:
   using CancelRequest = action_msgs::srv::CancelGoal::Request;
   using CancelResponse = action_msgs::srv::CancelGoal::Response;
   using CancelCallback = std::function<void(std::shared_ptr<action_msgs::srv::CancelGoal::Response>)>;
+
+  void configure_introspection(rclcpp::Clock::SharedPtr clock, const rclcpp::QoS & qos, rcl_service_introspection_state_t state)
+  {
+    if (state != RCL_SERVICE_INTROSPECTION_OFF) {
+      rosward::introspect("action_client", _node, _action, rosward::type<ActionT>(), qos);
+    }
+  }
 
   struct SendGoalOptions
   {
