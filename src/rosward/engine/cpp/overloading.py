@@ -246,7 +246,9 @@ def _pointer(machine: Engine, value: Value, target: Value | None, name: str) -> 
         return _NEAR
     cls = type_of(machine, value.target)
     if cls == target or dotted(target) == "void":
-        return _TEMPLATE if name.endswith("weak_ptr") else _EXACT  # it may be made of a shared pointer: nobody knows which one it is
+        return (
+            _TEMPLATE if name.endswith("weak_ptr") else _EXACT
+        )  # it may be made of a shared pointer: nobody knows which one it is
     if isinstance(cls, Class) and isinstance(target, Class):
         return _NEAR if target in cls.mro else _NEVER if linked(machine).info(target) else _CONVERTED
     return _CONVERTED

@@ -12,6 +12,8 @@ def _shown(flags, dest): ...
 def _kind(nargs): ...
 @native
 def _exact(actions, arguments, some, prefix): ...
+@native
+def _is_typed(arguments): ...
 
 SUPPRESS = '==SUPPRESS=='
 OPTIONAL = '?'
@@ -229,12 +231,22 @@ class ArgumentParser(_ActionsContainer):
             setattr(namespace, name, value)
         for sub in self._sub:
             sub._store(namespace)
+    def _loosen(self, namespace):
+        """The program itself gives words that are not known."""
+        for action in self._actions:
+            if hasattr(namespace, action.dest):
+                setattr(namespace, action.dest, either(getattr(namespace, action.dest), unknown('call', 'argparse')))
+        for sub in self._sub:
+            for parser in sub._parsers:
+                parser._loosen(namespace)
     def _parse(self, args, namespace, some):
         arguments = sys.argv[1:] if args is None else args
         target = Namespace() if namespace is None else namespace
         found = _exact(self._actions, arguments, some, self._prefix) if not self._sub else None
         if found is None:
             self._fill(target, None, False)
+            if not _is_typed(arguments):
+                self._loosen(target)
             return target, unknown('argument', 'sys.argv', 'list')
         self._fill(target, found[0], False)
         return target, found[1]

@@ -10,20 +10,26 @@ What of it plain Python says stands in stubs/argparse.pyi.
 from __future__ import annotations
 
 import argparse
-from typing import Any, Final, NoReturn
+from itertools import product
+from math import prod
+from typing import Any, Final, NamedTuple, NoReturn
 
-from rosward.domain.choice import join_all
+from rosward.domain.choice import join_all, options, reasons_of
 from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
+from rosward.models.python.containers import dicts
 from rosward.models.python.plain import text_of
 from rosward.models.python.std.support import exact_list, names_of, place_list
 
 _SIMPLE_ACTIONS: Final = frozenset(
     {"store", "store_true", "store_false", "store_const", "append", "append_const", "count", "extend"}
 )
+_MOST_WORDS: Final = 200
+_MOST_LINES: Final = 16
+"""So many command lines are read one by one."""
 _KINDS: Final = {argparse.REMAINDER: "list", argparse.ZERO_OR_MORE: "list", argparse.ONE_OR_MORE: "list"}
 
 
@@ -110,34 +116,64 @@ def _exact(call: NativeCall) -> Value:
     """argparse._exact(actions, arguments, some, prefix): ({dest: value given}, extra arguments); None if not all is known."""
     machine = call.machine
     actions, arguments = exact_list(machine, call.args[0]), exact_list(machine, call.args[1])
-    if actions is None or arguments is None:
+    if actions is None or arguments is None or len(arguments) > _MOST_WORDS:
         return NONE
-    tokens = names_of(arguments)
-    if len(tokens) != len(arguments) or len(tokens) > 200 or any(t.startswith("@") for t in tokens):
+    if prod(len(options(argument)) for argument in arguments) > _MOST_LINES:
         return NONE
-    prefix = text_of(call.args[3])
-    if not prefix:
+    found = [_of_line(call, actions, line) for line in product(*map(options, arguments))]
+    if None in found:
         return NONE
+    lines = [each for each in found if isinstance(each, _Line)]
+    if not lines:
+        return machine.die("SystemExit", next(each for each in found if isinstance(each, str)))
+    given = machine.new_dict({})
+    for dest in dict.fromkeys(dest for line in lines for dest in line.given):
+        values = [line.given[dest] for line in lines if dest in line.given]
+        dicts.store(machine, given, dest, join_all(values), weak=len(values) < len(lines))
+    extra = [place_list(machine, [Const(e) for e in line.extra], ("extra", n)) for n, line in enumerate(lines)]
+    return Tuple((given, join_all(extra)))
+
+
+class _Line(NamedTuple):
+    """What one command line gives, and the arguments that are left over."""
+
+    given: dict[Value, Value]
+    extra: list[str]
+
+
+def _of_line(call: NativeCall, actions: tuple[Value, ...], arguments: tuple[Value, ...]) -> _Line | str | None:
+    """What the words mean; why they are refused; None where that is not known."""
+    machine, tokens, prefix = call.machine, names_of(arguments), text_of(call.args[3])
+    if len(tokens) != len(arguments) or any(t.startswith("@") for t in tokens) or not prefix:
+        return None
     parser = _Parser(add_help=False, prefix_chars=prefix)
     objs = [machine.obj(a) for a in actions if isinstance(a, Ref)]
     try:
         for index, obj in enumerate(objs):
             _declared(machine, parser, index, obj)
     except (_Refused, argparse.ArgumentError, KeyError, TypeError, ValueError):
-        return NONE
+        return None
     try:
         namespace, extra = parser.parse_known_args(list(tokens))
     except _Refused as error:
-        return machine.die("SystemExit", str(error))
+        return str(error)
     except (argparse.ArgumentError, TypeError, ValueError):
-        return NONE
+        return None
     if extra and machine.truth(call.args[2]) is False:
-        return machine.die("SystemExit", f"unrecognized arguments: {' '.join(extra)}")
+        return f"unrecognized arguments: {' '.join(extra)}"
     given: dict[Value, Value] = {}
     for key, found in vars(namespace).items():
         obj = objs[int(key)]
         given[obj.attrs["dest"]] = _converted(machine, obj, found)
-    return Tuple((machine.new_dict(given), place_list(machine, [Const(e) for e in extra], "extra")))
+    return _Line(given, extra)
+
+
+def _is_typed(call: NativeCall) -> Value:
+    """argparse._is_typed(arguments): whether all that is not known of them is what somebody types."""
+    series = call.machine.series(call.args[0])
+    words = (*series.head, *series.tail, *(() if series.middle is None else (series.middle,)))
+    known = all(len(options(word)) == 1 for word in (*series.head, *series.tail))
+    return Const(known and all(r.cause is Cause.ARGUMENT for word in words for r in reasons_of(word)))
 
 
 def _getopt(call: NativeCall) -> Value:
@@ -157,6 +193,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "argparse._shown": _argument_name,
     "argparse._kind": _kind,
     "argparse._exact": _exact,
+    "argparse._is_typed": _is_typed,
     "getopt.getopt": _getopt,
     "getopt.gnu_getopt": _getopt,
 }
