@@ -46,6 +46,7 @@ NOT_RUN: Final = {
     "called_from_outside: A plugin of Webots": "Webots alone makes it",
     "called_from_outside: An environment that nothing makes": "nothing makes it",
     "messages: Interfaces of the workspace": "its interfaces are not built",
+    "messages: An interface package with a module of its own": "its interfaces are not built",
     "messages: What a message of the workspace does not have": "its interfaces are not built",
     "partial: A class whose parameters nobody gives": "nothing gives the arguments that it needs",
 }

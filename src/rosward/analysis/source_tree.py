@@ -151,8 +151,8 @@ class SourceTree:
     def find(self, name: str, level: int, importer: str) -> FoundModule | None:
         """The module of a name as written in the file `importer`."""
         source = self._files.get(importer)
-        if source is None:
-            return None
+        if source is None or (level == 0 and self._interfaces.has(name, "") is not None):
+            return None  # what a build generates takes the place of a file of that name
         found = self._resolver.resolve(name, level, source)
         if found is None:
             return self._launch_file(name, source) if importer in self._launch and level == 0 else None
