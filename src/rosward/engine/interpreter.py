@@ -27,7 +27,8 @@ from rosward.engine.scheduled import Schedule
 from rosward.engine.summaries import Summaries
 from rosward.engine.trace import Trace
 from rosward.ir import ops
-from rosward.models.python.containers.sets import each_once
+from rosward.models.native import Items
+from rosward.models.python.containers.sets import distinct
 from rosward.models.python.operators.compare import compares
 from rosward.source.location import Place
 
@@ -251,7 +252,7 @@ class Interpreter(Answers):
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new set."""
-        known = each_once(items)
+        known, rest = distinct(Items(tuple(items), rest))
         if len(known) > 1 and any(compares(self, v) for v in known):  # how many of them are equal is not known
             known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
         return self._collection("set", Series(known, rest))

@@ -15,6 +15,7 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
 from rosward.ir import ops
+from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import new_tuple
 from rosward.models.python.containers.sets import each_once
 from rosward.models.python.operators import operators
@@ -157,7 +158,7 @@ def _append(machine: Engine, target: Value, value: Value) -> None:
     if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
-    if obj.kind == "set" and obj.items and compares(machine, value):  # it may be equal to another element
+    if obj.kind == "set" and obj.items and any(_may_equal(machine, v) for v in (value, *obj.items)):
         machine.update(target, obj.replace(items=None, rest=join_all([*obj.items, value])))
         return
     if obj.kind == "set" and obj.items and len(each_once((*obj.items, value))) == len(obj.items):
@@ -165,6 +166,11 @@ def _append(machine: Engine, target: Value, value: Value) -> None:
     longer = fields_of(concatenated((obj.series(), Series((value,)))), obj.kind, machine.budget.items)
     if longer["items"] is not None or (longer["rest"], longer["ends"]) != (obj.rest, obj.ends):
         machine.update(target, obj.replace(**longer))
+
+
+def _may_equal(machine: Engine, element: Value) -> bool:
+    """Whether an element of a set may be equal to another one, whatever that is."""
+    return key_of(element) is None or compares(machine, element)
 
 
 def _annotate(machine: Engine, arguments: list[Value], frame: Frame) -> None:

@@ -219,15 +219,23 @@ def lookup(call: NativeCall) -> Value:
         elif key is not None and key in by_value:
             found.append(by_value[key])
             found.extend(open_)
-        elif isinstance(option, Const) and not open_:
-            missing = _missing(call, cls, option)
-            found.append(missing)
+        elif isinstance(option, Const) and not (
+            open_ and isinstance(cls, Class) and derives(cls, "enum.Flag", "enum.IntFlag")
+        ):
+            maybe = [m for m in open_ if _may_have(call, m, option)]
+            found += [*maybe, _missing(call, cls, option, sure=not maybe)]
         else:
             found.extend(members.values())
     return join_all(found)
 
 
-def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
+def _may_have(call: NativeCall, member: Value, value: Value) -> bool:
+    """Whether the value of a member may be this one."""
+    held = call.machine.obj(member).attrs.get("_value_", NONE) if isinstance(member, Ref) else NONE
+    return call.machine.truth(call.machine.compare("==", held, value)) is not False
+
+
+def _missing(call: NativeCall, cls: Value, value: Const, *, sure: bool) -> Value:
     if isinstance(cls, Class):
         hook = _hook(call, cls, "_missing_")
         if hook is not None:
@@ -238,7 +246,7 @@ def _missing(call: NativeCall, cls: Value, value: Const) -> Value:
             attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
             return call.machine.allocate(Obj("instance", cls, attrs, payload=value), value)
         message = f"{value.value!r} is not a valid {cls.qualname}"
-        return call.machine.die("ValueError", message, (Const(message),), sure=not value.origins, plain=True)
+        return call.machine.die("ValueError", message, (Const(message),), sure=sure and not value.origins, plain=True)
     return call.machine.unknown(Cause.CALL, "enum.Enum")
 
 
