@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Final
 
-from rosward.analysis.ros_headers import makes_entities
 from rosward.domain.compound import Tuple
 from rosward.domain.text import make
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Const, Hole
 from rosward.engine.cpp.program import start_component, start_main
 from rosward.findings import Finding
-from rosward.frontends.cpp.model_headers import modelled
+from rosward.frontends.cpp.model_headers import PREFIX, modelled
 from rosward.frontends.cpp.symbols import CppSymbols
 from rosward.source.location import Place
 
@@ -38,7 +38,7 @@ def start(machine: Interpreter, entry: Entry, configuration: Configuration | Non
             message = f"The class {entry.classes[0]} is not among the sources of {entry.label}."
             machine.log.findings.add(Finding("RW009", message, place))
         return
-    if isinstance(symbols, CppSymbols) and symbols.main is not None and not _makes_entities(symbols):
+    if isinstance(symbols, CppSymbols) and symbols.main is not None and not _speaks_of_ros(symbols):
         return
     folder = Hole((Reason(Cause.FILE, "folder of the executable", place),))
     name = entry.executable or entry.file.rpartition("/")[2].rpartition(".")[0]
@@ -52,7 +52,10 @@ def start(machine: Interpreter, entry: Entry, configuration: Configuration | Non
         machine.log.findings.add(Finding("RW009", message, place))
 
 
-def _makes_entities(symbols: CppSymbols) -> bool:
-    """Whether a source or header of a program includes a library that makes nodes or entities; else nothing that it runs does."""
-    libraries = modelled()
-    return any(makes_entities(header, libraries) for file in symbols.files for header in file.parsed.prepared.external)
+def _speaks_of_ros(symbols: CppSymbols) -> bool:
+    """Whether a source or header of a program says the name of a library that makes nodes or entities; else nothing that it runs does.
+
+    What it includes says less: of a library in the workspace that there is a model of, the headers are no part of it.
+    """
+    said = re.compile(rf"\b(?:rcl\w*|{'|'.join(map(re.escape, sorted(modelled())))})\b")
+    return any(said.search(f.parsed.prepared.text) for f in symbols.files if not f.text.startswith(PREFIX))

@@ -16,14 +16,8 @@ if TYPE_CHECKING:
     from rosward.frontends.cpp.headers import Headers
 
 _INCLUDE: Final = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^">\n]+)[">]', re.MULTILINE)
-_INTERFACE: Final = re.compile(r"[\w.]+/(?:msg|srv|action)/.*")
+_ROS: Final = re.compile(r"rcl\w*/.*|[\w.]+/(?:msg|srv|action)/.*")
 _FILES: Final = 5_000
-
-
-def makes_entities(header: str, modelled: frozenset[str]) -> bool:
-    """Whether a header, as it is included, is of a library that makes nodes or entities: one of the `modelled` ones, or a client library."""
-    library = header.partition("/")[0]
-    return library in modelled or library.startswith("rcl")
 
 
 @final
@@ -51,7 +45,7 @@ class RosHeaders:
             for name, quoted in self._includes(here):
                 found = self._headers.find(name, here, includes, quoted)
                 if found is None:
-                    if makes_entities(name, self._modelled) or _INTERFACE.fullmatch(name):
+                    if name.partition("/")[0] in self._modelled or _ROS.fullmatch(name):
                         return True
                 elif found not in seen:
                     seen.add(found)
