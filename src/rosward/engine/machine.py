@@ -177,7 +177,7 @@ class Language:
     """
     situation: Callable[[Engine], object]
     """What a call depends on beside its arguments and the state: in C++, which objects are being constructed, and as what."""
-    instance: Callable[[Function, Sequence[Value]], object]
+    instance: Callable[[Engine, Function, Sequence[Value]], object]
     """Which of the bodies that are made of one code a call runs: those of a template are told apart by its arguments."""
     cells_outlive: bool
     """Whether a variable may be used when the call that has it has ended."""

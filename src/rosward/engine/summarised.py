@@ -29,8 +29,7 @@ if TYPE_CHECKING:
 
 def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """What a call gives by the summary of its function."""
-    language = machine.language
-    key = (function.code.key, (function.cells, language.instance(function, registers), language.situation(machine)))
+    key = (function.code.key, (function.cells, machine.language.instance(machine, function, registers)))
     running = machine.summaries.running.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 

@@ -6,9 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import TypeOf
-from rosward.domain.values import UNBOUND, Ref, Value
+from rosward.domain.values import NONE, UNBOUND, Ref, Value
+from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import construct
 from rosward.engine.cpp.handing import give_to
 from rosward.engine.cpp.linked import Info, linked
@@ -49,8 +51,21 @@ def initialise(machine: Engine, op: cpp.Initialise, frame: Frame, given: Given) 
     """Bases and fields of `this`; False where control does not come out."""
     info = linked(machine).info(frame.module)
     this = frame.registers[0]
-    if info is None or info.cls is None or not isinstance(this, Ref):
+    objects = [o for o in options(this) if isinstance(o, Ref)]
+    if info is None or info.cls is None or not objects:
         return True
+
+    def one(ref: Ref) -> Value:
+        frame.registers[0] = ref
+        return NONE if _initialise(machine, op, frame, given, ref, info) else UNBOUND
+
+    lives = each_apart(machine, objects, one) is not UNBOUND
+    frame.registers[0] = this
+    return lives
+
+
+def _initialise(machine: Engine, op: cpp.Initialise, frame: Frame, given: Given, this: Ref, info: Info) -> bool:
+    """The same for one object: a constructor that is followed for many calls at once has several."""
     fields = {f.name for f in info.fields}
     for_fields = {m.name: m for m in op.members if m.name in fields}
     others = [m for m in op.members if m.name not in fields]

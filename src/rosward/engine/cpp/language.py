@@ -74,7 +74,7 @@ def _is_stepped(_machine: Engine, _value: Value) -> bool:
 
 
 def _situation(machine: Engine) -> tuple[tuple[int, Value], ...]:
-    return tuple(dict.fromkeys(linked(machine).constructing))  # each once: of a recursion there is no end
+    return tuple(linked(machine).constructing)
 
 
 def _truth(machine: Engine, value: Value) -> bool | None:
