@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from rosward.domain.heap import Obj
-from rosward.domain.state import Merge, State, join_objects, join_registers
+from rosward.domain.state import Merge, join_objects, join_registers
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.frame import Snapshot
 
@@ -36,11 +36,11 @@ class Rest(NamedTuple):
 
     def joined(self, machine: Execution, begun: Snapshot, merge: Merge) -> Snapshot:
         """A beginning of the same loop, with what its turns may make of it."""
-        state: State = begun.state.copy()
+        state = begun.state.copy()
         for address, obj in self.objects:
             ours = state.heap.get(address)
             both = ours if ours is None else join_objects(ours, obj, merge)
             if both is not None and both is not ours:
                 state.heap[address] = both
                 state.version = machine.fresh_version()
-        return Snapshot(join_registers(begun.registers.copy(), list(self.registers), merge), state)
+        return Snapshot(join_registers(begun.registers, list(self.registers), merge), state)

@@ -58,7 +58,7 @@ def choose(
     if not scores:
         return by_number
     best = _enabled(machine, [f for f, s in scores if not any(_better(other, s) for _, other in scores)], args, types)
-    if len({bool(_is_template(f)) for f in best}) > 1:  # one takes a weak pointer, the other anything
+    if len(set(map(_is_template, best))) > 1:  # one takes a weak pointer, the other anything
         return [f for f in best if not f.code.is_stub] or best
     return best if any(isinstance(o, Unknown) for v in values for o in options(v)) else _versions(machine, best)
 
@@ -246,9 +246,8 @@ def _pointer(machine: Engine, value: Value, target: Value | None, name: str) -> 
         return _NEAR
     cls = type_of(machine, value.target)
     if cls == target or dotted(target) == "void":
-        return (
-            _TEMPLATE if name.endswith("weak_ptr") else _EXACT
-        )  # it may be made of a shared pointer: nobody knows which one it is
+        # A weak pointer may be made of a shared one: nobody knows which of them the value is.
+        return _TEMPLATE if name.endswith("weak_ptr") else _EXACT
     if isinstance(cls, Class) and isinstance(target, Class):
         return _NEAR if target in cls.mro else _NEVER if linked(machine).info(target) else _CONVERTED
     return _CONVERTED

@@ -158,7 +158,9 @@ def _append(machine: Engine, target: Value, value: Value) -> None:
     if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
-    if obj.kind == "set" and obj.items and any(_may_equal(machine, v) for v in (value, *obj.items)):
+    if (
+        obj.kind == "set" and obj.items and any(_may_equal(machine, v) for v in (value, *obj.items[:1]))
+    ):  # only one that is alone may be so
         machine.update(target, obj.replace(items=None, rest=join_all([*obj.items, value])))
         return
     if obj.kind == "set" and obj.items and len(each_once((*obj.items, value))) == len(obj.items):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final
 
-from rosward.domain.choice import join, join_all, options
+from rosward.domain.choice import join, join_all, lift, options
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
@@ -108,7 +108,7 @@ def _write_character(machine: Machine, slot: Slot, value: Value, *, weak: bool) 
             return unknown_from(machine, "[]", "str", old, index, value)
         return Const(text[:number] + char + text[number + 1 :], source)
 
-    write(machine, slot.base, join_all(map(one, options(read(machine, slot.base)))), weak=weak)
+    write(machine, slot.base, lift(one, read(machine, slot.base)), weak=weak)
 
 
 # Copying

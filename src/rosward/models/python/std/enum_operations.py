@@ -39,13 +39,18 @@ def derives(cls: Class, *names: str) -> bool:
     return any((c.dotted if isinstance(c, Class) else getattr(c, "name", "")) in names for c in cls.mro)
 
 
+def is_flag(cls: Value) -> bool:
+    """Whether a class is one of flags."""
+    return isinstance(cls, Class) and derives(cls, "enum.Flag", "enum.IntFlag")
+
+
 def attach_operators(call: NativeCall, cls: Class, data: str) -> None:
     """What the members do as the str or int that they are, and flags among themselves."""
     own: set[str] = set()
     for base in cls.mro:
         if isinstance(base, Class) and not base.stub:
             own |= call.machine.obj(class_obj(base)).attrs.keys()
-    flag = derives(cls, "enum.Flag", "enum.IntFlag")
+    flag = is_flag(cls)
     names: tuple[str, ...] = ()
     if data:
         names = (*OPERATORS, *COMPARISONS, *(CONVERSIONS if data != "str" else ("__len__",)))
@@ -94,6 +99,6 @@ def _flag_of(call: NativeCall) -> Class | None:
     """The class of flags of which an operand is."""
     for option in (o for a in call.args for o in options(a)):
         cls = call.machine.obj(option).cls if isinstance(option, Ref) else None
-        if isinstance(cls, Class) and derives(cls, "enum.Flag", "enum.IntFlag"):
+        if isinstance(cls, Class) and is_flag(cls):
             return cls
     return None

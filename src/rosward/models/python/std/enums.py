@@ -27,6 +27,7 @@ from rosward.models.python.std.enum_operations import (
     OPERATORS,
     attach_operators,
     derives,
+    is_flag,
     member_operation,
 )
 from rosward.models.python.std.support import bare, class_obj, exact_dict, exact_list, names_of
@@ -59,7 +60,7 @@ def _next_value(call: NativeCall, cls: Class, name: str, before: list[Value]) ->
     highest: int = max(numbers, default=0)
     if len(numbers) != len(before):  # among others than numbers, the last number counts
         highest = numbers[-1] if numbers else 0
-    if derives(cls, "enum.Flag", "enum.IntFlag"):
+    if is_flag(cls):
         return Const(1 << highest.bit_length())
     return Const(highest + 1 if numbers else 1)
 
@@ -186,7 +187,7 @@ def iterate(call: NativeCall) -> Value:
 
 def _is_canonical(call: NativeCall, cls: Value, member: Value) -> bool:
     """Whether every Python iterates over a member: of a flag, it has one bit."""
-    if not isinstance(cls, Class) or not derives(cls, "enum.Flag", "enum.IntFlag") or not isinstance(member, Ref):
+    if not is_flag(cls) or not isinstance(member, Ref):
         return True
     number = int_of(bare(call.machine.obj(member).attrs.get("_value_", NONE)))
     return number is not None and number.bit_count() == 1
@@ -219,9 +220,7 @@ def lookup(call: NativeCall) -> Value:
         elif key is not None and key in by_value:
             found.append(by_value[key])
             found.extend(open_)
-        elif isinstance(option, Const) and not (
-            open_ and isinstance(cls, Class) and derives(cls, "enum.Flag", "enum.IntFlag")
-        ):
+        elif isinstance(option, Const) and not (open_ and is_flag(cls)):
             maybe = [m for m in open_ if _may_have(call, m, option)]
             found += [*maybe, _missing(call, cls, option, sure=not maybe)]
         else:
@@ -240,7 +239,7 @@ def _missing(call: NativeCall, cls: Value, value: Const, *, sure: bool) -> Value
         hook = _hook(call, cls, "_missing_")
         if hook is not None:
             return call.machine.call(hook, (cls, value))
-        if derives(cls, "enum.Flag", "enum.IntFlag"):
+        if is_flag(cls):
             number = int_of(value)  # up to Python 3.10, several bits have no name
             name = call.machine.unknown(Cause.LIVE, "name of a flag", "str") if number else NONE
             attrs: dict[str, Value] = {"_value_": value, "value": value, "name": name, "_name_": name}
