@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final, final
 
-from rosward.domain.choice import join, join_all
+from rosward.domain.choice import join
 from rosward.domain.compound import Native, TooManyPartsError
 from rosward.domain.heap import Obj, ObjKind, fields_of
 from rosward.domain.memory import MASK, SHIFT, Heap
@@ -29,7 +29,6 @@ from rosward.engine.trace import Trace
 from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.sets import distinct
-from rosward.models.python.operators.compare import compares
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -252,10 +251,7 @@ class Interpreter(Answers):
 
     def new_set(self, items: Iterable[Value], rest: Value | None = None) -> Ref:
         """A new set."""
-        known, rest = distinct(Items(tuple(items), rest))
-        if len(known) > 1 and any(compares(self, v) for v in known):  # how many of them are equal is not known
-            known, rest = (), join_all([*known, *(() if rest is None else (rest,))])
-        return self._collection("set", Series(known, rest))
+        return self._collection("set", Series(*distinct(self, Items(tuple(items), rest))))
 
     def _collection(self, kind: ObjKind, series: Series) -> Ref:
         return self.allocate(Obj(kind, Native(f"builtins.{kind}"), **fields_of(series, kind, self.budget.items)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.domain.choice import join_all, options
+from rosward.domain.choice import options
 from rosward.domain.compound import External, Native
 from rosward.domain.heap import Obj, fields_of
 from rosward.domain.series import Series, concatenated
@@ -15,11 +15,10 @@ from rosward.engine.alternatives import each_apart
 from rosward.engine.frame import Frame
 from rosward.engine.python import attributes, calls, classes, matching, members, metaclasses
 from rosward.ir import ops
-from rosward.models.python.containers.dicts import key_of
+from rosward.models.native import Items
 from rosward.models.python.containers.lists import new_tuple
-from rosward.models.python.containers.sets import each_once
+from rosward.models.python.containers.sets import distinct
 from rosward.models.python.operators import operators
-from rosward.models.python.operators.compare import compares
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -158,21 +157,16 @@ def _append(machine: Engine, target: Value, value: Value) -> None:
     if not isinstance(target, Ref):
         return
     obj: Obj = machine.obj(target)
-    if (
-        obj.kind == "set" and obj.items and any(_may_equal(machine, v) for v in (value, *obj.items[:1]))
-    ):  # only one that is alone may be so
-        machine.update(target, obj.replace(items=None, rest=join_all([*obj.items, value])))
-        return
-    if obj.kind == "set" and obj.items and len(each_once((*obj.items, value))) == len(obj.items):
-        return
-    longer = fields_of(concatenated((obj.series(), Series((value,)))), obj.kind, machine.budget.items)
+    if obj.kind == "set" and obj.items is not None:
+        known, rest = distinct(machine, Items((*obj.items, value)))
+        if known == obj.items:
+            return
+        series = Series(known, rest)
+    else:
+        series = concatenated((obj.series(), Series((value,))))
+    longer = fields_of(series, obj.kind, machine.budget.items)
     if longer["items"] is not None or (longer["rest"], longer["ends"]) != (obj.rest, obj.ends):
         machine.update(target, obj.replace(**longer))
-
-
-def _may_equal(machine: Engine, element: Value) -> bool:
-    """Whether an element of a set may be equal to another one, whatever that is."""
-    return key_of(element) is None or compares(machine, element)
 
 
 def _annotate(machine: Engine, arguments: list[Value], frame: Frame) -> None:

@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Final
 
 from rosward.domain.choice import join, join_all
@@ -16,18 +15,19 @@ from rosward.domain.values import NONE, Const, Ref, Value
 from rosward.models.native import Items, Machine, NativeCall, NativeFunction
 from rosward.models.python.containers.dicts import key_of
 from rosward.models.python.containers.lists import add_to_rest, element, write
+from rosward.models.python.operators.compare import compares
 from rosward.models.python.plain import Raised, listed, native, unknown_from
 
 FROZEN: Final = Native("builtins.frozenset")
 _OPERATORS: Final = {"union": "|", "intersection": "&", "difference": "-", "symmetric_difference": "^"}
 
 
-def distinct(items: Items) -> Items:
+def distinct(machine: Machine, items: Items) -> Items:
     """The elements of a set made of items: each once; their number is not known where two may be equal."""
     found: dict[Value, Value] = {}
     loose: list[Value] = [] if items.rest is None else [items.rest]
     for item in items.known:
-        key = _key(item)
+        key = _key(machine, item)
         if key is None:
             loose.append(item)
         else:  # of two that are equal, Python keeps the first
@@ -40,18 +40,9 @@ def distinct(items: Items) -> Items:
     return Items((), join_all((*found.values(), *loose)))
 
 
-def each_once(items: Iterable[Value]) -> tuple[Value, ...]:
-    """The values in their order, the first of those that are surely equal."""
-    found: dict[Value, Value] = {}
-    for item in items:
-        key = _key(item)
-        found.setdefault(item if key is None else key, item)
-    return tuple(found.values())
-
-
-def _key(item: Value) -> Value | None:
-    """The key of an element, one for all that Python takes for equal: 1, True and 1.0, in tuples, too."""
-    key = key_of(item)
+def _key(machine: Machine, item: Value) -> Value | None:
+    """The key of an element, one for all that Python takes for equal: 1, True and 1.0, in tuples, too. None where its class says what is equal."""
+    key = None if compares(machine, item) else key_of(item)
     return None if key is None else _as_integer(key)
 
 
@@ -66,29 +57,29 @@ def _as_integer(key: Value) -> Value:
 
 def new_set(machine: Machine, items: Items, frozen: bool = False) -> Ref:
     """A set of items."""
-    return listed(machine, "set", *distinct(items), kind="set", cls="frozenset" if frozen else "set")
+    return listed(machine, "set", *distinct(machine, items), kind="set", cls="frozenset" if frozen else "set")
 
 
 def combine(machine: Machine, op: str, left: Items, right: Items) -> Items:
     """The elements of `left | right` and its like."""
     if op == "|":
         rests = [r for r in (left.rest, right.rest) if r is not None]
-        return distinct(Items((*left.known, *right.known), join_all(rests) if rests else None))
+        return distinct(machine, Items((*left.known, *right.known), join_all(rests) if rests else None))
     if op == "^":
         first, second = combine(machine, "-", left, right), combine(machine, "-", right, left)
         return combine(machine, "|", first, second)
-    ours, theirs = distinct(left), distinct(right)
-    keys = _keys(theirs)
-    if _keys(ours) is None or keys is None:
+    ours, theirs = distinct(machine, left), distinct(machine, right)
+    keys = _keys(machine, theirs)
+    if _keys(machine, ours) is None or keys is None:
         if not ours.known and ours.rest is None:
             return ours
         return Items((), join_all((*ours.known, *(() if ours.rest is None else (ours.rest,)))))
-    return Items(tuple(v for v in ours.known if (_key(v) in keys) is (op == "&")))
+    return Items(tuple(v for v in ours.known if (_key(machine, v) in keys) is (op == "&")))
 
 
-def _keys(items: Items) -> set[Value] | None:
+def _keys(machine: Machine, items: Items) -> set[Value] | None:
     """The keys of elements that are all known, else None."""
-    keys = {_key(v) for v in items.known}
+    keys = {_key(machine, v) for v in items.known}
     return None if items.rest is not None or None in keys else {k for k in keys if k is not None}
 
 
@@ -132,7 +123,7 @@ def _add(call: NativeCall) -> Value:
         if obj.items is None:
             add_to_rest(call.machine, ref, (call.args[1],))
         else:
-            write(call.machine, ref, *_elements(distinct(Items((*obj.items, call.args[1])))))
+            write(call.machine, ref, *_elements(distinct(call.machine, Items((*obj.items, call.args[1])))))
     return NONE
 
 
@@ -141,11 +132,11 @@ def _discard(call: NativeCall) -> Value:
     machine, ref = call.machine, _receiver(call)
     if ref is None:
         return NONE
-    items, key = machine.obj(ref).items, _key(call.args[1])
-    if items is None or key is None or _keys(Items(items)) is None:
+    items, key = machine.obj(ref).items, _key(machine, call.args[1])
+    if items is None or key is None or _keys(machine, Items(items)) is None:
         add_to_rest(machine, ref, ())
         return NONE
-    left = [v for v in items if _key(v) != key]
+    left = [v for v in items if _key(machine, v) != key]
     if len(left) == len(items) and call.name.endswith("remove"):
         raise Raised("KeyError", repr(call.args[1]), (call.args[1],))
     write(machine, ref, left)
@@ -182,7 +173,7 @@ def _copy(call: NativeCall) -> Value:
 
 def subset(machine: Machine, left: Value, right: Value) -> bool | None:
     """Whether all elements of left are in right; None where it is not known."""
-    ours, theirs = _keys(machine.iterate(left)), _keys(machine.iterate(right))
+    ours, theirs = _keys(machine, machine.iterate(left)), _keys(machine, machine.iterate(right))
     if ours is not None and not ours:
         return True
     return None if ours is None or theirs is None else ours <= theirs

@@ -193,7 +193,7 @@ def _collections(machine: Machine, op: str, left: Ref, right: Ref, kinds: tuple[
     if "dict" in kinds or kinds == ("list", "list"):
         return unknown_from(machine, op, "", left, right)
     items = combine(machine, op, iterate(machine, left), iterate(machine, right))
-    return Fresh("set", "frozenset" if machine.obj(left).cls == FROZEN else "set", Series(*distinct(items)))
+    return Fresh("set", "frozenset" if machine.obj(left).cls == FROZEN else "set", Series(*distinct(machine, items)))
 
 
 @operation
