@@ -43,8 +43,9 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "models": frozenset({"models"}) | _NAMING,
     "engine": _ENGINE,
     "network": _NETWORK,
+    "flow": frozenset({"flow"}) | _ENGINE,
     "deployment": frozenset({"deployment", "network"}) | _ENGINE,
-    "analysis": frozenset({"analysis", "deployment", "network"}) | _ENGINE,
+    "analysis": frozenset({"analysis", "deployment", "flow", "network"}) | _ENGINE,
     "policies": _POLICIES,
     "suppression": frozenset({"suppression"}) | _TEXT,
     "enclaves": frozenset({"enclaves"}) | _POLICIES,
@@ -69,6 +70,7 @@ ON_DEMAND: Final = {
     ("pipeline.py", "rosward.analysis.launched"),
     ("analysis/read.py", "rosward.analysis.compiled"),
     ("analysis/process.py", "rosward.analysis.linked"),
+    ("analysis/process.py", "rosward.flow.process"),
     ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
 }
 """What is imported in a function because most runs do not need it."""

@@ -82,6 +82,9 @@ class FakeProcess:
     def note_creation(self) -> None:
         pass
 
+    def note_effect(self, effect: object) -> None:
+        pass
+
     def throw(self, exception: Value) -> None:
         raise NotImplementedError
 

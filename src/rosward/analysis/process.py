@@ -27,7 +27,9 @@ from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.reads import Reads
 from rosward.engine.shared import Shared
+from rosward.engine.watch import Watch
 from rosward.findings import Finding
+from rosward.flow.flows import ProcessFlows
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
@@ -54,6 +56,7 @@ class Run(NamedTuple):
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
     reads: Reads | None = None
+    flows: ProcessFlows | None = None
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
@@ -67,7 +70,8 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
 
 def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     log = EffectLog(configuration)
-    machine = Interpreter(library, budget, log)
+    watch = Watch() if budget.flow else None
+    machine = Interpreter(library, budget, log, watch)
     imported = _Imported()
     try:
         if entry.program:
@@ -101,6 +105,7 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
     except Exception as error:
         log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
+    flows = None if watch is None else _flows(machine, watch, entry, net=budget.net)
     log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
@@ -110,7 +115,19 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         frozenset(machine.trace.instantiated),
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
+        flows=flows,
     )
+
+
+def _flows(machine: Interpreter, watch: Watch, entry: Entry, *, net: bool) -> ProcessFlows:
+    """What flows through the process; where that fails, nothing is known of it."""
+    from rosward.flow.process import flows_of
+
+    try:
+        return flows_of(machine, watch)
+    except Exception as error:
+        machine.log.findings.add(_failed(entry, error, "any output may hold any input", net=net))
+        return ProcessFlows(complete=False)
 
 
 def _failed(entry: Entry, error: Exception, missing: str, *, net: bool) -> Finding:

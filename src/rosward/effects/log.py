@@ -52,6 +52,9 @@ class Execution(Protocol):
     def keep_end(self) -> None:
         """Here a path of the main body ends: its state counts for what runs afterwards."""
 
+    def note_effect(self, effect: EntityEffect | SentEffect) -> None:
+        """An entity is created, or a message sent, here."""
+
     def note_creation(self) -> None:
         """Here something is created: what runs now is worth to be followed call by call."""
 
@@ -140,7 +143,13 @@ class EffectLog:
         if effect not in self.entities:
             self.entities[effect] = None
             self.paths[effect] = machine.path
+        machine.note_effect(effect)
         self._done(machine, self.key(effect))
+
+    def add_sent(self, machine: Execution, effect: SentEffect) -> None:
+        """Record that something is sent."""
+        self.sent.setdefault(effect, machine.path)
+        machine.note_effect(effect)
 
     def add_parameter(self, machine: Execution, effect: ParameterEffect) -> None:
         """Record a parameter."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import UNBOUND, Function, Value
 from rosward.engine import declared
-from rosward.engine.bodies import run_body
+from rosward.engine.bodies import context_of, run_body
 from rosward.engine.summarised import summarised
 from rosward.engine.throwing import note
 from rosward.ir.ops import Block, ForEach, If, LoadAttr, Op, Try, While, With
@@ -45,19 +45,25 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     )
     remembered = machine.summaries.memo.get(key)
     if remembered is not None:
+        if machine.watch is not None:
+            machine.watch.again(machine, key)
         value, level = remembered
         if level:
             note(machine, level)
         return value
     raised, version, provisional = machine.raised, machine.state.version, machine.summaries.provisional
     noted, machine.noted = machine.noted, 0
-    value = run_body(machine, function, registers, machine.frames[-1] if machine.frames else None)
+    caller = machine.frames[-1] if machine.frames else None
+    context = context_of(machine, code, caller)
+    value = run_body(machine, function, registers, caller, context)
     level, machine.noted = machine.noted, max(machine.noted, noted)
     quiet = (
         machine.state.version == version and machine.raised == raised and machine.summaries.provisional == provisional
     )
     if quiet and value is not UNBOUND and not declared.is_model(function):
         machine.summaries.memo[key] = (value, level)
+        if machine.watch is not None:
+            machine.watch.remember(key, code, context)
     return value
 
 

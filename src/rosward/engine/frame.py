@@ -16,6 +16,7 @@ from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution
+    from rosward.engine.seen import Activation
 
 _MOST: Final = 64
 """How many calls and objects of one operation are told apart."""
@@ -97,6 +98,7 @@ class Frame:
         "namespace",
         "op",
         "registers",
+        "seen",
         "sequence",
         "stub",
         "turns",
@@ -120,6 +122,7 @@ class Frame:
         self.uncertain = 0
         self.fresh: Value = UNBOUND
         self.yielded: Yielded | None = None
+        self.seen: Activation | None = None  # what is noted of it, where somebody watches
         self.turns: dict[int, tuple[Any, ...]] = {}
 
     def next(self) -> int:

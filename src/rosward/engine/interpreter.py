@@ -22,8 +22,9 @@ from rosward.engine.answers import Answers
 from rosward.engine.budget import Budget
 from rosward.engine.catcher import Catcher
 from rosward.engine.frame import Frame, Snapshot
+from rosward.engine.languages import Watched
 from rosward.engine.precision import Precision
-from rosward.engine.scheduled import Schedule
+from rosward.engine.schedule_book import Schedule
 from rosward.engine.summaries import Summaries
 from rosward.engine.trace import Trace
 from rosward.ir import ops
@@ -32,8 +33,9 @@ from rosward.models.python.containers.sets import distinct
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.effects.log import EffectLog
-    from rosward.engine.machine import Language, SharedLanguages
+    from rosward.effects.log import EffectLog, EntityEffect
+    from rosward.effects.sent import SentEffect
+    from rosward.engine.machine import Language, SharedLanguages, Watcher
     from rosward.engine.stepped import Running
     from rosward.engine.ways import Way
 
@@ -44,7 +46,7 @@ _OBJECTS_A_STEP: Final = 3  # how many objects are joined in the time of one ste
 class Interpreter(Answers):
     """Runs the code of one process abstractly. Implements `machine.Engine`."""
 
-    def __init__(self, library: SharedLanguages, budget: Budget, log: EffectLog) -> None:
+    def __init__(self, library: SharedLanguages, budget: Budget, log: EffectLog, watch: Watcher | None = None) -> None:
         self.library = library
         self.budget = budget
         self.log = log
@@ -75,8 +77,11 @@ class Interpreter(Answers):
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
         self._contexts: dict[object, int] = {}
-        self.languages = library.languages
-        self.language = library.language_of(library.nowhere)  # of the code that runs; at first that of the models
+        self.watch = watch
+        self.languages = library.languages if watch is None else Watched(library.languages, watch)
+        self.language = self.languages[
+            library.language_of(library.nowhere).name
+        ]  # of the code that runs; at first that of the models
 
     # Running
 
@@ -132,6 +137,11 @@ class Interpreter(Answers):
     def note_creation(self) -> None:
         """Here something is created: what runs now is followed call by call, also where precision is given up."""
         self.trace.creating.update(frame.code.key for frame in self.frames)
+
+    def note_effect(self, effect: EntityEffect | SentEffect) -> None:
+        """An entity is created, or a message sent, here."""
+        if self.watch is not None:
+            self.watch.effect(self, effect)
 
     def check_time(self) -> None:
         """Raise where the process has used up its time."""
@@ -244,6 +254,10 @@ class Interpreter(Answers):
         if again or self.own(address) is None:
             self.place_at(key, obj)
         return Ref(address)
+
+    def inner_objects(self) -> dict[int, tuple[int, str]]:
+        """The objects that belong to an attribute of another one: of which, and by what name."""
+        return {a: (k[1], k[2]) for k, a in self._addresses.items() if k.__class__ is tuple and k[0] == "inner"}
 
     def new_list(self, items: Iterable[Value], rest: Value | None = None, tail: tuple[Value, ...] = ()) -> Ref:
         """A new list."""

@@ -10,11 +10,11 @@ import importlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import Final, final
 
-from rosward.engine.machine import Language
+from rosward.engine.machine import Language, Watcher
 from rosward.engine.python.language import PYTHON
 from rosward.ir import program
 
-__all__ = ["LANGUAGES", "Languages"]
+__all__ = ["LANGUAGES", "Languages", "Watched"]
 
 
 def _cpp() -> Language:
@@ -46,3 +46,25 @@ class Languages(Mapping[str, Language]):
 
     def __len__(self) -> int:
         return len(self._known)
+
+
+@final
+class Watched(Mapping[str, Language]):
+    """The same languages, noting what their operations do."""
+
+    def __init__(self, languages: Mapping[str, Language], watch: Watcher) -> None:
+        self._languages = languages
+        self._watch = watch
+        self._watched: dict[str, Language] = {}
+
+    def __getitem__(self, name: str) -> Language:
+        found = self._watched.get(name)
+        if found is None:
+            found = self._watched[name] = self._watch.watching(self._languages[name])
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._languages)
+
+    def __len__(self) -> int:
+        return len(self._languages)

@@ -23,11 +23,14 @@ if TYPE_CHECKING:
     from rosward.domain.series import Series
     from rosward.domain.state import State
     from rosward.domain.values import Class, Function, ModuleValue, Ref, Value
+    from rosward.effects.log import EntityEffect
+    from rosward.effects.sent import SentEffect
     from rosward.engine.budget import Budget
     from rosward.engine.catcher import Catcher
     from rosward.engine.frame import Frame, Snapshot
     from rosward.engine.precision import Precision
-    from rosward.engine.scheduled import Schedule
+    from rosward.engine.schedule_book import Schedule
+    from rosward.engine.scheduled import Scheduled
     from rosward.engine.stepped import Resumption, Running, Stepped
     from rosward.engine.summaries import Summaries
     from rosward.engine.trace import Trace
@@ -36,6 +39,28 @@ if TYPE_CHECKING:
     from rosward.ir.program import Code
     from rosward.models.native import Items, ResumptionKind
     from rosward.source.location import Place
+
+
+class Watcher(Protocol):
+    """Notes what is seen of a program while it runs (`watch.py`)."""
+
+    def watching(self, language: Language) -> Language:
+        """The language, noting what its operations do."""
+
+    def schedule(self, machine: Engine, entry: Scheduled) -> None:
+        """A callback is registered here."""
+
+    def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
+        """An entity is created, or a message sent, here."""
+
+    def summary(self, machine: Engine, code: Code, context: int) -> None:
+        """The result of a call is taken from the summary of the function, which runs in a context of its own."""
+
+    def remember(self, key: object, code: Code, context: int) -> None:
+        """The result of a call is remembered."""
+
+    def again(self, machine: Engine, key: object) -> None:
+        """What is remembered of a call is its result once more."""
 
 
 class Engine(Machine, Protocol):
@@ -59,6 +84,8 @@ class Engine(Machine, Protocol):
     advancing: dict[int, Running]
     ways: dict[str, dict[int, Way]]
     ends: State | None
+    watch: Watcher | None
+    """Who notes what is seen of the program; None where nobody asks."""
     asked_for: set[int]
     """The addresses whose records were read; who wants to know which are read from now on empties it."""
     language: Language

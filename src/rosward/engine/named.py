@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import options
 from rosward.domain.values import UNBOUND, Class, Const, Function, ModuleValue, Value
 from rosward.engine.frame import own_frame
-from rosward.engine.scheduled import Naming
+from rosward.engine.schedule_book import Naming
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -70,6 +70,8 @@ def add(
             entry.answered = answered
             if event == "thread" and not book.running:
                 _start(machine, entry)
+        if machine.watch is not None and key in book.entries:
+            machine.watch.schedule(machine, book.entries[key])
 
 
 def _start(machine: Engine, entry: Scheduled) -> None:

@@ -3,24 +3,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
 
-from rosward.domain.values import UNBOUND, Value
+from rosward.domain.values import Value
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.state import State
-    from rosward.engine.frame import Frame
     from rosward.source.location import Place
-
-
-class Naming(NamedTuple):
-    """A name that was handed to a library: of which module, what in it, and where that was."""
-
-    module: str
-    name: str
-    place: Place
-    frame: Frame | None
 
 
 @final
@@ -57,36 +47,3 @@ class Scheduled:
         self.runs = 0  # how often it ran
         self.read: list[tuple[int, Obj | None]] = []  # the records that it asked for when it ran last, as it found them
         self.around: tuple[object, ...] = ()  # what else it may have asked for (`unchanged.py`)
-
-
-@final
-class Schedule:
-    """All that was registered so far, by callback, arguments and event."""
-
-    __slots__ = (
-        "by_library",
-        "entries",
-        "event",
-        "main_raised",
-        "named",
-        "raised",
-        "running",
-        "settled",
-        "threads_raised",
-    )
-
-    def __init__(self) -> None:
-        self.entries: dict[object, Scheduled] = {}
-        self.named: dict[str, Naming] = {}  # what a library may import and call by a name that it was handed
-        self.running = False
-        self.by_library = False  # something that the program handed out may be called by a library
-        self.main_raised: Value = UNBOUND  # the exceptions by which the main body may end
-        self.threads_raised: Value = UNBOUND  # those that threads do not catch
-        self.event = ""  # of the entry that is running
-        self.raised: dict[Value, State] = {}  # what callbacks raise and do not catch, and the states in which they do
-        self.settled = (-1, -1)  # the number of entries and the version with which all came to rest last time
-
-    @property
-    def was_run(self) -> bool:
-        """Whether the program was somewhere where its callbacks run."""
-        return self.settled[0] >= 0

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 def summarised(machine: Engine, function: Function, registers: list[Value]) -> Value:
     """What a call gives by the summary of its function."""
     key = (function.code.key, (function.cells, machine.language.instance(machine, function, registers)))
+    if machine.watch is not None:
+        machine.watch.summary(machine, function.code, machine.context("summary", function.code.key))
     running = machine.summaries.running.get(key)
     reason = Reason(Cause.LIMIT, f"recursion of {function.code.name}", machine.place)
 

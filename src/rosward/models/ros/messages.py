@@ -46,7 +46,7 @@ def _message(call: NativeCall) -> Value:
 def send(machine: Machine, kind: str, node: Value, name: Value, type_: Value, value: Value) -> None:
     """Record that a value is sent, where a message of that type belongs."""
     effect = SentEffect(kind, node, name, type_, value, machine.place, machine.via)  # type: ignore[arg-type]  # the kind is a word of a stub
-    machine.log.sent.setdefault(effect, machine.path)
+    machine.log.add_sent(machine, effect)
     wanted = message_name(type_.name) if isinstance(type_, External) else None
     if wanted is None or value is UNBOUND or kind not in _TAKES:
         return

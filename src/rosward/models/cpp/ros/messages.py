@@ -98,7 +98,7 @@ def _send(call: NativeCall) -> Value:
 def record_sent(machine: Machine, kind: Sending, node: Value, name: Value, type_: Value, value: Value) -> None:
     """Something is sent; that it is of the right type a compiler has seen to."""
     effect = SentEffect(kind, node, name, type_, value, machine.place, machine.via)
-    machine.log.sent.setdefault(effect, machine.path)
+    machine.log.add_sent(machine, effect)
 
 
 def _loaned(call: NativeCall, value: Value) -> Value:

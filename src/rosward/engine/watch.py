@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Who notes what is seen (`seen.py`)? The handlers of a language, each wrapped in one that notes what it gives.
+
+watching(PYTHON)     the same language, whose operations tell the watch
+
+The interpreter does not know of it, but for what runs no operation: results that are remembered, callbacks, what is sent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, final
+
+from rosward.domain.choice import options
+from rosward.domain.values import NONE, Function, Value
+from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
+from rosward.ir import ops
+from rosward.ir.check import reads, writes
+
+if TYPE_CHECKING:
+    from rosward.effects.log import EntityEffect
+    from rosward.effects.sent import SentEffect
+    from rosward.engine.frame import Frame
+    from rosward.engine.machine import Engine, Handler, Language
+    from rosward.engine.scheduled import Scheduled
+    from rosward.ir.program import Code
+
+__all__ = ["Watch"]
+
+
+class Registered(NamedTuple):
+    """Where a callback was registered: by methods of which objects, innermost first, by which operation, in which turn of its loops."""
+
+    receivers: tuple[int, ...]
+    by: Seen
+    turn: int
+
+
+def _receivers(machine: Engine) -> Iterator[int]:
+    for frame in reversed(machine.frames):
+        if frame.registers:
+            yield from refs_of(frame.registers[0])
+        if not frame.stub:
+            return
+
+
+def _turn(machine: Engine) -> int:
+    return machine.frames[-1].context if machine.frames else 0
+
+
+@final
+class Watch:
+    """Notes what the interpretation of one process sees."""
+
+    def __init__(self) -> None:
+        self.activations: dict[tuple[str, int], list[Activation]] = {}
+        self.bodies: dict[str, list[Activation]] = {}  # by the key of the body
+        self.begun: dict[Activation, None] = {}  # those that nothing called: the main body
+        self.entries: dict[Scheduled, Registered] = {}
+        self._remembered: dict[object, tuple[str, int]] = {}
+
+    def watching(self, language: Language) -> Language:
+        """The language, noting what its operations do."""
+        table: dict[type[ops.Op], Handler] = {
+            cls: self._noting(cls, handler) for cls, handler in language.table.items()
+        }
+        call_function = language.call_function
+
+        def noting(machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
+            self._call(machine, function, args, keywords)
+            return call_function(machine, function, args, keywords)
+
+        return replace(language, table=table, call_function=noting)
+
+    def at(self, machine: Engine) -> Seen:
+        """That of the operation that is running; what runs under no frame is of no activation."""
+        if not machine.frames:
+            return Seen()
+        frame = machine.frames[-1]
+        return self._activation(machine, frame, len(machine.frames) - 1).of(frame.op.number)
+
+    def schedule(self, machine: Engine, entry: Scheduled) -> None:
+        """A callback is registered here."""
+        self.at(machine).scheduled[_turn(machine), entry] = None
+        self.entries.setdefault(entry, Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine)))
+
+    def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
+        """An entity is created, or a message sent, here."""
+        self.at(machine).effects[_turn(machine), effect] = None
+
+    def summary(self, machine: Engine, code: Code, context: int) -> None:
+        """The result of a call is taken from the summary of the function, which runs in a context of its own."""
+        self.at(machine).summaries[code.key, context] = None
+
+    def remember(self, key: object, code: Code, context: int) -> None:
+        """The result of a call is remembered."""
+        self._remembered[key] = (code.key, context)
+
+    def again(self, machine: Engine, key: object) -> None:
+        """What is remembered of a call is its result once more."""
+        self.at(machine).summaries[self._remembered[key]] = None
+
+    def of(self, code: Code, context: int, cells: tuple[int, ...], module: int) -> Activation:
+        """The activation of a body in a context, with these variables."""
+        known = self.activations.setdefault((code.key, context), [])
+        for each in known:
+            if each.cells == cells:
+                return each
+        known.append(Activation(code, context, cells, module))
+        self.bodies.setdefault(code.key, []).append(known[-1])
+        return known[-1]
+
+    def _activation(self, machine: Engine, frame: Frame, depth: int) -> Activation:
+        """That of a frame; noted with who called it where it is new."""
+        found = frame.seen
+        if found is None:
+            found = frame.seen = self.of(frame.code, frame.context, frame.cells, frame.module.address)
+            if depth:
+                caller = machine.frames[depth - 1]
+                self._activation(machine, caller, depth - 1).of(caller.op.number).callees[found] = None
+            elif frame.code.ops:
+                self.begun[found] = None
+        return found
+
+    def _call(self, machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> None:
+        if not machine.frames:
+            return
+        frame = machine.frames[-1]
+        registers = frame.registers
+        operands = [(r, registers[r]) for r in dict.fromkeys(reads(frame.op))] if registers else []
+
+        def handed(value: Value) -> Handed:
+            return Handed(frozenset(r for r, v in operands if v is value), frozenset(refs_of(value)))
+
+        given = tuple(map(handed, args))
+        named = tuple((name, handed(value)) for name, value in keywords.items())
+        key = (function.code.key, function.cells, given, named)
+        self.at(machine).calls[key] = Called(function, given, named)
+
+    def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
+        """The handler of a kind of operation, noting what it gives."""
+        if cls is ops.Call:
+            return self._noting_call(handler)
+        if cls in (ops.LoadCell, ops.StoreCell):
+            return self._noting_cell(cls, handler)
+        if cls in _STRUCTURED:
+
+            def structured(machine: Engine, op: Any, frame: Frame) -> bool | None:
+                activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
+                seen = activation.of(op.number)
+                result = handler(machine, op, frame)
+                seen.alive = seen.alive or result is not False
+                return result
+
+            return structured
+
+        keyed = cls in _KEYED
+
+        def straight(machine: Engine, op: Any, frame: Frame) -> bool | None:
+            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
+            seen = activation.seen.get(op.number) or activation.of(op.number)
+            if keyed:
+                for register in reads(op):
+                    seen.key(register, frame.registers[register])
+            result = handler(machine, op, frame)
+            if result is not False:
+                registers = frame.registers
+                seen.give(tuple([registers[r] for r in writes(op)]))
+            return result
+
+        return straight
+
+    def _noting_call(self, handler: Handler) -> Handler:
+        def call(machine: Engine, op: ops.Call, frame: Frame) -> bool | None:
+            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
+            seen = activation.seen.get(op.number) or activation.of(op.number)
+            function = frame.registers[op.func]
+            for argument in op.arguments[:2]:
+                seen.key(argument.register, frame.registers[argument.register])
+            if function not in seen.functions:
+                seen.functions[function] = None
+                seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
+            result = handler(machine, op, frame)
+            if result is not False:
+                seen.give((frame.registers[op.dst],))
+            return result
+
+        return call
+
+    def _noting_cell(self, cls: type[ops.Op], handler: Handler) -> Handler:
+        def cell(machine: Engine, op: Any, frame: Frame) -> bool | None:
+            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
+            seen = activation.of(op.number)
+            seen.cells.add(frame.cells[op.cell])
+            result = handler(machine, op, frame)
+            seen.give((frame.registers[op.dst],) if cls is ops.LoadCell else ())
+            return result
+
+        return cell
+
+
+_KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, ops.Intrinsic})
+"""Operations of which an operand may name a slot."""
+_STRUCTURED: Final = frozenset(
+    {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
+)

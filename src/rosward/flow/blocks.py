@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Branches, loops, `try` and `with`: what decides that a block runs is part of whatever is written in it.
+
+if msg.data > 3: self.on = True      the message decides: control
+if msg.data: return                  it decides all that follows in the function
+for p in msg.points: …               how many there are decides what the body does
+try: x = int(text) except …          the handler runs because of what the body reads
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.flow.body import Attempt, Body, Point, TooLongError, joined
+from rosward.flow.calls import run_callees
+from rosward.flow.marks import Mark, demoted
+from rosward.flow.reading import elements
+from rosward.ir import ops
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.walker import Walker
+
+
+def decides(walker: Walker, mark: Mark) -> int:
+    """What the truth of a value depends on: the value, and how much there is in it."""
+    return demoted(mark.mask | walker.memory.size(mark.roots))
+
+
+def _runs(block: ops.Block, body: Body) -> bool:
+    """Whether a block ran; of an empty one nobody knows."""
+    return not block or block[0].number in body.activation.seen
+
+
+def branch(walker: Walker, op: ops.If, body: Body, _seen: Seen) -> bool:
+    """The ways that were followed, and joined behind."""
+    then, other = _runs(op.then, body), _runs(op.orelse, body)
+    if then != other:
+        return walker.run(op.then if then else op.orelse, body)
+    outside, leaves, turns = body.pc, body.leaves, body.turns
+    inside = outside | decides(walker, body.registers[op.test])
+    before = walker.point(body)
+    body.pc = inside
+    name = body.tests.get(op.test, "")
+    about = name in walker.shape.parameters
+    if about:
+        walker.narrowed.append(name)
+    after = walker.point(body) if walker.run(op.then, body) else None
+    if about:
+        walker.narrowed.pop()
+    walker.go(body, before)
+    body.pc = inside
+    if walker.run(op.orelse, body):
+        after = joined(after, walker.point(body))
+    body.pc = outside | body.left
+    if body.leaves != leaves:  # what follows runs only where it was not left
+        body.left |= inside
+        body.pc |= inside
+    elif body.turns != turns:
+        body.pc |= inside
+    if after is None:
+        return False
+    walker.go(body, after)
+    return True
+
+
+def leave(walker: Walker, op: ops.Return, body: Body, _seen: Seen) -> bool:
+    """Return."""
+    body.leaves += 1
+    body.result = body.result.joined(body.registers[op.src].under(body.pc))
+    if body.returned is None:
+        body.returned = walker.memory.copy()
+    else:
+        body.returned.join(walker.memory)
+    return False
+
+
+def break_(walker: Walker, _op: ops.Break, body: Body, _seen: Seen) -> bool:
+    """Leave the loop."""
+    body.turns += 1
+    body.broken = joined(body.broken, walker.point(body))
+    return False
+
+
+def continue_(walker: Walker, _op: ops.Continue, body: Body, _seen: Seen) -> bool:
+    """Go on with the next turn."""
+    body.turns += 1
+    body.continued = joined(body.continued, walker.point(body))
+    return False
+
+
+def raise_(walker: Walker, op: ops.Raise, body: Body, seen: Seen) -> bool:
+    """Leave for the innermost `try`, where there is one around."""
+    if walker.attempts:
+        attempt = walker.attempts[-1]
+        body.leaves += 1
+        if op.src != ops.NO_REGISTER:
+            raised = body.registers[op.src].under(body.pc)
+            attempt.raised = attempt.raised.joined(raised)
+            attempt.mask |= walker.memory.deep(raised)
+        attempt.mask |= body.pc
+    run_callees(walker, op, body, seen)
+    return False
+
+
+_MOST_TURNS: Final = 60
+
+
+def loop(walker: Walker, op: ops.While, body: Body, _seen: Seen) -> bool:
+    """Turns until nothing changes."""
+
+    def begin() -> bool:
+        walker.interleave()
+        return walker.run(op.condition, body)
+
+    def test() -> int:
+        return decides(walker, body.registers[op.test])
+
+    return _turns(walker, op, body, begin, test)
+
+
+def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
+    """The same over elements."""
+    iterable = body.registers[op.iterable]
+
+    def begin() -> bool:
+        walker.interleave()
+        item = elements(walker, iterable)
+        given = run_callees(walker, op, body, seen)
+        item = item if given is None else item.joined(given)
+        refs = frozenset(seen.refs) | frozenset(r for r in item.roots if not isinstance(r, int))
+        body.registers[op.item] = Mark(item.mask | body.pc, refs)
+        return True
+
+    def test() -> int:
+        return demoted(iterable.mask | walker.memory.size(iterable.roots))
+
+    return _turns(walker, op, body, begin, test)
+
+
+def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any) -> bool:
+    outer = body.broken, body.continued
+    body.enter_loop()
+    outside = body.pc
+    ended: Point | None = None
+    head = walker.point(body)
+    for _ in range(_MOST_TURNS):
+        walker.go(body, head.copy())
+        before = body.pc
+        if not begin():
+            break
+        decided = test()
+        ended = walker.point(body)
+        if not _runs(op.body, body):
+            break
+        body.pc |= decided
+        ran = walker.run(op.body, body)
+        after = joined(body.continued, walker.point(body) if ran else None)
+        body.continued = None
+        if after is None or (not head.join(after) and before == body.pc):
+            break
+    else:
+        raise TooLongError
+    body.pc = outside | body.left
+    broken = body.broken
+    body.broken, body.continued = outer
+    alive = False
+    if ended is not None:
+        walker.go(body, ended)
+        alive = not _is_forever(op) and walker.run(op.orelse, body)
+    if broken is not None:
+        if alive:
+            broken.join(walker.point(body))
+        walker.go(body, broken)
+        return True
+    return alive
+
+
+def _is_forever(op: ops.While | ops.ForEach) -> bool:
+    return isinstance(op, ops.While) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
+
+
+def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
+    """The body; each handler from every state in which the body may be left; what is in `finally` on each way."""
+    outside = body.pc
+    tried = Attempt(body, Point(body.registers, walker.memory), handles=bool(op.handlers))
+    walker.attempts.append(tried)
+    try:
+        alive = walker.run(op.body, body)
+    finally:
+        walker.attempts.pop()
+        tried.end(walker.memory)
+    if walker.attempts:
+        walker.attempts[-1].mask |= tried.mask
+    if op.handlers:
+        body.pc |= demoted(tried.mask)
+    alive = alive and walker.run(op.orelse, body)
+    after = walker.point(body) if alive else None
+    inside = outside | demoted(tried.mask)
+    leaves = body.leaves
+    for handler in op.handlers:
+        if not (_runs(handler.match, body) and _runs(handler.body, body)):
+            continue
+        walker.go(body, tried.point.copy())
+        body.pc = inside
+        if handler.bind != ops.NO_REGISTER:
+            body.registers[handler.bind] = tried.raised.under(tried.mask | inside)
+        if walker.run(handler.match, body) and walker.run(handler.body, body):
+            after = joined(after, walker.point(body))
+    body.pc = outside | body.left
+    if body.leaves != leaves:
+        body.left |= inside
+        body.pc |= inside
+    if op.final:
+        return _finally(walker, op.final, body, after, tried)
+    if after is None:
+        return False
+    walker.go(body, after)
+    return True
+
+
+def _finally(walker: Walker, block: ops.Block, body: Body, after: Point | None, tried: Attempt) -> bool:
+    """`finally` runs on every way out: what it writes is seen behind each of them."""
+    every = tried.point.copy()
+    if after is not None:
+        every.join(after)
+    for memory in (body.returned, *(p.memory for p in (body.broken, body.continued) if p is not None)):
+        if memory is not None:
+            every.memory.join(memory)
+    walker.go(body, every)
+    if walker.run(block, body):
+        for memory in (body.returned, *(p.memory for p in (body.broken, body.continued) if p is not None)):
+            if memory is not None:
+                memory.join(walker.memory)
+    if after is None:
+        return False
+    walker.go(body, after)
+    return walker.run(block, body)
+
+
+def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
+    """What `__enter__` gives, the body, `__exit__`."""
+    context = body.registers[op.context]
+    entered = run_callees(walker, op, body, seen, ("__enter__", "__aenter__"))
+    if op.bind != ops.NO_REGISTER:
+        given = context if entered is None else entered
+        body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
+    tried = Attempt(body, Point(body.registers, walker.memory))
+    walker.attempts.append(tried)
+    try:
+        alive = walker.run(op.body, body)
+    finally:
+        walker.attempts.pop()
+        tried.end(walker.memory)
+    if walker.attempts:
+        walker.attempts[-1].mask |= tried.mask
+    if not alive:
+        if not seen.alive:
+            return False
+        walker.go(body, tried.point)
+    run_callees(walker, op, body, seen, ("__exit__", "__aexit__"))
+    return seen.alive
+
+
+TABLE: Final[dict[type[ops.Op], Any]] = {
+    ops.If: branch,
+    ops.While: loop,
+    ops.ForEach: for_each,
+    ops.Try: attempt,
+    ops.With: with_context,
+    ops.Return: leave,
+    ops.Break: break_,
+    ops.Continue: continue_,
+    ops.Raise: raise_,
+}

@@ -1,0 +1,352 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls: the bodies that an operation runs, with what is handed to each parameter; natives; and code that nobody knows.
+
+f(a, b)              the body of f, with the marks of a and b
+lib.blur(image)      may hold all that the image does, may be a view of it, and may have written to it
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.choice import options
+from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
+from rosward.domain.values import Class, Const, Function, Value
+from rosward.effects.sent import SentEffect
+from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
+from rosward.engine.seen import Activation, Called, Handed, Seen
+from rosward.flow import library, natives
+from rosward.flow.body import Body
+from rosward.flow.content import Content
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.reading import arising
+from rosward.flow.sinks import Sink
+from rosward.ir import ops
+from rosward.ir.check import reads
+
+if TYPE_CHECKING:
+    from rosward.flow.walker import Walker
+
+
+# Bodies
+
+
+def run_callees(
+    walker: Walker, op: ops.Op, body: Body, seen: Seen, names: tuple[str, ...] = (), pc: int = 0
+) -> Mark | None:
+    """Walk through the bodies that an operation runs; what they return, None where it runs none. `names`: those of that name only."""
+    if not (seen.callees or seen.summaries or seen.calls):
+        return None
+    waiting = walker.bodies_of(seen)
+    result: Mark | None = None
+    inside = body.pc | pc
+    ways: list[Callable[[], Mark]] = []
+    called_here: set[str] = set()
+    for key, several in _by_code(seen).items():
+        function = several[0].function
+        code = function.code
+        if names and code.name not in names:
+            continue
+        marks = _all_bound(walker, op, body, several)
+        if code.is_generator or code.is_coroutine:
+            _keep_arguments(walker, key, marks[0])
+            made = Mark(inside, frozenset((("generator", key),)))
+            result = made if result is None else result.joined(made)
+            continue
+        called_here.add(key)
+        name = f"{function.module.name}.{code.qualname}"
+        if code.file.startswith("models:") and not code.is_stub:
+            result = _perform(walker, body, name, marks[0], result)
+        mine = waiting.get(key, ())
+        if not mine and code.is_stub:
+            declared = library.declared(walker, body, function, marks[0])
+            result = declared if result is None else result.joined(declared)
+        for number, activation in enumerate(mine):
+            given = marks[number] if len(marks) == len(mine) else _joined(marks)
+            ways.append(partial(walker.enter, activation, given, inside))
+    for key, activations in waiting.items():
+        if key not in called_here and (not names or activations[0].code.name in names):
+            ways += [partial(_resume, walker, op, body, a, inside) for a in activations]
+    return _each(walker, ways, result)
+
+
+_FEW: Final = 8
+
+
+def _by_code(seen: Seen) -> dict[str, list[Called]]:
+    found: dict[str, list[Called]] = {}
+    for called in seen.calls.values():
+        found.setdefault(called.function.code.key, []).append(called)
+    return found
+
+
+def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) -> list[list[Mark]]:
+    """The marks of the parameters of each call; of many, joined."""
+    marks = [_bound(walker, op, body, called) for called in several[: _FEW * 4]]
+    return marks if len(several) <= _FEW else [_joined(marks)]
+
+
+def _joined(several: list[list[Mark]]) -> list[Mark]:
+    found = list(several[0])
+    for each in several[1:]:
+        for number, mark in enumerate(each):
+            if number < len(found):
+                found[number] = found[number].joined(mark)
+            else:
+                found.append(mark)
+    return found
+
+
+def _each(walker: Walker, ways: list[Callable[[], Mark]], result: Mark | None) -> Mark | None:
+    """Each way from the same state; what comes out is joined."""
+    before, after = walker.memory, None
+    for way in ways:
+        if len(ways) > 1:
+            walker.memory = before.copy()
+        given = way()
+        result = given if result is None else result.joined(given)
+        if len(ways) > 1:
+            if after is None:
+                after = walker.memory
+            else:
+                after.join(walker.memory)
+    if after is not None:
+        walker.memory = after
+    return result
+
+
+def _perform(walker: Walker, body: Body, name: str, marks: list[Mark], result: Mark | None) -> Mark | None:
+    """What is known by its name of a function that a model has as code."""
+    if not library.effects_of(name):
+        return result
+    mask = 0
+    for mark in marks:
+        mask |= walker.memory.deep(mark)
+    given = Mark(library.perform(walker, name, mask, body.pc))
+    return given if result is None else result.joined(given)
+
+
+def _keep_arguments(walker: Walker, key: str, marks: list[Mark]) -> None:
+    """A generator or coroutine is made: it runs with these, when somebody advances it."""
+    root: Root = ("arguments", key)
+    for number, mark in enumerate(marks):
+        old = walker.memory.of(root).slots.get(number, NOTHING)
+        walker.memory.write(frozenset((root,)), number, old.joined(mark))
+
+
+def _resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: int) -> Mark:
+    """A body that is run by something else than a call with arguments that are seen."""
+    code = activation.code
+    if code.is_generator or code.is_coroutine:
+        return walker.advance(activation, pc)
+    everything = Mark(pc)
+    for register in reads(op):
+        mark = body.registers[register]
+        everything = everything.joined(Mark(walker.memory.deep(mark), mark.roots))
+    return walker.enter(activation, [everything] * len(code.parameters.names), pc)
+
+
+def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]:
+    """The marks of the parameters, in the order of their registers."""
+    parameters = called.function.code.parameters
+    count = len(parameters.positional)
+    given = [_handed(walker, op, body, h) for h in called.args]
+    named: dict[str, Mark] = {}
+    for name, handed in called.keywords:
+        plain = name.removeprefix(MAYBE) if name not in (LOOSE, ORDER, ANY) else name
+        named[plain] = _handed(walker, op, body, handed, plain)
+    unnamed = NOTHING
+    for name, mark in named.items():
+        if name in (LOOSE, ORDER, ANY):
+            unnamed = unnamed.joined(mark)
+    marks = list(given[:count])
+    default = Mark(body.registers[op.func].mask) if isinstance(op, ops.Call) else NOTHING
+    for name in parameters.positional[len(marks) :]:
+        marks.append(named.get(name, default).joined(unnamed))
+    if parameters.vararg is not None:
+        root: Root = ("tuple", called.function.code.key, "*", op.number, id(body.activation))
+        slots: dict[object, Mark] = dict(enumerate(given[count:]))
+        walker.memory.place(root, Content(0, unnamed, body.pc, slots))
+        marks.append(Mark(body.pc, frozenset((root,))))
+    marks += [named.get(name, default).joined(unnamed) for name in parameters.kwonly]
+    if parameters.kwarg is not None:
+        root = ("tuple", called.function.code.key, "**", op.number, id(body.activation))
+        further: dict[object, Mark] = {n: m for n, m in named.items() if n not in parameters.names}
+        walker.memory.place(root, Content(0, unnamed, body.pc, dict(further)))
+        marks.append(Mark(body.pc, frozenset((root,))))
+    return marks
+
+
+def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = "") -> Mark:
+    """The mark of one argument: that of the registers in which it stands, else all that the operation reads, but for plain objects."""
+    found = Mark(body.pc, frozenset(handed.refs))
+    for register in handed.registers:
+        found = found.joined(body.registers[register])
+    if handed.registers:
+        return found
+    spread = [a.register for a in op.arguments if a.kind == "doublestar"] if name and isinstance(op, ops.Call) else []
+    if spread:
+        for register in spread:
+            mark = body.registers[register]
+            found = found.joined(walker.memory.read(mark.roots, name)).under(mark.mask)
+        return found
+    if handed.refs and isinstance(op, ops.Call):  # a receiver, or an object that is made here
+        chosen = body.registers[op.func].mask
+        return found.under(demoted(chosen) if len(handed.refs) == 1 and walker.memory.is_one(handed.refs) else chosen)
+    if handed.refs:
+        return found
+    for register in reads(op):
+        mark = body.registers[register]
+        found = found.joined(Mark(walker.memory.deep(mark), frozenset(r for r in mark.roots if not isinstance(r, int))))
+    return found
+
+
+def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: int, pc: int) -> Mark:
+    """A callback is called, with these arguments behind its receiver; what else it may be given depends on `given`."""
+    body = Body(activation, [], pc)
+    seen = activation.of(0)
+    walker.bodies.append(body)
+    try:
+        result: Mark | None = NOTHING
+        waiting = walker.bodies_of(seen)
+        ways: list[Callable[[], Mark]] = []
+        called_here: set[str] = set()
+        for key, several in _by_code(seen).items():
+            function = several[0].function
+            code = function.code
+            marks = _joined([_of_callback(called, arguments, given, pc) for called in several])
+            if code.is_generator or code.is_coroutine:
+                _keep_arguments(walker, key, marks)
+                continue
+            called_here.add(key)
+            if code.is_stub:
+                ways.append(partial(library.declared, walker, body, function, marks))
+            ways += [partial(walker.enter, activated, marks, pc) for activated in waiting.get(key, ())]
+        for key, activations in waiting.items():
+            if key not in called_here:
+                ways += [partial(_resume, walker, activation.code.entry, body, a, pc) for a in activations]
+        result = _each(walker, ways, result)
+        assert result is not None
+        return result.under(pc)
+    finally:
+        walker.bodies.pop()
+
+
+def _of_callback(called: Called, arguments: list[Mark], given: int, pc: int) -> list[Mark]:
+    """The marks of the parameters of a callback: its receiver, what it is called with, and what else there may be."""
+    first = len(called.args) - len(arguments)
+    marks = []
+    for number, handed in enumerate(called.args):
+        own = Mark(pc, frozenset(handed.refs))
+        if first < 0:
+            own = own.under(given)
+        elif number >= first:
+            own = own.joined(arguments[number - first])
+        marks.append(own)
+    missing = len(called.function.code.parameters.names) - len(marks)
+    return marks + [Mark(pc | given)] * missing
+
+
+# Calls as they are written
+
+
+def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
+    """A call: of all that the function may be."""
+    memory = walker.memory
+    function = body.registers[op.func]
+    registers = [a.register for a in op.arguments]
+    marks = [body.registers[r] for r in registers]
+    pc = demoted(function.mask) if seen.several else 0
+    _send(walker, op, body, seen, marks, body.pc | pc)
+    if len(seen.refs) == 1 and all(isinstance(f, Class) for f in seen.functions):
+        for root in seen.refs:
+            memory.place(root, Content())
+    given = run_callees(walker, op, body, seen, pc=pc)
+    result = NOTHING if given is None else given
+    unknown = False
+    for callee in dict.fromkeys(_callees(seen.functions)):
+        if isinstance(callee, (Native, External)) or (
+            isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
+        ):
+            result = result.joined(natives.apply(walker, op, body, seen, callee, marks))
+        elif isinstance(callee, Class):
+            result = result.joined(Mark(body.pc, frozenset(seen.refs)))
+        elif not isinstance(callee, Function):
+            unknown = True
+    if unknown or not seen.functions:
+        result = result.joined(library.unknown(walker, op, body, function, marks))
+    roots = frozenset(seen.refs) | frozenset(r for r in result.roots if not isinstance(r, int))
+    roots |= frozenset(("external", name) for name in seen.externals)
+    opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
+    mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
+    body.registers[op.dst] = Mark(mask, roots)
+    _register(walker, body, seen, marks, pc)
+    if any(_spins(f) for f in _callees(seen.functions)):
+        walker.join_beside()
+
+
+def _callees(functions: Iterable[Value]) -> Iterable[Value]:
+    """What is behind methods and partials."""
+    for value in functions:
+        for option in options(value):
+            while isinstance(option, Partial):
+                option = option.function  # noqa: PLW2901 - what it stands for
+            if isinstance(option, BoundMethod) and not isinstance(option.function, Native):
+                yield option.function
+            elif isinstance(option, Descriptor):
+                yield option.getter
+            else:
+                yield option
+
+
+def _spins(function: Value) -> bool:
+    if isinstance(function, Native):
+        return function.name == "_rosward.spin"
+    return isinstance(function, Function) and any(
+        isinstance(e, Tuple) and e.items[0] == Const("spins") for e in function.effects
+    )
+
+
+def _send(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
+    """What is sent here leaves the process."""
+    for _, effect in seen.effects:
+        if isinstance(effect, SentEffect):
+            mask = pc | demoted(body.registers[op.func].mask)
+            for mark in marks:
+                mask |= walker.memory.deep(mark)
+            send(walker, effect, mask)
+
+
+KINDS: Final = {"publication": "topic"}
+
+
+def send(walker: Walker, effect: SentEffect, mask: int) -> None:
+    """Record a sink of ROS."""
+    node = next((a for a in _addresses(effect.node)), None)
+    sink = Sink(KINDS.get(effect.kind, effect.kind), node, effect.name, effect.place)
+    walker.changed |= walker.sinks.add(sink, mask, walker.event)
+
+
+def _addresses(value: Value) -> Iterable[int]:
+    for option in options(value):
+        address = getattr(option, "address", None)
+        if address is not None:
+            yield address
+
+
+def _register(walker: Walker, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
+    """Callbacks that are registered here run only where control is here, and may be given what is at hand."""
+    for _, entry in seen.scheduled:
+        given = 0
+        for mark in marks:
+            given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
+        old = walker.registered.get(entry), walker.given.get(entry)
+        walker.registered[entry] = (old[0] or 0) | body.pc | pc
+        walker.given[entry] = (old[1] or 0) | given
+        if old != (walker.registered[entry], walker.given[entry]):
+            walker.changed = True
+
+
+_ARRIVING: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", "future"})

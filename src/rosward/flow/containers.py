@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Containers: what is put in under a key, added, taken out, copied, or gone through.
+
+points.append(msg.data)      any element
+state['a'] = msg.data        the one of that key, and no other
+copy.deepcopy(state)         a new object that holds the same; changing it changes nothing of the old one
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from rosward.flow.content import Content
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.native_call import NativeCall
+from rosward.flow.reading import elements, opaque
+
+Handler = Callable[[NativeCall], Mark]
+"""What a native gives, and what it writes."""
+
+CONTAINERS: Final = frozenset({"list", "set", "dict", "tuple", "frozenset", "generator", "collections.deque"})
+
+
+def _add(call: NativeCall) -> Mark:
+    call.walker.memory.write_any(call.mark(0).roots, call.mark(1).under(call.pc), call.pc)
+    return Mark(call.pc)
+
+
+def _insert(call: NativeCall) -> Mark:
+    call.walker.memory.collapse(call.mark(0).roots)
+    written = call.mark(2).under(call.pc | call.mark(1).mask)
+    call.walker.memory.write_any(call.mark(0).roots, written, call.pc)
+    return Mark(call.pc)
+
+
+def _extend(call: NativeCall) -> Mark:
+    memory = call.walker.memory
+    for argument in call.marks[1:]:
+        found = elements(call.walker, argument).under(call.pc)
+        size = call.pc | argument.mask | memory.size(argument.roots)
+        for root in argument.roots:
+            for key, mark in memory.of(root).slots.items():
+                if isinstance(key, str):
+                    memory.write(call.mark(0).roots, key, mark.under(call.pc))
+        memory.write_any(call.mark(0).roots, found if not _is_keyed(call, argument) else NOTHING, size)
+    for given, mark in zip(call.op.arguments, call.marks[1:], strict=False):
+        if given.kind == "keyword":
+            memory.write(call.mark(0).roots, given.name, mark.under(call.pc))
+    return Mark(call.pc)
+
+
+def _is_keyed(call: NativeCall, mark: Mark) -> bool:
+    """Whether all that a value holds stands under texts."""
+    contents = [call.walker.memory.of(r) for r in mark.roots]
+    return bool(contents) and all(
+        c.any == NOTHING and not c.base and all(isinstance(k, str) for k in c.slots) for c in contents
+    )
+
+
+def _take(call: NativeCall) -> Mark:
+    """An element is taken out."""
+    memory, owner = call.walker.memory, call.mark(0)
+    found = memory.read_all(owner.roots)
+    memory.collapse(owner.roots)
+    memory.write_any(owner.roots, NOTHING, call.pc)
+    for each in call.marks[1:]:
+        found = found.joined(each)
+    return found.under(call.pc | owner.mask | memory.size(owner.roots))
+
+
+def _get(call: NativeCall) -> Mark:
+    memory, owner = call.walker.memory, call.mark(0)
+    key = call.key(0)
+    found = memory.read_all(owner.roots) if key is None else memory.read(owner.roots, key)
+    mask = call.pc | owner.mask | call.mark(1).mask
+    if key is None:
+        mask |= memory.size(owner.roots)
+    return found.joined(call.mark(2)).under(mask)
+
+
+def _set_default(call: NativeCall) -> Mark:
+    memory, owner, written = call.walker.memory, call.mark(0), call.mark(2).under(call.pc | call.mark(1).mask)
+    key = call.key(0)
+    if key is None:
+        memory.write_any(owner.roots, written, call.pc | call.mark(1).mask)
+        return memory.read_all(owner.roots).under(call.pc | owner.mask)
+    memory.write(owner.roots, key, written.joined(memory.read(owner.roots, key)))
+    return memory.read(owner.roots, key).under(call.pc | owner.mask)
+
+
+def _clear(call: NativeCall) -> Mark:
+    memory, owner = call.walker.memory, call.mark(0)
+    if memory.is_one(owner.roots):
+        for root in owner.roots:
+            memory.place(root, Content(size=call.pc))
+    else:
+        memory.write_any(owner.roots, NOTHING, call.pc)
+    return Mark(call.pc)
+
+
+def _reorder(call: NativeCall) -> Mark:
+    memory, owner = call.walker.memory, call.mark(0)
+    memory.collapse(owner.roots)
+    memory.write_any(owner.roots, Mark(memory.deep(owner) | call.pc))
+    return Mark(call.pc)
+
+
+def _copy(call: NativeCall) -> Mark:
+    """A new container with the same elements under the same keys."""
+    memory, owner = call.walker.memory, call.mark(0)
+    content = Content()
+    several = [memory.of(r) for r in owner.roots]
+    if len(several) == 1:
+        content = several[0]
+    elif several:
+        whole = memory.read_all(owner.roots)
+        content = Content(0, whole, memory.size(owner.roots))
+    under = owner.mask | call.pc
+    slots = {key: mark.under(under) for key, mark in content.slots.items()}
+    return call.new(Content(content.base | under, content.any.under(under), content.size | under, slots))
+
+
+def _deep_copy(call: NativeCall) -> Mark:
+    """A new object with the same content that shares nothing."""
+    memory, owner = call.walker.memory, call.mark(0)
+    several = [memory.of(r) for r in owner.roots]
+    under = owner.mask | call.pc
+    if len(several) == 1 and not any(True for r in owner.roots if isinstance(r, int) for _ in memory.shape.parts(r)):
+        content = several[0]
+        slots = {key: Mark(memory.deep(mark) | under) for key, mark in content.slots.items()}
+        rest = Mark(memory.deep(content.any))
+        return call.new(Content(content.base | under, rest, content.size | under, slots))
+    return call.new(Content(memory.deep(owner) | under))
+
+
+def _all_elements(call: NativeCall) -> Mark:
+    """A new container of the elements of all arguments."""
+    memory = call.walker.memory
+    found, size = NOTHING, call.pc
+    for mark in call.marks:
+        found = found.joined(elements(call.walker, mark))
+        size |= mark.mask | memory.size(mark.roots)
+    pairs = _PAIRS.get(call.name.rpartition(".")[2])
+    if pairs is not None:
+        pair: Root = ("tuple", id(call.body.activation), call.op.number, "pair")
+        content = pairs(call, size)
+        memory.place(pair, content)
+        return call.new(Content(0, Mark(call.pc, frozenset((pair,)) | content.whole.roots), size))
+    return call.new(Content(0, found.under(call.pc), size))
+
+
+def _numbered(call: NativeCall, size: int) -> Content:
+    found = elements(call.walker, call.mark(0)).under(call.pc)
+    return Content(0, NOTHING, call.pc, {0: Mark(call.pc | demoted(size)).joined(call.mark(1)), 1: found})
+
+
+def _zipped(call: NativeCall, _size: int) -> Content:
+    slots: dict[object, Mark] = {n: elements(call.walker, m).under(call.pc) for n, m in enumerate(call.marks)}
+    return Content(0, NOTHING, call.pc, slots)
+
+
+def _entries(call: NativeCall, size: int) -> Content:
+    found = elements(call.walker, call.mark(0)).under(call.pc)
+    return Content(0, NOTHING, call.pc, {0: Mark(size), 1: found})
+
+
+def _mixed(call: NativeCall, size: int) -> Content:
+    found = NOTHING
+    for mark in call.marks:
+        found = found.joined(elements(call.walker, mark))
+    return Content(0, found.under(call.pc), size)
+
+
+_PAIRS: Final[dict[str, Callable[[NativeCall, int], Content]]] = {
+    "enumerate": _numbered,
+    "zip": _zipped,
+    "items": _entries,
+    **dict.fromkeys(("product", "combinations", "pairwise", "permutations"), _mixed),
+}
+"""Iterators whose elements are tuples."""
+
+
+def _one_element(call: NativeCall) -> Mark:
+    """One of the elements of the first argument, or one of the others."""
+    found = elements(call.walker, call.mark(0))
+    for mark in call.marks[1:]:
+        found = found.joined(mark)
+    return found.under(call.pc | call.walker.memory.size(call.mark(0).roots))
+
+
+def _extreme(call: NativeCall) -> Mark:
+    """The largest of them depends on all."""
+    mask, roots = call.pc, frozenset[Root]()
+    for mark in call.marks:
+        mask |= call.walker.memory.deep(mark)
+        roots |= elements(call.walker, mark).roots
+    return Mark(mask, roots)
+
+
+def _size(call: NativeCall) -> Mark:
+    """How many there are; of something of a library, all of it."""
+    mark = call.mark(0)
+    memory = call.walker.memory
+    mask = call.pc | mark.mask | memory.size(mark.roots)
+    for root in opaque(mark):
+        if root[0] not in ("tuple", "generator"):
+            mask |= memory.deep(Mark(0, frozenset((root,))))
+    return Mark(mask)
+
+
+METHODS: Final[dict[str, Handler]] = {
+    **dict.fromkeys(("append", "add", "appendleft"), _add),
+    "insert": _insert,
+    **dict.fromkeys(("extend", "update", "extendleft", "__ior__"), _extend),
+    **dict.fromkeys(("pop", "popleft", "popitem"), _take),
+    **dict.fromkeys(("get", "__getitem__"), _get),
+    "setdefault": _set_default,
+    "clear": _clear,
+    **dict.fromkeys(("sort", "reverse", "remove", "rotate"), _reorder),
+    "copy": _copy,
+    **dict.fromkeys(("values", "items", "keys", "union", "intersection", "difference"), _all_elements),
+    **dict.fromkeys(("__next__",), _one_element),
+    "__len__": _size,
+}
+"""The methods of containers."""
+
+KNOWN: Final[dict[str, Handler]] = {
+    **dict.fromkeys(
+        (
+            *("list", "tuple", "set", "frozenset", "sorted", "reversed", "iter", "zip", "enumerate", "filter", "map"),
+            *("itertools.product", "itertools.islice", "itertools.cycle", "itertools.combinations"),
+            *("itertools.permutations", "itertools.pairwise", "itertools.repeat", "numpy._elements"),
+            *("_rosward.contents", "collections._items", "collections._fill", "collections._keys", "random.sample"),
+        ),
+        _all_elements,
+    ),
+    "dict": _copy,
+    "copy.copy": _copy,
+    "copy.deepcopy": _deep_copy,
+    **dict.fromkeys(("next", "queue._any", "random.choice"), _one_element),
+    **dict.fromkeys(("max", "min", "sum"), _extreme),
+    "len": _size,
+}
+"""Functions that work on containers."""

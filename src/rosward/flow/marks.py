@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which sources a value depends on, and how strongly: as data, by control, or as the trigger of what runs.
+
+    out.data = msg.data            data: the content is in it
+    if msg.data > 3: out.data = 1  control: the content decides what is in it, or whether it is sent
+    self.ready = True              trigger: only that the message arrived counts
+
+Each source of a process has three bits, from strong to weak. A union is `|`; what decides a branch is demoted by a shift.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple, final
+
+from rosward.domain.values import Value
+
+_SOURCES: Final = 2048
+_DATA: Final = sum(1 << 3 * n for n in range(_SOURCES))
+_CONTROL: Final = _DATA << 1
+_TRIGGER: Final = _DATA << 2
+
+Root = int | tuple[object, ...]
+"""Where content stands: the address of an object, or a name for what has no address (the result of an unknown call, a tuple)."""
+
+
+class Mark(NamedTuple):
+    """What a register or a slot holds: the sources that the value itself depends on, and the objects that it leads to."""
+
+    mask: int = 0
+    roots: frozenset[Root] = frozenset()
+
+    def joined(self, other: Mark) -> Mark:
+        """What covers both."""
+        if self is other or (other.mask | self.mask == self.mask and other.roots <= self.roots):
+            return self
+        return Mark(self.mask | other.mask, self.roots | other.roots)
+
+    def under(self, mask: int) -> Mark:
+        """The same, depending on more."""
+        return self if self.mask | mask == self.mask else Mark(self.mask | mask, self.roots)
+
+
+NOTHING: Final = Mark()
+
+
+def demoted(mask: int) -> int:
+    """What is made under a branch that depends on this: its data has become control."""
+    return (mask & _DATA) << 1 | mask & (_CONTROL | _TRIGGER)
+
+
+def triggering(mask: int) -> int:
+    """What is left where only the arrival of these counts."""
+    return (mask & _DATA) << 2 | (mask & _CONTROL) << 1 | mask & _TRIGGER
+
+
+class Source(NamedTuple):
+    """Where information comes from: a kind of `flow.json`, and what names it: a text, or the node and the name as the program has them."""
+
+    kind: str
+    name: str = ""
+    node: int | None = None
+    given: Value | None = None
+
+
+@final
+class Sources:
+    """The sources that one process meets, in the order in which it does."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[Source, int] = {}
+
+    def data(self, source: Source) -> int:
+        """The mask of its content."""
+        number = self._numbers.setdefault(source, len(self._numbers))
+        return 1 << 3 * min(number, _SOURCES - 1)
+
+    def trigger(self, source: Source) -> int:
+        """The mask of its arrival."""
+        return self.data(source) << 2
+
+    @property
+    def all(self) -> int:
+        """Every source as data."""
+        return sum(1 << 3 * n for n in range(len(self._numbers)))
+
+    def apart(self, mask: int) -> tuple[frozenset[Source], frozenset[Source], frozenset[Source]]:
+        """The sources of a mask by strength: data, control, trigger; each in the strongest only."""
+        found: tuple[set[Source], set[Source], set[Source]] = (set(), set(), set())
+        for source, number in self._numbers.items():
+            bits = mask >> 3 * min(number, _SOURCES - 1) & 7
+            if bits:
+                found[0 if bits & 1 else 1 if bits & 2 else 2].add(source)
+        return frozenset(found[0]), frozenset(found[1]), frozenset(found[2])

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands in the objects of a program, as far as flow is concerned: for each slot, what it depends on and what it leads to.
+
+    self.last = msg.data      the slot `last` of the node: data of the topic
+    state['a'] = msg.data     the slot 'a' of the dict; an unknown key may be any
+
+An object of which nothing was written holds its base: nothing, or the content of the message that arrived. What belongs to an attribute of
+another object (`msg.header`) has the base of that attribute until it is written itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final, final
+
+from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, both
+from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.shape import Shape
+
+_MOST: Final = 4_000
+"""So many objects are looked through for what a value leads to."""
+
+
+_MOST_LAYERS: Final = 6
+
+
+@final
+class Memory:
+    """The content of all objects, at one point of the program.
+
+    A copy shares all layers that were written before; joining two looks at those that were written since.
+    """
+
+    __slots__ = ("_own", "_shared", "log", "shape")
+
+    def __init__(self, shape: Shape) -> None:
+        self.shape = shape
+        self.log: Layer | None = None  # where each write is noted too, for who may come in between
+        self._own: Layer = {}
+        self._shared: tuple[Layer, ...] = ()
+
+    def copy(self) -> Memory:
+        """An independent copy."""
+        if self._own:
+            self._shared = (*self._shared, self._own)
+            self._own = {}
+            if len(self._shared) > _MOST_LAYERS:
+                whole: Layer = {}
+                for layer in self._shared:
+                    whole.update(layer)
+                self._shared = (whole,)
+        copy = Memory(self.shape)
+        copy._shared, copy.log = self._shared, self.log
+        return copy
+
+    def known(self, root: Root) -> Content | None:
+        """What was written of an object; None where nothing was."""
+        found = self._own.get(root)
+        if found is None:
+            for layer in reversed(self._shared):
+                found = layer.get(root)
+                if found is not None:
+                    return found
+        return found
+
+    def _put(self, root: Root, content: Content) -> None:
+        self._own[root] = content
+        tracker = self.shape.tracker
+        if tracker is not None:
+            tracker.writes.add(root)
+        if self.log is not None:
+            old = self.log.get(root)
+            self.log[root] = content if old is None else both(old, content)
+
+    def items(self) -> Iterator[tuple[Root, Content]]:
+        """All objects of which something was written."""
+        whole: Layer = {}
+        for layer in (*self._shared, self._own):
+            whole.update(layer)
+        return iter(whole.items())
+
+    def join(self, other: Memory) -> bool:
+        """Cover another one, too; whether that changed anything."""
+        changed = False
+        alike = 0
+        for ours, theirs in zip(self._shared, other._shared, strict=False):
+            if ours is not theirs:
+                break
+            alike += 1
+        roots = {r for layer in (*other._shared[alike:], other._own) for r in layer}
+        roots.update(r for layer in (*self._shared[alike:], self._own) for r in layer)
+        for root in roots:
+            mine, their = self.known(root), other.known(root)
+            if mine is their:
+                continue
+            merged = both(self.of(root), other.of(root))
+            if merged != mine:
+                self._put(root, merged)
+                changed = True
+        return changed
+
+    def finds(self, reads: Layer) -> bool:
+        """Whether the same stands here."""
+        return all(self.of(root) == content for root, content in reads.items())
+
+    def replay(self, writes: Layer, placed: set[int]) -> None:
+        """What a walk has left."""
+        for again in placed & self.shape.placed:
+            self.shape.several.add(again)
+            self.shape.many.add(again)
+        self.shape.placed |= placed
+        for root, content in writes.items():
+            self._put(root, content)
+
+    def cover(self, written: Layer) -> None:
+        """Each of these contents may stand here, too."""
+        for root, content in written.items():
+            merged = both(self.of(root), content)
+            if merged != self.known(root):
+                self._put(root, merged)
+
+    def of(self, root: Root) -> Content:
+        """The content of an object."""
+        found = self.known(root)
+        if found is None:
+            owner = self._owner(root)
+            mask = 0 if owner is None else self.of(owner[0]).read(owner[1]).mask
+            found = Content(base=mask) if mask else EMPTY
+        tracker = self.shape.tracker
+        if tracker is not None:
+            tracker.read(root, found)
+        return found
+
+    def _owner(self, root: Root) -> tuple[Root, object] | None:
+        if isinstance(root, int):
+            return self.shape.inner.get(root)
+        return (root[1], root[2]) if root[0] == "of" else None  # type: ignore[return-value]  # a root and a name
+
+    def read(self, roots: Iterable[Root], key: object) -> Mark:
+        """What stands under a key in any of several objects."""
+        found = NOTHING
+        for root in roots:
+            found = found.joined(self.of(root).read(key))
+        return found
+
+    def read_all(self, roots: Iterable[Root]) -> Mark:
+        """All that stands in any of several objects."""
+        found = NOTHING
+        for root in roots:
+            found = found.joined(self.of(root).whole)
+        return found
+
+    def size(self, roots: Iterable[Root]) -> int:
+        """What the number of elements depends on."""
+        found = 0
+        for root in roots:
+            content = self.of(root)
+            found |= content.size | content.base
+        return found
+
+    def is_one(self, roots: Iterable[Root]) -> bool:
+        """Whether it is surely one object."""
+        known = list(roots)
+        return len(known) == 1 and isinstance(known[0], int) and known[0] not in self.shape.many
+
+    def write(self, roots: frozenset[Root], key: object, mark: Mark) -> None:
+        """Something is written under a key: in the place of what stood there, where it is surely one object."""
+        sure = self.is_one(roots)
+        for root in self._with_aliases(roots):
+            content = self._opened(root)
+            old = content.slots.get(key)
+            new = mark if sure else mark.joined(content.read(key) if old is None else old)
+            if new != old:
+                self._put(root, content._replace(slots={**content.slots, key: new}))
+
+    def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
+        """Something is written under a key that is not known, or added."""
+        for root in self._with_aliases(roots):
+            content = self._opened(root)
+            new = content._replace(any=content.any.joined(mark), size=content.size | size)
+            if new != content:
+                self._put(root, new)
+
+    def renew(self, root: Root) -> None:
+        """The result of a call stands here anew: what was written to the one before is gone, unless something still holds it."""
+        if self.known(root) is not None and not self._is_held(root):
+            self._put(root, EMPTY)
+
+    def _is_held(self, root: Root) -> bool:
+        """Whether something leads to an object."""
+        for holder, content in self.items():
+            if root in content.any.roots and holder != root:
+                return True
+            for mark in content.slots.values():
+                if root in mark.roots and holder != root:
+                    return True
+        return False
+
+    def _with_aliases(self, roots: Iterable[Root]) -> Iterable[Root]:
+        """The objects, and those that they may be views of."""
+        aliases = self.shape.aliases
+        if not aliases or not any(r in aliases for r in roots):
+            return roots
+        found: dict[Root, None] = {}
+        work = list(roots)
+        while work:
+            root = work.pop()
+            if root not in found:
+                found[root] = None
+                work += aliases.get(root, ())
+        return found
+
+    def collapse(self, roots: Iterable[Root]) -> None:
+        """Elements change their places."""
+        for root in roots:
+            content = self.of(root)
+            if content.slots:
+                self._put(root, content._replace(any=content.whole, slots=NO_SLOTS))
+
+    def place(self, root: Root, content: Content) -> None:
+        """A new object stands here; beside an older one, where there may be several."""
+        shape = self.shape
+        old = self.known(root)
+        if isinstance(root, int):
+            if root in shape.placed or (old is not None and self._is_held(root)):
+                shape.several.add(root)
+                shape.many.add(root)
+            elif root not in shape.several:
+                shape.many.discard(root)
+            shape.placed.add(root)
+            if shape.tracker is not None:
+                shape.tracker.placed.add(root)
+            if root in shape.many and old is not None:
+                self._put(root, both(old, content))
+                return
+        self._put(root, content)
+        if isinstance(root, int):
+            for inner in shape.parts(root):
+                if self.known(inner) is not None:
+                    self._put(inner, Content(base=content.read(shape.inner[inner][1]).mask))
+
+    def _opened(self, root: Root) -> Content:
+        """The content of an object that is about to be written; what it is a part of leads to it."""
+        content = self.of(root)
+        owner = self._owner(root)
+        if owner is not None and not isinstance(root, int) and root not in self.of(owner[0]).any.roots:
+            self.write_any([owner[0]], Mark(0, frozenset((root,))))
+        return content
+
+    def deep(self, mark: Mark) -> int:
+        """All that a value depends on, with what it leads to; but not what nodes hold that it leads to."""
+        mask = mark.mask
+        seen: set[Root] = set()
+        work = list(mark.roots)
+        while work:
+            root = work.pop()
+            if root in seen or len(seen) > _MOST:
+                continue
+            seen.add(root)
+            content = self.of(root)
+            mask |= content.base | content.any.mask | content.size
+            for each in (content.any, *content.slots.values()):
+                mask |= each.mask
+                work += [r for r in each.roots if r not in self.shape.nodes]
+            work += self.shape.held(root)
+        return mask
+
+    def reached(self, mark: Mark) -> Iterator[Root]:
+        """The objects that a value leads to, but for nodes that it does not lead to at once."""
+        seen: set[Root] = set()
+        work = list(mark.roots)
+        while work:
+            root = work.pop()
+            if root in seen or len(seen) > _MOST:
+                continue
+            seen.add(root)
+            yield root
+            content = self.of(root)
+            for each in (content.any, *content.slots.values()):
+                work += [r for r in each.roots if r not in self.shape.nodes]
+            work += self.shape.held(root)

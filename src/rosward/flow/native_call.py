@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One call of a native: what it is given, by number and by key, and where its result stands."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, final
+
+from rosward.flow.content import Content
+from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.reading import constant
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.body import Body
+    from rosward.flow.walker import Walker
+    from rosward.ir import ops
+
+
+@final
+class NativeCall:
+    """One call of a native: the receiver is among the marks; `keys` are the registers of the arguments behind it."""
+
+    __slots__ = ("body", "marks", "name", "op", "registers", "seen", "walker")
+
+    def __init__(
+        self,
+        walker: Walker,
+        op: ops.Call,
+        body: Body,
+        seen: Seen,
+        name: str,
+        marks: list[Mark],
+        registers: list[int],
+    ) -> None:
+        self.walker, self.op, self.body, self.seen = walker, op, body, seen
+        self.name, self.marks, self.registers = name, marks, registers
+
+    @property
+    def pc(self) -> int:
+        """What decides that control is here."""
+        return self.body.pc
+
+    def mark(self, number: int) -> Mark:
+        """Of one argument."""
+        return self.marks[number] if number < len(self.marks) else NOTHING
+
+    def key(self, number: int) -> object:
+        """The constant that an argument behind the receiver is."""
+        if number >= len(self.registers):
+            return None
+        return constant(self.seen, self.registers[number])
+
+    def new(self, content: Content) -> Mark:
+        """A new object with this content."""
+        fresh: list[Root] = [*self.seen.refs] or [("made", id(self.body.activation), self.op.number, "")]
+        held = content.whole.roots
+        places = [p for p in fresh if p not in held and not any(p in m.roots for m in self.marks)]
+        if not places:
+            places = [("made", id(self.body.activation), self.op.number, "")]
+        if len(places) == 1:
+            self.walker.memory.place(places[0], content)
+        else:
+            self.walker.memory.write_any(places, content.whole, content.size)
+        return Mark(self.pc, frozenset(places))

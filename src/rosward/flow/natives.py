@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Builtins and models in code: containers keep their elements apart; all others only compute.
+
+names.append(x)     x is among the elements, and the number of elements depends on what decides that control is here
+state.get('a', 0)   what stands under 'a', or the default
+sorted(values)      a new list of the same elements
+int(text)           whatever the text depends on
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.compound import BoundMethod, External, Native
+from rosward.domain.values import Value
+from rosward.engine.seen import refs_of
+from rosward.flow import containers, library
+from rosward.flow.content import Content
+from rosward.flow.marks import NOTHING, Mark, demoted
+from rosward.flow.native_call import NativeCall
+from rosward.flow.reading import elements, owners_of
+from rosward.models.ros.interfaces import message_name
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.body import Body
+    from rosward.flow.walker import Walker
+    from rosward.ir import ops
+
+
+def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, marks: list[Mark]) -> Mark:
+    """What a native, or a function of a library, gives and does."""
+    registers = [a.register for a in op.arguments]
+    function = body.registers[op.func]
+    if isinstance(callee, External):
+        if message_name(callee.name) is not None:
+            return _message(NativeCall(walker, op, body, seen, callee.name, marks, registers))
+        if walker.shape.is_native(callee.name):
+            return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
+        named = Mark(function.mask, frozenset((("external", callee.name),)))
+        return library.unknown(walker, op, body, named, marks)
+    if isinstance(callee, BoundMethod):
+        assert isinstance(callee.function, Native)
+        name = callee.function.name
+        receiver = _receiver(callee, function)
+        return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], registers))
+    assert isinstance(callee, Native)
+    return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
+
+
+def _receiver(callee: BoundMethod, function: Mark) -> Mark:
+    """What a method is bound to."""
+    return Mark(function.mask, frozenset(refs_of(callee.receiver)) | owners_of(function))
+
+
+def _message(call: NativeCall) -> Mark:
+    """A new message, or part of a service or action, with the fields that are given."""
+    slots: dict[object, Mark] = {}
+    rest = NOTHING
+    for argument, mark in zip(call.op.arguments, call.marks, strict=True):
+        written = mark.under(call.pc)
+        if argument.kind == "keyword":
+            slots[argument.name] = written
+        else:
+            rest = rest.joined(elements(call.walker, written))
+    return call.new(Content(0, rest, call.pc, slots))
+
+
+def _native(call: NativeCall) -> Mark:
+    name = call.name.removeprefix("builtins.")
+    done = _KNOWN.get(name)
+    if done is None:
+        kind, _, method = name.rpartition(".")
+        done = _METHODS.get(method) if kind in containers.CONTAINERS else None
+    mask = call.pc
+    for mark in call.marks:
+        mask |= call.walker.memory.deep(mark)
+    given = library.perform(call.walker, call.name.removeprefix("builtins."), mask, call.pc)
+    if done is not None:
+        return done(call).under(given)
+    return Mark(
+        mask | given, frozenset(("made", id(call.body.activation), call.op.number, r) for r in (_kept(name),) if r)
+    )
+
+
+def _kept(name: str) -> str:
+    return name if name in ("open", "io.open") else ""
+
+
+def _get_attribute(call: NativeCall) -> Mark:
+    memory, owner = call.walker.memory, call.mark(0)
+    key = call.key(1)
+    found = memory.read_all(owner.roots) if not isinstance(key, str) else memory.read(owner.roots, key)
+    return found.joined(call.mark(2)).under(call.pc | owner.mask | call.mark(1).mask)
+
+
+def _set_attribute(call: NativeCall) -> Mark:
+    memory, owner = call.walker.memory, call.mark(0)
+    key = call.key(1)
+    written = call.mark(2).under(call.pc | call.mark(1).mask | demoted(owner.mask))
+    if isinstance(key, str):
+        memory.write(owner.roots, key, written)
+    else:
+        memory.write_any(owner.roots, written, call.pc)
+    return Mark(call.pc)
+
+
+def _pass(call: NativeCall) -> Mark:
+    found = NOTHING
+    for mark in call.marks:
+        found = found.joined(mark)
+    return found.under(call.pc)
+
+
+def _nothing(call: NativeCall) -> Mark:
+    return Mark(call.pc)
+
+
+def _of_library(call: NativeCall) -> Mark:
+    """`_rosward.unknown(…)`: what a library makes of all that it was given."""
+    mask, nodes = call.pc, call.walker.shape.nodes
+    for body in reversed(call.walker.bodies):
+        if not body.activation.code.file.startswith("models:"):
+            break
+        for mark in body.arguments:
+            mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
+    return Mark(mask)
+
+
+def _send_into(call: NativeCall) -> Mark:
+    """`generator.send(value)`."""
+    for activation in call.seen.callees:
+        call.walker.memory.write_any([("sent", activation.code.key)], call.mark(1).under(call.pc))
+    return Mark(call.pc | call.mark(0).mask)
+
+
+def _arrives(call: NativeCall) -> Mark:
+    """`_rosward.message(type, kind)`: something that somebody sent arrives here, to the object whose method this is."""
+    kind = str(call.key(1) or "message")
+    mask = call.pc
+    known = _ARRIVING.get(kind)
+    if known is not None:
+        mask |= call.walker.sources.data(call.walker.source_here(known))
+    for root in call.seen.refs:
+        call.walker.memory.place(root, Content(base=mask))
+    return Mark(mask if not call.seen.refs else call.pc, frozenset(call.seen.refs))
+
+
+_ARRIVING: Final = {
+    "response": "response",
+    "feedback": "feedback",
+    "result": "result",
+    "goal": "goal",
+    "message": "topic",
+}
+
+
+def _identity(call: NativeCall) -> Mark:
+    """Which object it is, or of which class."""
+    mask = call.pc
+    for mark in call.marks:
+        mask |= mark.mask
+    return Mark(mask)
+
+
+_METHODS: Final[dict[str, containers.Handler]] = {
+    **containers.METHODS,
+    "send": _send_into,
+    **dict.fromkeys(("close", "discard"), _nothing),
+}
+_KNOWN: Final[dict[str, containers.Handler]] = {
+    **containers.KNOWN,
+    **dict.fromkeys(("isinstance", "issubclass", "type", "id", "callable", "hasattr", "super", "object"), _identity),
+    "getattr": _get_attribute,
+    "setattr": _set_attribute,
+    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited"), _pass),
+    **dict.fromkeys(
+        (
+            *("_rosward.schedule", "_rosward.ask", "_rosward.overridden", "_rosward.opaque", "_rosward.escape"),
+            *("_rosward.fail_unless", "_rosward.spin", "_rosward.report", "_rosward.create", "_rosward.create_node"),
+            *("_rosward.may_refuse", "_rosward.sender", "_rosward.node_name", "_rosward.node_namespace"),
+            *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.set_parameter", "_rosward.declare_own"),
+            *("_rosward.declare_parameter", "_rosward.parameter", "_rosward.is_given", "_rosward.needs_parameter"),
+            *("_rosward.is_unset", "queue._alone"),
+        ),
+        _nothing,
+    ),
+    "_rosward.unknown": _of_library,
+    "_rosward.message": _arrives,
+}

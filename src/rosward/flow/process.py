@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The flows of one process: its main body, then its callbacks in any order, until nothing changes.
+
+What each sends is a sink, with the sources that it depends on. Where the walk, or the interpretation before it, reached a limit, a sink may
+hold every source.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.compound import BoundMethod, Partial
+from rosward.domain.values import Function, Ref, Value
+from rosward.effects.log import EntityEffect
+from rosward.effects.sent import SentEffect
+from rosward.engine.seen import refs_of
+from rosward.flow import blocks, straight
+from rosward.flow.body import TooLongError
+from rosward.flow.calls import begin, send
+from rosward.flow.content import Content
+from rosward.flow.flows import Flow, ProcessFlows
+from rosward.flow.marks import Mark, Source, demoted, triggering
+from rosward.flow.memory import Memory
+from rosward.flow.shape import Shape
+from rosward.flow.walker import Handler, Walker
+from rosward.ir import ops
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from rosward.engine.interpreter import Interpreter
+    from rosward.engine.scheduled import Scheduled
+    from rosward.engine.watch import Watch
+
+_ROUNDS: Final = 40
+_STEPS_EACH: Final = 8
+"""The walk may take so many times the steps of the interpretation."""
+_LEAST: Final = 2_000_000
+_EVENTS: Final = {
+    "message": ("topic", "subscription"),
+    "service": ("service", "service_server"),
+    "goal": ("goal", "action_server"),
+    "execute": ("goal", "action_server"),
+    "accepted": ("goal", "action_server"),
+    "cancel": ("goal", "action_server"),
+    "feedback": ("feedback", "action_client"),
+}
+"""The kind of source that an event brings, and of the entity at which it arrives."""
+_PLAIN: Final = {"timer": "timer", "thread": "thread", "parameters": "parameters"}
+
+
+class Table(dict[type[ops.Op], Handler]):
+    """The handlers by kind of operation; of others it is known what they read and write."""
+
+    def __missing__(self, cls: type[ops.Op]) -> Handler:
+        return straight.plain
+
+
+def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
+    """Walk through a process that was interpreted while somebody watched."""
+    table = Table({**straight.TABLE, **blocks.TABLE})
+    most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
+    walker = Walker(watch, Shape(machine), table, most)
+    complete = not any(f.code == "RW201" for f in machine.log.findings)
+    try:
+        complete = _settle(walker, machine) and complete
+    except TooLongError:
+        complete = False
+    if not complete:
+        for sink in walker.sinks.masks:
+            walker.sinks.masks[sink] |= walker.sources.all
+    flows = []
+    for sink, mask in walker.sinks.masks.items():
+        events = 0
+        for event in walker.sinks.events[sink]:
+            events |= walker.sources.trigger(event)
+        flows.append(Flow(sink, *walker.sources.apart(mask | events)))
+    return ProcessFlows(tuple(flows), complete)
+
+
+def _settle(walker: Walker, machine: Interpreter) -> bool:
+    """Until nothing changes; False where that takes too long."""
+    entries = list(machine.schedule_book.entries.values())
+    entries = list({_where(e): e for e in reversed(entries)}.values())[::-1]
+    walker.threaded = any(e.event == "thread" for e in entries)
+    for _ in range(_ROUNDS):
+        walker.changed = False
+        _main(walker)
+        for entry in entries:
+            _callback(walker, entry)
+        if not walker.changed:
+            return True
+    return False
+
+
+def _where(entry: Scheduled) -> object:
+    """What tells a callback from others; those that many turns of a loop register at one place are one."""
+    function: object = entry.callback
+    while isinstance(function, (BoundMethod, Partial)):
+        function = function.function
+    code = function.code.key if isinstance(function, Function) else entry
+    return (entry.place, entry.context, entry.event, code) if entry.event == "thread" else entry
+
+
+def _main(walker: Walker) -> None:
+    """The main body, beside which callbacks may run."""
+    walker.event = (Source("main"),)
+    walker.node = _only(walker)
+    walker.memory = Memory(walker.shape)
+    walker.shape.placed.clear()
+    for activation in walker.watch.begun:
+        walker.enter(activation, [], 0)
+        walker.leave()
+
+
+def _only(walker: Walker) -> int | None:
+    """The node of a process that has one."""
+    return next(iter(walker.shape.nodes)) if len(walker.shape.nodes) == 1 else None
+
+
+def _callback(walker: Walker, entry: Scheduled) -> None:
+    """One callback, from all that others may have written."""
+    root = next(iter(walker.watch.activations.get((f"{entry.place.file}#0", entry.context), ())), None)
+    if root is None:
+        return
+    walker.memory = walker.beside.copy()
+    walker.shape.placed.clear()
+    sources = tuple(_sources(walker, entry))
+    walker.event = sources
+    walker.node = _node(walker, entry)
+    pc = demoted(walker.registered.get(entry, 0))
+    for source in sources:
+        pc |= walker.sources.trigger(source) if source.kind != "main" else 0
+    registered = walker.watch.entries.get(entry)
+    for owner in (*registered.receivers, *registered.by.refs) if registered is not None else ():
+        pc |= demoted(walker.stopped.get(owner, 0))
+    arguments = [_argument(walker, entry, n, sources) for n in range(len(entry.args or ()))]
+    if entry.event == "future":
+        for argument in arguments:
+            pc |= triggering(walker.memory.deep(argument))
+    seen = root.of(0)
+    result = begin(walker, root, arguments, walker.given.get(entry, 0), pc)
+    for _, effect in seen.effects:
+        if isinstance(effect, SentEffect):
+            send(walker, effect, walker.memory.deep(result) | pc)
+    walker.leave()
+
+
+def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Source, ...]) -> Mark:
+    """What a callback is called with: the first of a message or request is new each time."""
+    value: Value = (entry.args or ())[number]
+    roots = frozenset(refs_of(value))
+    if number == 0 and entry.event in ("message", "service", "goal", "feedback") and sources:
+        mask = 0
+        for source in sources:
+            mask |= walker.sources.data(source)
+        if entry.event in ("message", "service"):
+            for root in roots:
+                walker.memory.place(root, Content(base=mask))
+        if not roots:
+            return Mark(mask, frozenset((("arrived", id(entry), number),)))
+        return Mark(0, roots) if entry.event != "goal" else Mark(mask, roots)
+    if isinstance(value, Ref) or entry.event in ("service", "execute"):
+        return Mark(0, roots)
+    return Mark(walker.given.get(entry, 0), roots)
+
+
+def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
+    """The events in which a callback runs."""
+    registered = walker.watch.entries.get(entry)
+    kind = _EVENTS.get(entry.event)
+    if kind is not None and registered is not None:
+        found = False
+        for receiver in registered.receivers:
+            source = walker.shape.entity(receiver, kind[0])
+            if source is not None:
+                found = True
+                yield source
+        if found:
+            return
+        for turn, effect in registered.by.effects:
+            if isinstance(effect, EntityEffect) and effect.kind == kind[1] and turn == registered.turn:
+                found = True
+                yield Source(kind[0], node=effect.address, given=effect.name)
+        if found:
+            return
+    if entry.event == "future":
+        yield from _answers(walker, entry)
+        return
+    yield Source(_PLAIN.get(entry.event, "thread"))
+
+
+def _answers(walker: Walker, entry: Scheduled) -> Iterator[Source]:
+    """What a future waits for: the answers in it."""
+    mask = 0
+    for value in entry.args or ():
+        mask |= walker.memory.deep(Mark(0, frozenset(refs_of(value))))
+    for source in walker.sources.apart(mask)[0]:
+        if source.kind in ("response", "result"):
+            yield source
+
+
+def _node(walker: Walker, entry: Scheduled) -> int | None:
+    """The node on whose behalf a callback runs."""
+    registered = walker.watch.entries.get(entry)
+    for receiver in registered.receivers if registered is not None else ():
+        if receiver in walker.shape.nodes:
+            return receiver
+    for address in refs_of(getattr(entry.callback, "receiver", entry.callback)):
+        if address in walker.shape.nodes:
+            return address
+    return _only(walker)

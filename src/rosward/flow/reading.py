@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is read: the elements of a value, the key of a slot, the sources that the interpretation names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.unknown import Cause
+from rosward.flow.marks import NOTHING, Mark, Root, Source
+
+if TYPE_CHECKING:
+    from rosward.domain.unknown import Reason
+    from rosward.engine.seen import Seen
+    from rosward.flow.walker import Walker
+
+
+def opaque(mark: Mark) -> frozenset[tuple[object, ...]]:
+    """The objects of a mark that have no address."""
+    return frozenset(r for r in mark.roots if not isinstance(r, int))
+
+
+def owners_of(mark: Mark) -> frozenset[Root]:
+    """The objects of a library that a method belongs to."""
+    found: set[Root] = set()
+    for root in mark.roots:
+        if not isinstance(root, int) and root[0] == "of":
+            owner = root[1]
+            assert isinstance(owner, (int, tuple))
+            found.add(owner)
+    return frozenset(found)
+
+
+def elements(walker: Walker, mark: Mark) -> Mark:
+    """What iterating over a value gives."""
+    found = NOTHING
+    for root in mark.roots:
+        if not isinstance(root, int) and root[0] == "generator":
+            found = found.joined(run(walker, root, mark.mask))
+    found = found.joined(walker.memory.read_all(mark.roots))
+    if any(not isinstance(r, int) for r in mark.roots):
+        found = found.joined(Mark(0, frozenset(r for r in mark.roots if not isinstance(r, int) and r[0] != "tuple")))
+    return found.under(mark.mask)
+
+
+def run(walker: Walker, root: Root, pc: int) -> Mark:
+    """Run a generator or coroutine: what it yields and returns."""
+    result = NOTHING
+    assert not isinstance(root, int)
+    for activation in walker.watch.bodies.get(str(root[1]), ())[:1]:
+        result = walker.advance(activation, pc | walker.bodies[-1].pc)
+    return result
+
+
+_DEEPEST: Final = 3
+
+
+def part_of(root: Root, name: str) -> Root:
+    """An attribute of something that has no address: of what is named, or arrives, it is told apart; else it is a part of the whole."""
+    depth, inner = 0, root
+    while not isinstance(inner, int) and inner[0] == "of":
+        if inner[2] == name:  # a list of lists, or the like: all of them are one
+            return inner
+        depth, inner = depth + 1, inner[1]  # type: ignore[assignment]  # a root
+    if depth >= _DEEPEST or isinstance(inner, int):
+        return root
+    return ("of", root, name) if inner[0] == "arrived" or (inner[0] == "made" and inner[3]) else root
+
+
+def narrowed(walker: Walker, mask: int) -> int:
+    """In a branch that is about one parameter, the value of any that is set is the value of that one."""
+    if not walker.narrowed:
+        return mask
+    anything = walker.sources.data(Source(_PARAMETER, "*"))
+    if not mask & anything:
+        return mask
+    mask &= ~anything
+    for name in walker.narrowed:
+        mask |= walker.sources.data(Source(_PARAMETER, name))
+    return mask
+
+
+def constant(seen: Seen, register: int) -> object:
+    """The key that a register surely holds in an operation; None where that is not known, or counts from the end."""
+    found = seen.constant(register)
+    return None if isinstance(found, int) and found < 0 else found
+
+
+_OF_CAUSES: Final = {
+    Cause.PARAMETER: "parameter",
+    Cause.ARGUMENT: "argv",
+    Cause.ENVIRONMENT: "env",
+    Cause.SET: "env",
+    Cause.FILE: "file",
+}
+_OF_ORIGINS: Final = {"parameter": "parameter", "argument": "argv", "environment variable": "env"}
+_PARAMETER: Final = "parameter"
+
+
+def arising(walker: Walker, seen: Seen, *, read: bool = False) -> int:
+    """The sources outside of the program that the interpretation says a value comes from; `read`: it is read from something else."""
+    mask = 0
+    for origin in seen.origins:
+        kind = _OF_ORIGINS.get(origin.kind)
+        if kind is not None:
+            mask |= walker.sources.data(Source(kind, origin.name if kind == _PARAMETER else ""))
+    for reason in seen.reasons:
+        kind = _OF_CAUSES.get(reason.cause)
+        if (kind == "file" and read) or reason.subject in _OF_NO_VALUE:
+            continue
+        if kind == _PARAMETER:
+            mask |= walker.sources.data(Source(kind, _parameter(reason.subject)))
+        elif kind is None:
+            kind = _outside(reason)
+        if kind is not None and kind != _PARAMETER:
+            mask |= walker.sources.data(Source(kind))
+    return mask
+
+
+def _outside(reason: Reason) -> str | None:
+    """What comes in at run time, by what the reason says of it."""
+    if reason.cause is Cause.RANDOM:
+        return "clock" if reason.subject.startswith(("time.", "datetime.")) else "random"
+    if reason.cause is Cause.INPUT:
+        return "process" if reason.subject.startswith(("output", "exit", "subprocess")) else "stdin"
+    return None
+
+
+_OF_NO_VALUE: Final = frozenset({"set when it runs", "name, set when it runs"})
+"""Which parameters are set is no content of one."""
+
+
+def _parameter(subject: str) -> str:
+    """The name of a parameter in a reason; '*' where it is not one."""
+    return subject if subject and " " not in subject and "," not in subject else "*"

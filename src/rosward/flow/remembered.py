@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is remembered of a walk through a body: what it read, and what it left, so that the same call need not be walked through again.
+
+for turn in any number:           the second turn finds in `handle` what the first one found, reads the same, writes the same
+    self.handle(message)
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+if TYPE_CHECKING:
+    from rosward.flow.content import Content, Layer
+    from rosward.flow.marks import Mark, Root
+
+MOST: Final = 6
+"""So many calls of one activation are remembered, the last ones."""
+
+
+@final
+class Tracker:
+    """What a walk reads and writes. `open`: it depends on more than that, so that it can't be remembered."""
+
+    __slots__ = ("open", "placed", "reads", "writes")
+
+    def __init__(self) -> None:
+        self.reads: Layer = {}
+        self.writes: set[Root] = set()
+        self.placed: set[int] = set()
+        self.open = False
+
+    def read(self, root: Root, content: Content) -> None:
+        """Content was read, as it stands where the walk began unless the walk itself has written it."""
+        if root not in self.writes:
+            self.reads.setdefault(root, content)
+
+    def absorb(self, inner: Tracker) -> None:
+        """What a body inside read and wrote."""
+        for root, content in inner.reads.items():
+            self.read(root, content)
+        self.writes |= inner.writes
+        self.placed |= inner.placed
+        self.open = self.open or inner.open
+
+
+class Remembered(NamedTuple):
+    """One walk: what it found, and what it left. `raising` is what may have failed in it."""
+
+    given: tuple[object, ...]
+    tracker: Tracker
+    writes: Layer
+    result: Mark
+    raising: int

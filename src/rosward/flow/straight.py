@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Straight operations: what is computed depends on all that it is computed from; what is read, on what stands there.
+
+x = a + b        a and b
+x = self.last    what was written to `last` of this object, and which object it is
+self.last = x    x, and what decides that control is here
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.flow.body import Body
+from rosward.flow.calls import call, run_callees
+from rosward.flow.content import Content
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
+from rosward.ir import ops
+from rosward.ir.check import reads, writes
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.walker import Walker
+
+_NO_ROOTS: Final[frozenset[Root]] = frozenset()
+
+
+def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
+    """Any operation of which nothing else is known: what it writes depends on all that it reads."""
+    mask = body.pc
+    for register in reads(op):
+        mask |= walker.memory.deep(body.registers[register])
+    given = run_callees(walker, op, body, seen)
+    if given is not None:
+        mask |= given.mask
+    for register in writes(op):
+        body.registers[register] = Mark(mask, frozenset(seen.refs) if seen.refs else _NO_ROOTS)
+
+
+def _const(_walker: Walker, op: ops.Const, body: Body, _seen: Seen) -> None:
+    body.registers[op.dst] = Mark(body.pc)
+
+
+def _move(_walker: Walker, op: ops.Move, body: Body, _seen: Seen) -> None:
+    body.registers[op.dst] = body.registers[op.src].under(body.pc)
+
+
+def _assume(_walker: Walker, op: ops.Assume, body: Body, _seen: Seen) -> None:
+    body.registers[op.dst] = body.registers[op.src].under(body.pc)
+
+
+def _load_cell(walker: Walker, op: ops.LoadCell, body: Body, seen: Seen) -> None:
+    found = walker.memory.read(seen.cells, "value")
+    body.registers[op.dst] = Mark(found.mask | body.pc, frozenset(seen.refs) | opaque(found))
+
+
+def _store_cell(walker: Walker, op: ops.StoreCell, body: Body, seen: Seen) -> None:
+    walker.memory.write(frozenset(seen.cells), "value", body.registers[op.src].under(body.pc))
+
+
+def _load_global(walker: Walker, op: ops.LoadGlobal, body: Body, seen: Seen) -> None:
+    found = walker.memory.read((body.activation.module,), op.name)
+    named = external(walker, seen)
+    body.registers[op.dst] = Mark(found.mask | body.pc, frozenset(seen.refs) | opaque(found) | named)
+
+
+def _store_global(walker: Walker, op: ops.StoreGlobal, body: Body, _seen: Seen) -> None:
+    if not op.narrowing:
+        walker.memory.write(frozenset((body.activation.module,)), op.name, body.registers[op.src].under(body.pc))
+
+
+def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
+    """Something of a library, by its dotted name."""
+    return frozenset(("external", name) for name in seen.externals)
+
+
+def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
+    owner = body.registers[op.obj]
+    memory, shape = walker.memory, walker.shape
+    given = run_callees(walker, op, body, seen)
+    mask, roots = owner.mask | body.pc, set[Root](seen.refs)
+    for root in owner.roots:
+        content = memory.of(root)
+        found = content.read(op.name)
+        if op.name not in content.slots and any(shape.inner.get(r) == (root, op.name) for r in seen.refs):
+            found = content.any  # which part of a message it is, the message does not say
+        if isinstance(root, int):
+            for cls in shape.classes(root):
+                found = found.joined(memory.of(cls).read(op.name))
+        elif root[0] == "external":
+            found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))
+        else:
+            found = Mark(found.mask, found.roots | {part_of(root, op.name)})
+        mask |= found.mask
+        roots |= opaque(found)
+    if given is not None:
+        mask, roots = mask | given.mask, roots | opaque(given)
+    mask = narrowed(walker, mask | arising(walker, seen, read=True))
+    body.registers[op.dst] = Mark(mask, frozenset(roots) | external(walker, seen))
+
+
+def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
+    """A comparison; of a name, what it says of a parameter that is set is kept for the branch."""
+    plain(walker, op, body, seen)
+    names = [n for r in (op.left, op.right) if isinstance(n := seen.constant(r), str)]
+    body.tests[op.dst] = names[0] if op.operator == "==" and len(names) == 1 else ""
+
+
+def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> None:
+    if op.narrowing:
+        return
+    owner, value = body.registers[op.obj], body.registers[op.src]
+    run_callees(walker, op, body, seen)
+    if not seen.callees:
+        walker.memory.write(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
+
+
+def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None:
+    owner, index = body.registers[op.obj], body.registers[op.index]
+    given = run_callees(walker, op, body, seen)
+    key = constant(seen, op.index)
+    found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
+    roots = frozenset(seen.refs) | opaque(found)
+    roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
+    mask = owner.mask | index.mask | found.mask | body.pc
+    if given is not None:
+        mask, roots = mask | given.mask, roots | opaque(given)
+    body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
+
+
+def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> None:
+    if op.narrowing:
+        return
+    owner, index, value = (body.registers[r] for r in (op.obj, op.index, op.src))
+    run_callees(walker, op, body, seen)
+    written = value.under(body.pc | demoted(owner.mask) | index.mask)
+    key = constant(seen, op.index)
+    if key is None:
+        walker.memory.write_any(owner.roots, written, index.mask | body.pc)
+    else:
+        walker.memory.write(owner.roots, key, written)
+        walker.memory.write_any(owner.roots, NOTHING, body.pc)
+
+
+def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
+    root: Root = ("tuple", id(body.activation), op.number)
+    places: list[Root] = [*seen.refs] if op.kind != "tuple" else [root]
+    size, slots, rest = body.pc, dict[object, Mark](), NOTHING
+    pending: int | None = None
+    for number, (starred, register) in enumerate(op.items):
+        mark = body.registers[register].under(body.pc)
+        if starred:
+            rest = rest.joined(elements(walker, mark))
+            size |= walker.memory.size(mark.roots)
+        elif op.kind == "dict":
+            if pending is None:
+                pending = register
+                continue
+            key = constant(seen, pending)
+            mark = mark.under(body.registers[pending].mask)
+            if key is None:
+                rest, size = rest.joined(mark), size | mark.mask
+            else:
+                slots[key] = mark if key not in slots else slots[key].joined(mark)
+            pending = None
+        elif op.kind == "set" or any(s for s, _ in op.items):
+            rest = rest.joined(mark)
+        else:
+            slots[number] = mark
+    content = Content(0, rest, size, slots)
+    if op.kind != "tuple" and len(places) != 1:
+        for place in places:
+            walker.memory.write_any([place], content.whole, size)
+    else:
+        for place in places:
+            walker.memory.place(place, content)
+    roots = frozenset(places) | (frozenset(seen.refs) if op.kind == "tuple" else _NO_ROOTS)
+    body.registers[op.dst] = Mark(body.pc, roots)
+
+
+def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
+    source = body.registers[op.src]
+    given = run_callees(walker, op, body, seen)
+    for number, register in enumerate(op.dsts):
+        if op.star == ops.NO_REGISTER or number < op.star:
+            found = walker.memory.read(source.roots, number)
+        else:
+            found = walker.memory.read_all(source.roots)
+        if given is not None:
+            found = found.joined(given)
+        roots = opaque(found) | frozenset(seen.parts.get(number, seen.refs))
+        roots |= frozenset(r for r in source.roots if not isinstance(r, int) and r[0] != "tuple")
+        body.registers[register] = Mark(found.mask | source.mask | body.pc, roots)
+
+
+def _make_function(_walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen) -> None:
+    mask = body.pc
+    for register in reads(op):
+        mask |= body.registers[register].mask
+    body.registers[op.dst] = Mark(mask)
+
+
+def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
+    value = body.registers[op.src].under(body.pc)
+    if op.many:
+        value = elements(walker, value).under(body.pc)
+        given = run_callees(walker, op, body, seen)
+        value = value if given is None else value.joined(given)
+    generator: Root = ("generator", body.activation.code.key)
+    walker.memory.write_any([generator], value)
+    sent = walker.memory.of(("sent", body.activation.code.key)).any
+    body.registers[op.dst] = sent.under(body.pc)
+
+
+def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
+    given = run_callees(walker, op, body, seen)
+    awaited = body.registers[op.src]
+    for root in awaited.roots:
+        if not isinstance(root, int) and root[0] == "generator":
+            found = run(walker, root, awaited.mask)
+            given = found if given is None else given.joined(found)
+    if given is None:
+        given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
+    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, frozenset(seen.refs) | opaque(given))
+
+
+def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> None:
+    registers = [body.registers[r] for r in op.arguments]
+    if op.name in ("append", "set_add"):
+        walker.memory.write_any(registers[0].roots, registers[1].under(body.pc), body.pc)
+    elif op.name == "dict_set":
+        walker.memory.write_any(
+            registers[0].roots, registers[2].under(body.pc | registers[1].mask), body.pc | registers[1].mask
+        )
+    elif op.name == "getattr":
+        found = walker.memory.read_all(registers[0].roots)
+        body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, frozenset(seen.refs) | opaque(found))
+        return
+    elif op.name in ("isinstance", "hasattr", "is_sequence", "is_mapping", "length_is", "length_at_least"):
+        mask = body.pc | registers[0].mask | walker.memory.size(registers[0].roots)
+        body.registers[op.dst] = Mark(mask)
+        return
+    plain(walker, op, body, seen)
+
+
+TABLE: Final[dict[type[ops.Op], Any]] = {
+    ops.Const: _const,
+    ops.Move: _move,
+    ops.Assume: _assume,
+    ops.LoadCell: _load_cell,
+    ops.StoreCell: _store_cell,
+    ops.LoadGlobal: _load_global,
+    ops.StoreGlobal: _store_global,
+    ops.LoadAttr: _load_attr,
+    ops.StoreAttr: _store_attr,
+    ops.Compare: _compare,
+    ops.LoadItem: _load_item,
+    ops.StoreItem: _store_item,
+    ops.Build: _build,
+    ops.Unpack: _unpack,
+    ops.MakeFunction: _make_function,
+    ops.Yield: _yield,
+    ops.Await: _await,
+    ops.Intrinsic: _intrinsic,
+    ops.Call: call,
+}

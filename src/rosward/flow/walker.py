@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The walk through the code of a process: the second component of its interpretation, over what the first has seen.
+
+Which operations run, what objects an attribute leads to, whom a call reaches: all that is known (`engine/seen.py`). What is new is what each
+value depends on. Straight operations are in `straight.py`, calls in `calls.py`, blocks in `blocks.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Final, final
+
+from rosward.domain.compound import BoundMethod, Native
+from rosward.domain.values import Class, Function, Value
+from rosward.engine.seen import Activation, Seen
+from rosward.flow.body import Attempt, Body, Point, TooLongError
+from rosward.flow.marks import NOTHING, Mark, Root, Source, Sources, demoted
+from rosward.flow.memory import Memory
+from rosward.flow.remembered import MOST, Remembered, Tracker
+from rosward.flow.sinks import Sinks
+from rosward.ir import ops
+from rosward.ir.check import reads
+
+if TYPE_CHECKING:
+    from rosward.engine.scheduled import Scheduled
+    from rosward.engine.watch import Watch
+    from rosward.flow.shape import Shape
+
+Handler = Callable[["Walker", Any, Body, Seen], "bool | None"]
+"""What an operation does to what is known: False where control does not go on behind it."""
+
+STRUCTURED: Final = (
+    ops.If,
+    ops.While,
+    ops.ForEach,
+    ops.Try,
+    ops.With,
+    ops.Return,
+    ops.Break,
+    ops.Continue,
+    ops.Raise,
+    ops.Yield,
+)
+
+
+@final
+class Walker:
+    """Walks through one process. `memory` is where it is; `beside`: what all callbacks may have written."""
+
+    def __init__(self, watch: Watch, shape: Shape, table: Mapping[type[ops.Op], Handler], most: int) -> None:
+        self.watch = watch
+        self.shape = shape
+        self.table = table
+        self.sources = Sources()
+        self.sinks = Sinks()
+        self.memory = Memory(shape)
+        self.beside = Memory(shape)
+        self.bodies: list[Body] = []
+        self.attempts: list[Attempt] = []
+        self.results: dict[Activation, Mark] = {}
+        self.arguments: dict[Activation, list[Mark]] = {}
+        self.registered: dict[Scheduled, int] = {}  # what decides that a callback is registered
+        self.given: dict[Scheduled, int] = {}  # what its arguments depend on
+        self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
+        self.node: int | None = None  # on whose behalf
+        self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
+        self.changed = False
+        self.threaded = False  # whether something runs beside this
+        self.steps = 0
+        self.narrowed: list[str] = []  # the names of parameters that the branches around are about
+        self._most = most
+        self._beside = 0  # how often `beside` became more
+        self._remembered: dict[Activation, list[Remembered]] = {}
+        self._bodies: dict[Seen, dict[str, list[Activation]]] = {}
+        self._generators: dict[str, Activation] = {}
+
+    def run(self, block: ops.Block, body: Body) -> bool:
+        """Walk through a block; False where control does not come out at its end."""
+        table, seen = self.table, body.activation.seen
+        for op in block:
+            known = seen.get(op.number)
+            if known is None:
+                return False
+            self.steps += 1
+            body.at = op
+            if self.steps > self._most:
+                raise TooLongError
+            if self.attempts:
+                self._attempted(op, body, known)
+            if table[op.__class__](self, op, body, known) is False:
+                return False
+            if not known.alive and op.__class__ not in STRUCTURED:
+                return False
+            if self.attempts:
+                self._may_fail()
+        return True
+
+    def _attempted(self, op: ops.Op, body: Body, seen: Seen) -> None:
+        """An operation that may fail decides whether what follows in the `try` runs."""
+        attempt = self.attempts[-1]
+        if may_fail(op, seen):
+            for register in reads(op):
+                attempt.mask |= self.memory.deep(body.registers[register])
+        if attempt.handles:
+            attempt.body.pc |= demoted(attempt.mask)
+
+    def _may_fail(self) -> None:
+        """What has been written so far is what a handler may find."""
+        attempt = self.attempts[-1]
+        if attempt.body is self.bodies[-1]:
+            known = attempt.point.registers
+            for number in range(len(attempt.body.activation.code.variables)):
+                known[number] = known[number].joined(attempt.body.registers[number])
+
+    def bodies_of(self, seen: Seen) -> dict[str, list[Activation]]:
+        """The bodies that an operation runs, by their keys. Of many activations of one, all that was seen of it is taken together."""
+        found = self._bodies.get(seen)
+        if found is None:
+            found = {}
+            further = (a for key in seen.summaries for a in self.watch.activations.get(key, ()))
+            for activation in dict.fromkeys((*seen.callees, *further)):
+                found.setdefault(activation.code.key, []).append(activation)
+            for key, several in found.items():
+                if len(several) > _FEW:
+                    found[key] = [_merged(several)]
+            self._bodies[seen] = found
+        return found
+
+    def interleave(self) -> None:
+        """Another thread may have run: what callbacks write may stand here."""
+        if self.threaded:
+            self.join_beside()
+
+    def join_beside(self) -> None:
+        """Callbacks run here: all that they may have written may stand here."""
+        self.memory.join(self.beside)
+
+    def leave(self) -> None:
+        """What runs has come to its end: others may find what it wrote."""
+        if self.beside.join(self.memory):
+            self.changed = True
+            self._beside += 1
+
+    def source_here(self, kind: str) -> Source:
+        """What arrives here, of that kind: at the object of whose method this runs."""
+        for body in reversed(self.bodies):
+            receivers = body.registers[0].roots if body.registers else ()
+            for root in receivers:
+                found = self.shape.entity(root, kind)
+                if found is not None:
+                    return found
+        return Source(kind)
+
+    def point(self, body: Body) -> Point:
+        """Where control is, to come back to."""
+        return Point(body.registers.copy(), self.memory.copy())
+
+    def go(self, body: Body, point: Point) -> None:
+        """Go on from a point (which is used up)."""
+        body.registers = point.registers
+        self.memory = point.memory
+
+    def enter(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
+        """Walk through a body: what it returns. One that is running already returns what it is known to, so far."""
+        known = self.arguments.get(activation)
+        if known is None:
+            known = self.arguments[activation] = list(arguments)
+        else:
+            for number, mark in enumerate(arguments):
+                if number == len(known):
+                    known.append(mark)
+                both = known[number].joined(mark)
+                if both is not known[number]:
+                    known[number] = both
+                    self.changed = True
+        if any(b.activation is activation for b in self.bodies):
+            if self.shape.tracker is not None:
+                self.shape.tracker.open = True
+            return self.results.get(activation, NOTHING)
+        given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts), self._beside)
+        earlier = self._remembered.setdefault(activation, [])
+        outer = self.shape.tracker
+        for each in earlier:
+            if each.given == given and self.memory.finds(each.tracker.reads):
+                self.memory.replay(each.writes, each.tracker.placed)
+                if self.attempts:
+                    self.attempts[-1].mask |= each.raising
+                if outer is not None:
+                    outer.absorb(each.tracker)
+                return each.result
+        tracker = self.shape.tracker = Tracker()
+        before = self.attempts[-1].mask if self.attempts else 0
+        if self.attempts:
+            self.attempts[-1].mask = 0
+        try:
+            result = self._walk(activation, arguments, pc)
+        finally:
+            self.shape.tracker = outer
+            if outer is not None:
+                outer.absorb(tracker)
+        raising = self.attempts[-1].mask if self.attempts else 0
+        if self.attempts:
+            self.attempts[-1].mask |= before
+        if not tracker.open:
+            writes = {root: content for root in tracker.writes if (content := self.memory.known(root)) is not None}
+            del earlier[MOST - 1 :]
+            earlier.insert(0, Remembered(given, tracker, writes, result, raising))
+        return result
+
+    def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
+        """Through a body."""
+        known = self.arguments[activation]
+        code = activation.code
+        recursive = activation in self.results and len(self.bodies) > _DEEP
+        given = known if recursive else arguments
+        body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
+        self.bodies.append(body)
+        try:
+            alive = self.run(code.ops, body)
+        finally:
+            self.bodies.pop()
+        if body.returned is not None:
+            if alive:
+                body.returned.join(self.memory)
+            self.memory = body.returned
+        old = self.results.get(activation)
+        new = body.result if old is None else old.joined(body.result)
+        if new is not old:
+            self.results[activation] = new
+            self.changed = True
+        return body.result
+
+    def advance(self, activation: Activation, pc: int) -> Mark:
+        """Run a generator or coroutine with what it was made with: what it yields and returns."""
+        key = activation.code.key
+        activation = self._whole(key, activation)
+        arguments = self.memory.of(("arguments", key))
+        count = len(activation.code.parameters.names)
+        returned = self.enter(activation, [arguments.read(n) for n in range(count)], pc)
+        if not activation.code.is_generator:
+            return returned
+        return self.memory.of(("generator", key)).any.under(pc).joined(returned)
+
+    def _whole(self, key: str, activation: Activation) -> Activation:
+        """All that was seen of a generator: each time it goes on, another part of it runs."""
+        found = self._generators.get(key)
+        if found is None:
+            found = self._generators[key] = _merged(self.watch.bodies.get(key, [activation]))
+        return found
+
+
+def _merged(several: list[Activation]) -> Activation:
+    """All that was seen of one body."""
+    first = several[0]
+    found = Activation(first.code, -1, first.cells, first.module)
+    for each in several:
+        for number, seen in each.seen.items():
+            found.of(number).absorb(seen)
+    return found
+
+
+def may_fail(op: ops.Op, seen: Seen) -> bool:
+    """Whether an operation may raise an exception because of what it works on; a function of the program says so itself."""
+    if isinstance(op, ops.Call):
+        return any(not isinstance(f, (Function, Class)) and not _is_safe(f) for f in seen.functions)
+    return isinstance(op, (ops.LoadItem, ops.Binary, ops.Unpack, ops.StoreItem, ops.ForEach, ops.Format))
+
+
+def _is_safe(function: Value) -> bool:
+    """Whether a call surely raises nothing because of its arguments, or is one of the program."""
+    if isinstance(function, BoundMethod):
+        return isinstance(function.function, Function) or function.function in _SAFE
+    return function in _SAFE
+
+
+_SAFE: Final = frozenset(
+    Native(name)
+    for name in (
+        *("list.append", "list.extend", "list.clear", "dict.get", "dict.items", "dict.keys", "dict.values", "set.add"),
+        *("builtins.len", "builtins.str", "builtins.isinstance", "builtins.print", "builtins.list", "builtins.repr"),
+    )
+)
+
+_FEW: Final = 8
+"""So many activations of a body are walked through one by one for one operation."""
+_DEEP: Final = 40
+"""So many calls deep the arguments of all calls are taken together."""
