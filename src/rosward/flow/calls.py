@@ -166,13 +166,13 @@ def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]
     for name in parameters.positional[len(marks) :]:
         marks.append(named.get(name, default).joined(unnamed))
     if parameters.vararg is not None:
-        root: Root = ("tuple", called.function.code.key, "*", op.number, id(body.activation))
+        root: Root = walker.shape.made(body.activation, op.number, "*", "tuple")
         slots: dict[object, Mark] = dict(enumerate(given[count:]))
         walker.memory.place(root, Content(0, unnamed, body.pc, slots))
         marks.append(Mark(body.pc, frozenset((root,))))
     marks += [named.get(name, default).joined(unnamed) for name in parameters.kwonly]
     if parameters.kwarg is not None:
-        root = ("tuple", called.function.code.key, "**", op.number, id(body.activation))
+        root = walker.shape.made(body.activation, op.number, "**", "tuple")
         further: dict[object, Mark] = {n: m for n, m in named.items() if n not in parameters.names}
         walker.memory.place(root, Content(0, unnamed, body.pc, dict(further)))
         marks.append(Mark(body.pc, frozenset((root,))))

@@ -143,7 +143,7 @@ def _all_elements(call: NativeCall) -> Mark:
         size |= mark.mask | memory.size(mark.roots)
     pairs = _PAIRS.get(call.name.rpartition(".")[2])
     if pairs is not None:
-        pair: Root = ("tuple", id(call.body.activation), call.op.number, "pair")
+        pair: Root = call.walker.shape.made(call.body.activation, call.op.number, "pair", "tuple")
         content = pairs(call, size)
         memory.place(pair, content)
         return call.new(Content(0, Mark(call.pc, frozenset((pair,)) | content.whole.roots), size))

@@ -107,7 +107,7 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
     given = 0
     for name in names:
         given |= perform(walker, name, mask, body.pc)
-    root: Root = ("made", id(body.activation), op.number, names[0] if names else "")
+    root = walker.shape.made(body.activation, op.number, names[0] if names else "")
     walker.memory.renew(root)
     if names and all(is_pure(n) for n in names):
         return Mark(mask | given, frozenset((root,)))
@@ -116,8 +116,6 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         reached.update(walker.memory.reached(mark))
     walker.memory.write_any(reached, Mark(mask), mask)
     behind = frozenset[Root]().union(*(m.roots for m in everything))
-    if len(behind) <= _FEW:
-        return Mark(mask | given, behind | {root})
-    walker.shape.aliases[root] = walker.shape.aliases.get(root, frozenset()) | behind - {root}
-    walker.memory.write_any([root], Mark(mask, behind - {root}))
-    return Mark(mask | given, frozenset((root,)))
+    if len(behind) > _FEW:
+        walker.shape.melt(behind)
+    return Mark(mask | given, behind | {root})

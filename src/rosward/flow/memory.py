@@ -15,7 +15,7 @@ from typing import Final, final
 
 from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, both
 from rosward.flow.marks import NOTHING, Mark, Root
-from rosward.flow.shape import Shape
+from rosward.flow.shape import MELTED, Shape
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to."""
@@ -166,7 +166,7 @@ class Memory:
     def write(self, roots: frozenset[Root], key: object, mark: Mark) -> None:
         """Something is written under a key: in the place of what stood there, where it is surely one object."""
         sure = self.is_one(roots)
-        for root in self._with_aliases(roots):
+        for root in roots:
             content = self._opened(root)
             old = content.slots.get(key)
             new = mark if sure else mark.joined(content.read(key) if old is None else old)
@@ -175,7 +175,7 @@ class Memory:
 
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
-        for root in self._with_aliases(roots):
+        for root in roots:
             content = self._opened(root)
             new = content._replace(any=content.any.joined(mark), size=content.size | size)
             if new != content:
@@ -183,7 +183,7 @@ class Memory:
 
     def renew(self, root: Root) -> None:
         """The result of a call stands here anew: what was written to the one before is gone, unless something still holds it."""
-        if self.known(root) is not None and not self._is_held(root):
+        if root != MELTED and self.known(root) is not None and not self._is_held(root):
             self._put(root, EMPTY)
 
     def _is_held(self, root: Root) -> bool:
@@ -196,20 +196,6 @@ class Memory:
                     return True
         return False
 
-    def _with_aliases(self, roots: Iterable[Root]) -> Iterable[Root]:
-        """The objects, and those that they may be views of."""
-        aliases = self.shape.aliases
-        if not aliases or not any(r in aliases for r in roots):
-            return roots
-        found: dict[Root, None] = {}
-        work = list(roots)
-        while work:
-            root = work.pop()
-            if root not in found:
-                found[root] = None
-                work += aliases.get(root, ())
-        return found
-
     def collapse(self, roots: Iterable[Root]) -> None:
         """Elements change their places."""
         for root in roots:
@@ -219,6 +205,9 @@ class Memory:
 
     def place(self, root: Root, content: Content) -> None:
         """A new object stands here; beside an older one, where there may be several."""
+        if root == MELTED:
+            self.write_any([root], content.whole, content.size)
+            return
         shape = self.shape
         old = self.known(root)
         if isinstance(root, int):
@@ -263,6 +252,7 @@ class Memory:
                 mask |= each.mask
                 work += [r for r in each.roots if r not in self.shape.nodes]
             work += self.shape.held(root)
+        self.shape.spent += len(seen)
         return mask
 
     def reached(self, mark: Mark) -> Iterator[Root]:

@@ -52,13 +52,16 @@ class NativeCall:
 
     def new(self, content: Content) -> Mark:
         """A new object with this content."""
-        fresh: list[Root] = [*self.seen.refs] or [("made", id(self.body.activation), self.op.number, "")]
+        fresh: list[Root] = [*self.seen.refs] or [self._made()]
         held = content.whole.roots
         places = [p for p in fresh if p not in held and not any(p in m.roots for m in self.marks)]
         if not places:
-            places = [("made", id(self.body.activation), self.op.number, "")]
+            places = [self._made()]
         if len(places) == 1:
             self.walker.memory.place(places[0], content)
         else:
             self.walker.memory.write_any(places, content.whole, content.size)
         return Mark(self.pc, frozenset(places))
+
+    def _made(self) -> Root:
+        return self.walker.shape.made(self.body.activation, self.op.number)

@@ -79,7 +79,8 @@ def _native(call: NativeCall) -> Mark:
     if done is not None:
         return done(call).under(given)
     return Mark(
-        mask | given, frozenset(("made", id(call.body.activation), call.op.number, r) for r in (_kept(name),) if r)
+        mask | given,
+        frozenset(call.walker.shape.made(call.body.activation, call.op.number, r) for r in (_kept(name),) if r),
     )
 
 

@@ -21,7 +21,7 @@ from rosward.flow.content import Content
 from rosward.flow.flows import Flow, ProcessFlows
 from rosward.flow.marks import Mark, Source, demoted, triggering
 from rosward.flow.memory import Memory
-from rosward.flow.shape import Shape
+from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 _ROUNDS: Final = 40
 _STEPS_EACH: Final = 8
 """The walk may take so many times the steps of the interpretation."""
-_LEAST: Final = 2_000_000
+_LEAST: Final = 400_000
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),
@@ -62,10 +62,15 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
     walker = Walker(watch, Shape(machine), table, most)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
-    try:
-        complete = _settle(walker, machine) and complete
-    except TooLongError:
-        complete = False
+    while True:
+        try:
+            complete = _settle(walker, machine) and complete
+        except MeltedError:
+            walker = Walker(watch, walker.shape.afresh(), table, most)
+            continue
+        except TooLongError:
+            complete = False
+        break
     if not complete:
         for sink in walker.sinks.masks:
             walker.sinks.masks[sink] |= walker.sources.all

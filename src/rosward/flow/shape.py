@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
 from rosward.domain.compound import External
 from rosward.domain.values import NONE, Class
-from rosward.engine.seen import refs_of
+from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root, Source
 from rosward.flow.remembered import Tracker
 
@@ -29,6 +29,14 @@ _NAMES: Final = {
 """The attributes in which the models of the client library keep the name of an entity."""
 
 
+class MeltedError(Exception):
+    """Fewer objects are told apart than before."""
+
+
+MELTED: Final[Root] = ("melted",)
+"""What stands for all objects that may be views of too many others."""
+
+
 @final
 class Shape:
     """Which objects there are several of, which are nodes, and what each holds at the end.
@@ -36,12 +44,13 @@ class Shape:
     `inner`: the objects that belong to an attribute of another one (the header of a message), with that one and the name.
     """
 
-    def __init__(self, machine: Interpreter) -> None:
+    def __init__(self, machine: Interpreter, melted: frozenset[tuple[str, int]] = frozenset(), spent: int = 0) -> None:
         self._machine = machine
+        self._melted = melted  # the operations whose results are not told apart
+        self.spent = spent  # operations and objects that were looked at
         self.inner: dict[int, tuple[int, str]] = machine.inner_objects()
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
         self.placed: set[int] = set()  # what was made since the callback that runs began
-        self.aliases: dict[object, frozenset[Root]] = {}  # what results of calls may be views of, where that is much
         self.tracker: Tracker | None = None  # of the body that is being walked through
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}
@@ -51,6 +60,30 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
+
+    def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
+        """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
+        return MELTED if (activation.code.key, number) in self._melted else (kind, activation, number, name)
+
+    def melt(self, roots: Iterable[Root]) -> None:
+        """So many objects may be views of one another that they are one from now on: the walk begins anew."""
+        sites = set()
+        for root in roots:
+            inner = root
+            while not isinstance(inner, int) and inner[0] == "of":
+                inner = inner[1]  # type: ignore[assignment]  # a root
+            if not isinstance(inner, int) and inner[0] in ("made", "tuple"):
+                activation, number = inner[1:3]
+                assert isinstance(activation, Activation)
+                assert isinstance(number, int)
+                sites.add((activation.code.key, number))
+        if len(sites) > 1:
+            self._melted |= sites
+            raise MeltedError
+
+    def afresh(self) -> Shape:
+        """The same, of which nothing was walked through."""
+        return Shape(self._machine, self._melted, self.spent)
 
     def record(self, address: int) -> Obj | None:
         """What stands at an address at the end."""

@@ -143,7 +143,7 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
 
 
 def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
-    root: Root = ("tuple", id(body.activation), op.number)
+    root: Root = walker.shape.made(body.activation, op.number, "", "tuple")
     places: list[Root] = [*seen.refs] if op.kind != "tuple" else [root]
     size, slots, rest = body.pc, dict[object, Mark](), NOTHING
     pending: int | None = None

@@ -66,7 +66,6 @@ class Walker:
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
         self.changed = False
         self.threaded = False  # whether something runs beside this
-        self.steps = 0
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self._most = most
         self._beside = 0  # how often `beside` became more
@@ -76,14 +75,14 @@ class Walker:
 
     def run(self, block: ops.Block, body: Body) -> bool:
         """Walk through a block; False where control does not come out at its end."""
-        table, seen = self.table, body.activation.seen
+        table, shape, seen = self.table, self.shape, body.activation.seen
         for op in block:
             known = seen.get(op.number)
             if known is None:
                 return False
-            self.steps += 1
+            shape.spent += 1
             body.at = op
-            if self.steps > self._most:
+            if shape.spent > self._most:
                 raise TooLongError
             if self.attempts:
                 self._attempted(op, body, known)
