@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What runs: the processes of a set of sources, and the interpretation of each.
 
+from rosward.effects.flows import ProcessFlows
 A process is a console script, a script with a `__main__` block, a file that does something when run, or a file with node classes that
 nothing instantiates. Each of those is instantiated with unknown arguments, and its nodes are assumed: nothing is known to make them.
 """
@@ -18,6 +19,7 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import UNBOUND, Class, Function, Hole, ModuleValue, Unknown, Value
 from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
+from rosward.effects.flows import ProcessFlows
 from rosward.effects.log import EffectLog, EntityEffect, NodeEffect
 from rosward.engine import assumed, handed
 from rosward.engine.arguments import ANY
@@ -29,7 +31,6 @@ from rosward.engine.reads import Reads
 from rosward.engine.shared import Shared
 from rosward.engine.watch import Watch
 from rosward.findings import Finding
-from rosward.flow.flows import ProcessFlows
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
@@ -56,7 +57,6 @@ class Run(NamedTuple):
     reached: frozenset[OpKey]
     asked: frozenset[tuple[str, str, str]] = frozenset()
     reads: Reads | None = None
-    flows: ProcessFlows | None = None
 
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
@@ -105,7 +105,7 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         log.findings.add(Finding("RW201", f"{limit.what}: some callbacks were not analysed", Place(entry.file)))
     except Exception as error:
         log.findings.add(_failed(entry, error, "some callbacks were not analysed", net=budget.net))
-    flows = None if watch is None else _flows(machine, watch, entry, net=budget.net)
+    log.flows = None if watch is None else _flows(machine, watch, entry, net=budget.net)
     log.leave_out(imported.nodes, imported.entities)
     return Run(
         entry,
@@ -115,7 +115,6 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         frozenset(machine.trace.instantiated),
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
-        flows=flows,
     )
 
 

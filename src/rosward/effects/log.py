@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.domain.state import State
     from rosward.effects.configuration import Configuration
+    from rosward.effects.flows import ProcessFlows
     from rosward.effects.launch_context import LaunchContext
     from rosward.ir.program import Code
 
@@ -129,6 +130,7 @@ class EffectLog:
         self.functions: dict[str, Code] = {}
         self.spun: dict[Place, str] = {}  # where something unknown is spun as a node, and why it is unknown
         self.ends: list[frozenset[tuple[object, ...]]] = []
+        self.flows: ProcessFlows | None = None  # where that was asked for
         self.remembered: dict[object, object] = {}  # what was computed of its configuration, for who asks again
         self._addresses: set[int] = set()
 

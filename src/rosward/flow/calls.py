@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
 from rosward.domain.values import Class, Const, Function, Value
+from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.seen import Activation, Called, Handed, Seen
@@ -22,7 +23,6 @@ from rosward.flow.body import Body
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising
-from rosward.flow.sinks import Sink
 from rosward.ir import ops
 from rosward.ir.check import reads
 

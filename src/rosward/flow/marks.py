@@ -5,6 +5,7 @@
     if msg.data > 3: out.data = 1  control: the content decides what is in it, or whether it is sent
     self.ready = True              trigger: only that the message arrived counts
 
+from rosward.effects.flows import Source
 Each source of a process has three bits, from strong to weak. A union is `|`; what decides a branch is demoted by a shift.
 """
 
@@ -12,7 +13,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple, final
 
-from rosward.domain.values import Value
+from rosward.effects.flows import Source
 
 _SOURCES: Final = 2048
 _DATA: Final = sum(1 << 3 * n for n in range(_SOURCES))
@@ -51,15 +52,6 @@ def demoted(mask: int) -> int:
 def triggering(mask: int) -> int:
     """What is left where only the arrival of these counts."""
     return (mask & _DATA) << 2 | (mask & _CONTROL) << 1 | mask & _TRIGGER
-
-
-class Source(NamedTuple):
-    """Where information comes from: a kind of `flow.json`, and what names it: a text, or the node and the name as the program has them."""
-
-    kind: str
-    name: str = ""
-    node: int | None = None
-    given: Value | None = None
 
 
 @final

@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rosward.flow.marks import Source
-from rosward.flow.sinks import Sink
+from rosward.effects.flows import Sink, Source
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

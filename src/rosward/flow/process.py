@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The flows of one process: its main body, then its callbacks in any order, until nothing changes.
 
+from rosward.effects.flows import Flow, ProcessFlows, Source
 What each sends is a sink, with the sources that it depends on. Where the walk, or the interpretation before it, reached a limit, a sink may
 hold every source.
 """
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Partial
 from rosward.domain.values import Function, Ref, Value
+from rosward.effects.flows import Flow, ProcessFlows, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
@@ -18,8 +20,7 @@ from rosward.flow import blocks, straight
 from rosward.flow.body import TooLongError
 from rosward.flow.calls import begin, send
 from rosward.flow.content import Content
-from rosward.flow.flows import Flow, ProcessFlows
-from rosward.flow.marks import Mark, Source, demoted, triggering
+from rosward.flow.marks import Mark, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker

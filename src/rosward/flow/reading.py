@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.unknown import Cause
-from rosward.flow.marks import NOTHING, Mark, Root, Source
+from rosward.effects.flows import Source
+from rosward.flow.marks import NOTHING, Mark, Root
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Reason

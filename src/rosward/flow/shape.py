@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Final, final
 from rosward.domain.certain import text_of
 from rosward.domain.compound import External
 from rosward.domain.values import NONE, Class
+from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
-from rosward.flow.marks import Root, Source
+from rosward.flow.marks import Root
 from rosward.flow.remembered import Tracker
 
 if TYPE_CHECKING:

@@ -3,20 +3,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, final
+from typing import final
 
-from rosward.domain.values import Value
-from rosward.flow.marks import Source
-from rosward.source.location import Place
-
-
-class Sink(NamedTuple):
-    """A place that sends: a kind of `flow.json`, the node, and the name as the program has it (None: the kind has no names)."""
-
-    kind: str
-    node: int | None
-    given: Value | None
-    place: Place
+from rosward.effects.flows import Sink, Source
 
 
 @final

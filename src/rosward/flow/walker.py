@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The walk through the code of a process: the second component of its interpretation, over what the first has seen.
 
+from rosward.effects.flows import Source
 Which operations run, what objects an attribute leads to, whom a call reaches: all that is known (`engine/seen.py`). What is new is what each
 value depends on. Straight operations are in `straight.py`, calls in `calls.py`, blocks in `blocks.py`.
 """
@@ -12,9 +13,10 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.compound import BoundMethod, Native
 from rosward.domain.values import Class, Function, Value
+from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, Seen
 from rosward.flow.body import Attempt, Body, Point, TooLongError
-from rosward.flow.marks import NOTHING, Mark, Root, Source, Sources, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
 from rosward.flow.sinks import Sinks

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What flows through one process, by its own names: where information comes from, where it leaves, and what is in it there."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from rosward.domain.values import Value
+from rosward.source.location import Place
+
+
+class Source(NamedTuple):
+    """Where information comes from: a kind of `flow.json`, and what names it: a text, or the node and the name as the program has them."""
+
+    kind: str
+    name: str = ""
+    node: int | None = None
+    given: Value | None = None
+
+
+class Sink(NamedTuple):
+    """A place that sends: a kind of `flow.json`, the node, and the name as the program has it (None: the kind has no names)."""
+
+    kind: str
+    node: int | None
+    given: Value | None
+    place: Place
+
+
+class Flow(NamedTuple):
+    """One sink of a process: what is in it, what decides it, what it waits for; `complete`: no limit was reached."""
+
+    sink: Sink
+    data: frozenset[Source]
+    control: frozenset[Source]
+    trigger: frozenset[Source]
+
+
+class ProcessFlows(NamedTuple):
+    """All sinks of a process."""
+
+    flows: tuple[Flow, ...] = ()
+    complete: bool = True
