@@ -3,7 +3,7 @@
 
 source ── ir ── frontends
           domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server
-          ros ── network ── policies ── enclaves, audit, diff ── explanation ── outputs ──┘
+          ros ── network ── influence, policies ── enclaves, audit, diff ── explanation ── outputs ──┘
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _NAMING = frozenset({"naming", "effects", "ros"}) | _DOMAIN
 _ENGINE = frozenset({"engine", "models", "frontends", "ir"}) | _NAMING
 _NETWORK = frozenset({"network", "ros"}) | _TEXT
 _POLICIES = frozenset({"policies"}) | _NETWORK
-_RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "suppression"}) | _POLICIES
+_RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "suppression"}) | _POLICIES
 
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
@@ -50,6 +50,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "suppression": frozenset({"suppression"}) | _TEXT,
     "enclaves": frozenset({"enclaves"}) | _POLICIES,
     "audit": frozenset({"audit"}) | _POLICIES,
+    "influence": frozenset({"influence"}) | _NETWORK,
     "diff": frozenset({"diff"}) | _POLICIES,
     "explanation": frozenset({"explanation", "enclaves", "suppression"}) | _POLICIES,
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,

@@ -20,7 +20,8 @@ class Finding(NamedTuple):
 
     `causes` say by what it is there, so that findings of one cause are told together (`one_cause.py`); none where that is not known.
     `nodes` are the full names of those that it is about, where that is known and its place alone does not say it. `remedy` is what the message
-    ends with where it says how to settle it: then that counts, and not the help of the rule.
+    ends with where it says how to settle it: then that counts, and not the help of the rule. `path`: the lines that lead to the place, where it is
+    about what flows there.
     """
 
     code: str
@@ -29,6 +30,7 @@ class Finding(NamedTuple):
     causes: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
     remedy: str = ""
+    path: tuple[Place, ...] = ()
 
     @property
     def rule(self) -> Rule:

@@ -382,6 +382,49 @@ _TABLE: Final = (
         _W,
         "Give the missing value a default in the source, or accept the name (--allow).",
     ),
+    # Information flow
+    Rule(
+        "RW601",
+        "forbidden flow",
+        _E,
+        "Break the path at one of its lines, or add a [[flow.release]] that says why it is safe.",
+    ),
+    Rule(
+        "RW602",
+        "release without effect",
+        _W,
+        "Correct the names in `through` and `of`, or remove the [[flow.release]].",
+    ),
+    Rule(
+        "RW603",
+        "flow rule names nothing",
+        _W,
+        "Correct the name, or remove it from the [[flow.rule]]. The rule does not protect it.",
+    ),
+    Rule(
+        "RW604",
+        "forbidden flow assumed",
+        _W,
+        "Add the source of the node, or declare its `flows:`; until then each of its outputs may hold each of its inputs.",
+    ),
+    Rule(
+        "RW605",
+        "message content is executed",
+        _W,
+        "Who may send the message decides what runs. Choose from fixed commands, or check the content first.",
+    ),
+    Rule(
+        "RW606",
+        "protected content decides its release",
+        _N,
+        "Who sees when something is released learns about what is protected. Make the decision depend on something else.",
+    ),
+    Rule(
+        "RW607",
+        "contradicting flow rules",
+        _W,
+        "Change one of the two rules: one allows by name what the other forbids.",
+    ),
 )
 
 INTERNAL_ERROR: Final = "RW299"

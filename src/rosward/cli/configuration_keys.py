@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from rosward.cli.shared import MODES
+from rosward.influence.policy import Policy, PolicyError, read_policy
 from rosward.ros.distro import DISTROS
 from rosward.rules import RULES
 from rosward.source.exclude import Exclusion, PatternError, pattern_of
@@ -23,7 +24,7 @@ from rosward.suppression.ignore_in import IgnoreIn
 
 __all__ = ["KEYS", "NEVER", "Key", "Value", "WrongValueError"]
 
-Value = str | bool | list[str] | list[tuple[str, str]] | list[Exclusion] | list[IgnoreIn]
+Value = str | bool | list[str] | list[tuple[str, str]] | list[Exclusion] | list[IgnoreIn] | Policy
 Reader = Callable[[object, Path], Value]
 
 
@@ -138,6 +139,13 @@ def _ignore_in(value: object, folder: Path) -> list[IgnoreIn]:
     ]
 
 
+def _flow(value: object, _folder: Path) -> Policy:
+    try:
+        return read_policy(value)
+    except PolicyError as error:
+        raise WrongValueError(str(error)) from error
+
+
 def _variables(value: object, _folder: Path) -> list[tuple[str, str]]:
     if not isinstance(value, dict) or not all(isinstance(v, str) for v in value.values()):
         raise WrongValueError('a table of strings, as in ROBOT = "r1"')
@@ -175,6 +183,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "ignore": Key(_codes, "list of codes", file_alone=True),
     "ignore-in": Key(_ignore_in, "table: pattern = list of codes", file_alone=True),
     "accepted": Key(_codes, "list of codes", file_alone=True),
+    "flow": Key(_flow, "tables `[[flow.rule]]` and `[[flow.release]]`", file_alone=True),
     "format": Key(_formats, "text, or a list", command="extract"),
     "output": Key(_below, "folder or file below that of the file", command="extract"),
     "system": Key(_flag, "true, false", command="extract"),

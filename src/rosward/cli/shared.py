@@ -223,15 +223,17 @@ def add_unknown(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def extracted(options: argparse.Namespace, paths: Iterable[str], request: Request, *, shown: bool = True) -> Result:
-    """What the options ask to read and to start; `shown`: progress is drawn. Raises WrongUseError."""
+def extracted(
+    options: argparse.Namespace, paths: Iterable[str], request: Request, *, shown: bool = True, flow: bool = False
+) -> Result:
+    """What the options ask to read and to start; `shown`: progress is drawn, `flow`: also what flows in each node. Raises WrongUseError."""
     from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
 
     try:
         with ProgressLine(shown=shown) as progress:
             result = extract(
                 *paths,
-                **reading(options, request),
+                **_with_flow(reading(options, request), flow=flow),
                 unknown=getattr(options, "unknown", "deny"),
                 **_wanted_enclaves(getattr(options, "enclaves", None)),
                 assumed=not options.no_assumed,
@@ -245,6 +247,10 @@ def extracted(options: argparse.Namespace, paths: Iterable[str], request: Reques
             if finding.code == UNREAD_ARGUMENT:
                 print(f"rosward: {printable(finding.message)}", file=sys.stderr)  # noqa: T201
     return result
+
+
+def _with_flow(given: _Reading, *, flow: bool) -> _Reading:
+    return {**given, "budget": given["budget"]._replace(flow=flow)}
 
 
 def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> None:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from rosward.domain.values import Value
@@ -28,16 +30,17 @@ class Sink(NamedTuple):
 
 
 class Flow(NamedTuple):
-    """One sink of a process: what is in it, what decides it, what it waits for; `complete`: no limit was reached."""
+    """One sink of a process: what is in it, what decides it, what it waits for; and through which lines each comes there."""
 
     sink: Sink
     data: frozenset[Source]
     control: frozenset[Source]
     trigger: frozenset[Source]
+    paths: Mapping[Source, tuple[Place, ...]] = MappingProxyType({})
 
 
 class ProcessFlows(NamedTuple):
-    """All sinks of a process."""
+    """All sinks of a process; `complete`: no limit was reached."""
 
     flows: tuple[Flow, ...] = ()
     complete: bool = True

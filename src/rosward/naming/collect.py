@@ -16,9 +16,11 @@ from rosward.findings import Finding, Findings
 from rosward.holes import HOLE, Holed
 from rosward.naming import implicit
 from rosward.naming.doubts import invalid_name, unknown_name, unknown_node, unknown_type
-from rosward.naming.final_name import command_lines, final_name, remapped_by, remaps_of
+from rosward.naming.final_name import command_lines, final_name, remaps_of
+from rosward.naming.flows import both, with_flows
 from rosward.naming.implicit import Identity
 from rosward.naming.options import NameOption, interface_types, name_options, together
+from rosward.naming.resolved import ACTIONS, resolved
 from rosward.ros import names
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution, least_sure
@@ -33,8 +35,6 @@ KINDS: Final = {
     "action_server": EntityKind.ACTION_SERVER,
     "action_client": EntityKind.ACTION_CLIENT,
 }
-_SERVICES: Final = (EntityKind.SERVICE_SERVER, EntityKind.SERVICE_CLIENT)
-_ACTIONS: Final = (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
 _NO_VARIABLES: Final[Mapping[str, Value]] = {}
 
 
@@ -68,14 +68,18 @@ def collect(log: EffectLog, process: Process, distro: Distro) -> tuple[list[Node
     """The nodes of a process and the findings about their names."""
     findings = Findings()
     nodes: list[Node] = []
+    identities: list[tuple[int, Identity]] = []
     for effect in log.nodes:
         for identity in _identities(log, effect, findings):
+            identities.append((effect.address, identity))
             own = Findings()
             node = _node(log, effect, identity, process, distro, own)
             own.update(more := log.open.get(effect.address, Findings()))
             findings.update(f._replace(nodes=(node.fqn,)) for f in own)
             nodes.append(replace(node, lacks=_told(more)))
     lacks = _told(f for f in log.findings if f.code in _MAY_HAVE_MORE)
+    if log.flows is not None:
+        nodes = with_flows(nodes, identities, log.flows, distro)
     return [_with_interface(n, process, lacks) for n in _merged(nodes)], list(findings)
 
 
@@ -207,9 +211,9 @@ def _entities(
     types = interface_types(effect.type)
     result: list[Entity] = []
     for option in possible:
-        resolved = _resolved(kind, option, identity, distro, effect, findings)
-        alone = len(possible) * len(types) * len(resolved) == 1
-        for text, how in resolved:
+        full = resolved(kind, option, identity, distro, effect.place, findings)
+        alone = len(possible) * len(types) * len(full) == 1
+        for text, how in full:
             for type_ in types:
                 entity = _entity(effect, kind, text, type_, how, identity, path, sure=sure and alone)
                 if type_ is None:
@@ -227,7 +231,7 @@ def _entities(
 
 def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Entity]:
     """What introspection publishes: of a service, or of the three services of an action."""
-    if kind not in _ACTIONS:
+    if kind not in ACTIONS:
         events = [service_event_topic(distro, name, type_)]
     else:
         parts = (
@@ -242,42 +246,6 @@ def _events(kind: EntityKind, distro: Distro, name: str, type_: str) -> list[Ent
 def _from_node_only(option: NameOption) -> bool:
     """The name itself is known: its hole stems from the node's own name or namespace, of which a finding speaks already."""
     return option.resolution.whole
-
-
-def _resolved(
-    kind: EntityKind,
-    option: NameOption,
-    identity: Identity,
-    distro: Distro,
-    effect: EntityEffect,
-    findings: Findings,
-) -> list[tuple[Holed, NameOption]]:
-    """The full names that a name may have, each with how it was found: behind a remap rule, as that rule's target was."""
-    remap = names.RemapKind.SERVICE if kind in _SERVICES else names.RemapKind.TOPIC
-    rules = identity.rules
-    if kind in _ACTIONS and not distro.facts.actions_are_remapped:
-        rules = ()
-    if option.resolution is Resolution.UNKNOWN:
-        rules = ()  # any rule may be for it: that makes none of their targets its name
-    own, space = identity.name, identity.namespace
-    try:
-        found = names.resolve(option.text, remap, tuple(r.rule for r in rules), own, space)
-    except names.InvalidName as error:
-        findings.add(invalid_name(kind.value, option.text, str(error), effect.place, option.depends_on))
-        return []
-    result: list[tuple[Holed, NameOption]] = []
-    for text in found:
-        target = remapped_by(text, option.text, remap, rules, own, space) if rules else None
-        result.append((text, option if target is None else _behind_rule(option, name_options(target)[0])))
-    return result
-
-
-def _behind_rule(name: NameOption, target: NameOption) -> NameOption:
-    """How a name was found that a remap rule gives: as the rule's target was, and, since the rule fits this name only, as that was."""
-    depends = tuple(sorted({*name.depends_on, *target.depends_on}))
-    known = name.resolution.whole and target.resolution.whole
-    resolution = least_sure(name.resolution, target.resolution) if known else target.resolution
-    return target._replace(depends_on=depends, resolution=resolution)
 
 
 def _entity(
@@ -374,6 +342,7 @@ def _merged(nodes: list[Node]) -> list[Node]:
                 parameters=_union(known.parameters, node.parameters),
                 conditional=known.conditional and node.conditional,
                 lacks=tuple(dict.fromkeys((*known.lacks, *node.lacks))),
+                flows=both(known.flows, node.flows),
             )
             result[key] = merged
     return list(result.values())

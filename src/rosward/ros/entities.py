@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Final
 
+from rosward.ros.flows import NodeFlows
 from rosward.source.location import Place
 
 __all__ = [
@@ -164,7 +165,8 @@ class Node:
     `enclave` is where it runs; `given_enclave` is the one that its launch file, arguments or environment name, None where they name none.
     `conditional`: some execution does not have it. `assumed`: it is what a class makes that nothing in the sources instantiates, so no
     execution is known that has it; it is conditional, too, and `process` names the class. `lacks` says why its interface is known in part,
-    or not at all. `label` is what tells a node of unknown name from others: PACKAGE/EXECUTABLE, None where its name is known.
+    or not at all. `label` is what tells a node of unknown name from others: PACKAGE/EXECUTABLE, None where its name is known. `flows` is None
+    where that was not asked for, or nothing is known of it.
     """
 
     namespace: str
@@ -186,6 +188,7 @@ class Node:
     interface: Interface = Interface.ANALYSED
     lacks: tuple[str, ...] = ()
     label: str | None = None
+    flows: NodeFlows | None = None
 
     @property
     def display_name(self) -> str:

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Does a system keep the rules of its project about flows?
+
+A rule with `not-to` asks what the sources reach. One with `only-from` asks what the target is made of in the end: a name that nothing in the
+system makes of something else, and that is none of those allowed. The clock and random numbers count as nobody's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from typing import Final
+
+from rosward.findings import Finding
+from rosward.influence.graph import Edge, FlowGraph, Vertex
+from rosward.influence.policy import Policy, Release, Rule, is_function
+from rosward.influence.search import Passing, Reached, at_least, downstream, upstream, way_to
+from rosward.influence.select import Selection, meant
+from rosward.ros.flows import STRENGTHS
+from rosward.source.location import Place
+
+_NOBODYS: Final = ("clock", "random")
+_NOWHERE: Final = Place("", 0)
+
+
+def check(graph: FlowGraph, policy: Policy, released: frozenset[str] = frozenset()) -> list[Finding]:
+    """Findings of all rules. `released`: the functions of releases that were met in the sources."""
+    found: list[Finding] = []
+    for rule in policy.rules:
+        found += _names_nothing(graph, rule)
+        found += _forbidden(graph, rule, policy) if rule.sources else _others(graph, rule, policy)
+    for release in policy.releases:
+        found += _releases(graph, release, released)
+    found += _contradictions(policy)
+    return found
+
+
+def _passing(by: str, releases: Iterable[Release]) -> Passing:
+    """Edges of that strength that no release stops."""
+    strong = at_least(by)
+    through = [s for release in releases for s in release.through if not is_function(s.word)]
+
+    def passing(edge: Edge) -> bool:
+        return strong(edge) and not any(_goes_through(edge, s) for s in through)
+
+    return passing
+
+
+def _goes_through(edge: Edge, through: Selection) -> bool:
+    if through.node:
+        return edge.node != "" and through.fits(edge.node)
+    return edge.node == "" and (through.means(edge.source) or through.means(edge.target))
+
+
+def _by_releases(starts: Iterable[Vertex], policy: Policy) -> Iterator[tuple[tuple[Release, ...], list[Vertex]]]:
+    """The sources in groups to which the same releases apply."""
+
+    def of(vertex: Vertex) -> tuple[int, ...]:
+        return tuple(n for n, r in enumerate(policy.releases) if any(s.means(vertex) for s in r.of))
+
+    for numbers, group in groupby(sorted(starts, key=lambda v: (of(v), v)), key=of):
+        yield tuple(policy.releases[n] for n in numbers), list(group)
+
+
+def _forbidden(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
+    vertices = graph.vertices
+    starts = meant(rule.sources, vertices)
+    targets = [v for v in meant(rule.not_to, vertices) if v.side == "sent"]
+    best: dict[Vertex, tuple[Reached, list[Edge]]] = {}
+    for releases, group in _by_releases(starts, policy):
+        found = downstream(graph, group, _passing(rule.by, releases))
+        for target in targets:
+            reached = found.get(target)
+            if reached is not None and reached.by is not None:
+                known = best.get(target)
+                if known is None or _order(reached) < _order(known[0]):
+                    best[target] = reached, way_to(found, target)
+    for target, (reached, way) in sorted(best.items()):
+        yield _broken(rule, way, target, reached)
+
+
+def _order(reached: Reached) -> tuple[int, bool, int]:
+    return STRENGTHS.index(reached.strength), reached.assumed, reached.steps
+
+
+def _others(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
+    vertices = graph.vertices
+    targets = [v for v in meant(rule.to, vertices) if v.side == "sent"]
+    allowed = set(meant(rule.only_from, vertices))
+    groups = list(_by_releases([v for v in vertices if v.side == "in" and v not in allowed], policy))
+    for releases, group in groups:
+        passing = _passing(rule.by, releases)
+        found = upstream(graph, targets, lambda e, p=passing: p(e) and e.target not in allowed)  # type: ignore[misc]  # bound at once
+        for origin in group:
+            reached = found.get(origin)
+            if reached is None or reached.by is None or origin.end.kind in _NOBODYS:
+                continue
+            if not any(edge.source in found for edge in graph.into.get(origin, ())):
+                way = _way_from(found, origin)
+                yield _broken(rule, way, way[-1].target, reached)
+
+
+def _way_from(found: dict[Vertex, Reached], vertex: Vertex) -> list[Edge]:
+    way: list[Edge] = []
+    edge = found[vertex].by
+    while edge is not None:
+        way.append(edge)
+        edge = found[edge.target].by
+    return way
+
+
+def _broken(rule: Rule, way: list[Edge], target: Vertex, reached: Reached) -> Finding:
+    source = way[0].source
+    path = tuple(dict.fromkeys(place for edge in way for place in edge.path if place.file))
+    via = [edge.node for edge in way if edge.node]
+    how = {"data": "reaches", "control": "decides", "trigger": "triggers"}[reached.strength]
+    message = f"{source} {how} {target} through {', '.join(dict.fromkeys(via))}, which {rule.name!r} forbids"
+    place = path[-1] if path else _NOWHERE
+    if reached.assumed:
+        unsure = next(edge.node for edge in way if edge.assumed)
+        message = f"{source} may reach {target}, which {rule.name!r} forbids: {unsure} is not analysed"
+        return Finding("RW604", message, place, nodes=tuple(dict.fromkeys(via)), path=path)
+    return Finding("RW601", message, place, nodes=tuple(dict.fromkeys(via)), path=path)
+
+
+def _names_nothing(graph: FlowGraph, rule: Rule) -> Iterator[Finding]:
+    vertices = graph.vertices
+    nodes = {e.node for edges in graph.out.values() for e in edges}
+    for selection in (*rule.sources, *rule.not_to, *rule.to, *rule.only_from):
+        if selection.word.endswith("*") or selection.kind in ("network", "file", "log", "process", "stdout"):
+            continue
+        known = any(map(selection.fits, nodes)) if selection.node else any(map(selection.means, vertices))
+        if not known:
+            yield Finding("RW603", f"{selection.word!r} in the flow rule {rule.name!r} names nothing", _NOWHERE)
+
+
+def _releases(graph: FlowGraph, release: Release, released: frozenset[str]) -> Iterator[Finding]:
+    """Whether something is released, and whether what is secret decides that."""
+    words = ", ".join(s.word for s in release.through)
+    vertices = graph.vertices
+    starts = meant(release.of, vertices)
+    found = downstream(graph, starts, at_least("control"))
+    passing = [
+        edge
+        for vertex in found
+        for edge in graph.out.get(vertex, ())
+        if any(not is_function(s.word) and _goes_through(edge, s) for s in release.through)
+    ]
+    if not passing and not released.intersection(release.functions):
+        yield Finding("RW602", f"the flow release through {words} releases nothing", _NOWHERE)
+    deciding = [edge for edge in _inside(graph, passing) if edge.strength == "control" and edge.source in found]
+    for edge in deciding[:1]:
+        message = f"{edge.source} decides what {words} releases"
+        yield Finding("RW606", message, edge.path[-1] if edge.path else _NOWHERE, nodes=(edge.node,))
+
+
+def _inside(graph: FlowGraph, passing: list[Edge]) -> Iterator[Edge]:
+    """The flows in nodes at which a release takes place: those that pass it, or make the topic that does."""
+    for edge in passing:
+        if edge.node:
+            yield edge
+        else:
+            yield from (e for e in graph.into.get(edge.source, ()) if e.node)
+
+
+def _contradictions(policy: Policy) -> Iterator[Finding]:
+    """One rule allows by name what another one forbids."""
+    allowed = [(r, s, t) for r in policy.rules for s in r.only_from for t in r.to]
+    forbidden = {(s.word, t.word): r for r in policy.rules for s in r.sources for t in r.not_to}
+    for rule, source, target in allowed:
+        other = forbidden.get((source.word, target.word))
+        if other is not None:
+            message = f"{rule.name!r} lets {source.word} reach {target.word}, which {other.name!r} forbids"
+            yield Finding("RW607", message, _NOWHERE)

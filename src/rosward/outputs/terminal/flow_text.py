@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Flows for a person: per node, what each output is made of; as a tree, what reaches something; as a way, how one thing reaches another.
+
+/controller
+  /cmd_vel      data  /odom, /plan, parameter:max_speed     decided by  /e_stop          controller.py:88
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Final
+
+from rosward.findings import Finding
+from rosward.influence.declared import flows_of
+from rosward.influence.graph import Edge, FlowGraph, Vertex
+from rosward.influence.private import Leaving, Privacy
+from rosward.influence.search import Passing, Reached, in_order, way_to
+from rosward.network.counts import several
+from rosward.ros.entities import Interface, Node
+from rosward.ros.flows import STRENGTHS, End
+from rosward.safe import printable
+from rosward.source.location import Place
+
+__all__ = ["findings_text", "nodes_text", "privacy_text", "reaching_text", "tree_text", "ways_text"]
+
+_MOST_LINES: Final = 400
+
+
+def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool = False) -> str:
+    """What each output of each node is made of."""
+    lines: list[str] = []
+    for node in nodes:
+        rows = [
+            (shown(sink.sink), *_columns(sink.data, sink.control, sink.trigger, data_only, triggers), _short(sink.at))
+            for sink in flows_of(node).sinks
+        ]
+        if rows:
+            lines += [f"{node.display_name}  {node.defined_at.file}{_doubt(node)}", *_aligned(rows), ""]
+    if not lines:
+        return "No node sends anything.\n"
+    return "\n".join(printable(line) for line in lines)
+
+
+def _doubt(node: Node) -> str:
+    if node.flows is None:
+        known = "declared" if node.interface is Interface.DECLARED else "unknown"
+        return f"  ({known}: each output may hold each input)"
+    return "" if node.flows.complete else "  (a limit was reached: outputs may hold every input)"
+
+
+def _columns(
+    data: Iterable[End], control: Iterable[End], trigger: Iterable[End], data_only: bool, triggers: bool
+) -> tuple[str, ...]:
+    made = ", ".join(map(shown, data))
+    decided = "" if data_only else ", ".join(map(shown, control))
+    woken = ", ".join(map(shown, trigger)) if triggers else ""
+    constant = "" if made or decided or woken else "constant"
+    return (
+        f"data  {made}" if made else constant,
+        f"decided by  {decided}" if decided else "",
+        f"triggered by  {woken}" if woken else "",
+    )
+
+
+def _short(place: Place) -> str:
+    return f"{place.file.rpartition('/')[2]}:{place.line}"
+
+
+def _aligned(rows: Sequence[tuple[str, ...]]) -> list[str]:
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]) - 1)]
+    return [
+        "  " + "  ".join([*(c.ljust(min(w, _WIDE)) for c, w in zip(row, widths, strict=False) if w), row[-1]])
+        for row in rows
+    ]
+
+
+_WIDE: Final = 60
+
+
+def shown(end: End) -> str:
+    """A source or sink as people name it: topics by their names alone."""
+    if end.kind == "topic":
+        return end.name
+    return f"{end.kind} {end.name}" if end.name else end.kind
+
+
+def _vertex(vertex: Vertex) -> str:
+    return shown(vertex.end) + (f" of {vertex.node}" if vertex.node else "")
+
+
+def tree_text(graph: FlowGraph, targets: Sequence[Vertex], found: dict[Vertex, Reached], passing: Passing) -> str:
+    """What reaches these, each source once, below what it is part of."""
+    lines: list[str] = []
+    done: set[Vertex] = set()
+    for target in targets:
+        if target not in done:
+            lines.append(_vertex(target))
+            _branches(target, "", lines, done, lambda v: _inputs(graph, v, passing))
+    outside = sorted({_vertex(v) for v in found if v.side == "in" and v.node and v.end.kind != "parameter"})
+    if outside:
+        lines.append(f"from outside: {', '.join(outside)}")
+    return "\n".join(printable(line) for line in lines) + "\n"
+
+
+def _inputs(graph: FlowGraph, vertex: Vertex, passing: Passing) -> list[tuple[Edge, Vertex]]:
+    """The flows in nodes that make what stands here; what is only the same thing under its other side is skipped."""
+    made: list[tuple[Edge, Vertex]] = []
+    for edge in graph.into.get(vertex, ()):
+        if edge.node:
+            if passing(edge):
+                made.append((edge, edge.source))
+        else:
+            made += [(e, e.source) for e in graph.into.get(edge.source, ()) if e.node and passing(e)]
+    best: dict[tuple[str, Vertex], tuple[Edge, Vertex]] = {}
+    for edge, source in sorted(made, key=lambda m: (STRENGTHS.index(m[0].strength), m[0].assumed)):
+        best.setdefault((edge.node, source), (edge, source))
+    return list(best.values())
+
+
+def _branches(
+    vertex: Vertex,
+    indent: str,
+    lines: list[str],
+    done: set[Vertex],
+    inputs: Callable[[Vertex], list[tuple[Edge, Vertex]]],
+) -> None:
+    """Depth first, without recursion, since a system may be as deep as it likes."""
+    done.add(vertex)
+    work = [(vertex, indent, iter(branches := inputs(vertex)), len(branches))]
+    while work:
+        _, indent, rest, left = work.pop()
+        entry = next(rest, None)
+        if entry is None:
+            continue
+        edge, source = entry
+        last = left == 1
+        work.append((vertex, indent, rest, left - 1))
+        again = "  (above)" if source in done and inputs(source) else ""
+        mark = "" if not edge.assumed else "  (assumed)"
+        branch = "└─ " if last else "├─ "
+        lines.append(
+            f"{indent}{branch}{edge.strength:8}{_vertex(source)}  {edge.node}  {_path(edge.path)}{mark}{again}"
+        )
+        if len(lines) > _MOST_LINES:
+            lines.append("…  (use --format json for everything)")
+            return
+        if source not in done:
+            done.add(source)
+            further = inputs(source)
+            work.append((source, indent + ("   " if last else "│  "), iter(further), len(further)))
+
+
+def _path(path: tuple[Place, ...]) -> str:
+    """Lines, each file named once."""
+    parts: list[str] = []
+    file = ""
+    for place in path:
+        parts.append(str(place.line) if place.file == file else f"{place.file}:{place.line}")
+        file = place.file
+    return " → ".join(parts)
+
+
+def reaching_text(starts: Sequence[Vertex], found: dict[Vertex, Reached]) -> str:
+    """What these reach, the strongest first."""
+    lines = [", ".join(dict.fromkeys(_vertex(v) for v in starts))]
+    rows = []
+    seen: set[str] = {lines[0]}
+    for vertex, reached in in_order(found):
+        name = _vertex(vertex)
+        if reached.by is None or name in seen or vertex.side != "sent":
+            continue
+        seen.add(name)
+        via = list(dict.fromkeys(edge.node for edge in way_to(found, vertex) if edge.node))
+        rows.append((reached.strength, name, f"through {', '.join(via)}", "assumed" if reached.assumed else ""))
+    if not rows:
+        return f"{lines[0]} reaches nothing.\n"
+    return "\n".join(printable(line) for line in [*lines, *_aligned(rows)]) + "\n"
+
+
+def ways_text(found: dict[Vertex, Reached], targets: Sequence[Vertex]) -> str:
+    """How each of the targets is reached, line by line."""
+    lines: list[str] = []
+    for target in targets:
+        if target not in found or found[target].by is None:
+            continue
+        way = way_to(found, target)
+        nodes = list(dict.fromkeys(edge.node for edge in way if edge.node))
+        reached = found[target]
+        unsure = ", assumed" if reached.assumed else ""
+        title = f"{_vertex(way[0].source)} → {_vertex(target)}: {reached.strength}{unsure}"
+        lines.append(f"{title}, {several(len(nodes), 'node', 'nodes')}")
+        for edge in way:
+            if edge.node:
+                lines.append(f"  {edge.node}: {edge.strength}, {_vertex(edge.source)} to {_vertex(edge.target)}")
+                lines += [f"    {place}" for place in edge.path if place.file]
+        lines.append("")
+    return "\n".join(printable(line) for line in lines)
+
+
+def findings_text(findings: Sequence[Finding]) -> str:
+    """What breaks the rules, each with the lines that lead there."""
+    lines: list[str] = []
+    for finding in findings:
+        lines.append(f"{finding.rule.severity.value:7} {finding.code} {finding.message}")
+        lines += [f"    {place}" for place in finding.path or ((finding.place,) if finding.place.file else ())]
+    errors = sum(f.rule.severity.value == "error" for f in findings)
+    broken = several(errors, "forbidden flow", "forbidden flows")
+    lines.append(f"{broken} found." if errors else "No forbidden flow found.")
+    return "\n".join(printable(line) for line in lines) + "\n"
+
+
+def privacy_text(found: Privacy) -> str:
+    """Topics by whether their content stays."""
+    lines: list[str] = []
+    groups: dict[str, list[Leaving]] = {}
+    for one in found.leaving:
+        groups.setdefault(one.topic, []).append(one)
+    if groups:
+        lines.append("content leaves the robot")
+        for topic, several_ in groups.items():
+            lines.append(f"  {topic}")
+            for one in several_:
+                place = one.way[-1].path[-1] if one.way and one.way[-1].path else ""
+                unsure = "  (assumed)" if one.reached.assumed else ""
+                lines.append(f"    to {_vertex(one.target)}  {place}{unsure}")
+        lines.append("")
+    for title, topics in (
+        ("no node of the system subscribes", found.unread),
+        ("content stays in the system", found.private),
+    ):
+        if topics:
+            lines += [title, *(f"  {topic}" for topic in topics), ""]
+    return "\n".join(printable(line) for line in lines) or "There are no topics.\n"

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Information flow in the words of ROS: what each output of a node is made of.
+
+topic:/cmd_vel <- data topic:/plan, parameter:max_speed; control topic:/e_stop; trigger timer
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, NamedTuple
+
+from rosward.source.location import Place
+
+STRENGTHS: Final = ("data", "control", "trigger")
+"""From strong to weak: the content is in it; the content decides what or whether; only that it arrived counts."""
+
+
+class End(NamedTuple):
+    """Where information comes from or goes to: a kind (`topic`, `file`, …), and a name where the kind has names, `*` for each unknown part."""
+
+    kind: str
+    name: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.kind}:{self.name}" if self.name else self.kind
+
+
+@dataclass(frozen=True, slots=True)
+class NodeSink:
+    """One output of a node, at one statement, with the sources of each strength, each in the strongest that holds only.
+
+    `assumed`: those of them that stand here only because something is not analysed. `paths`: through which lines each comes here.
+    """
+
+    sink: End
+    at: Place
+    data: tuple[End, ...] = ()
+    control: tuple[End, ...] = ()
+    trigger: tuple[End, ...] = ()
+    assumed: tuple[End, ...] = ()
+    paths: tuple[tuple[End, tuple[Place, ...]], ...] = ()
+
+    def of(self, strength: str) -> tuple[End, ...]:
+        """The sources of one strength."""
+        return {"data": self.data, "control": self.control, "trigger": self.trigger}[strength]
+
+
+@dataclass(frozen=True, slots=True)
+class NodeFlows:
+    """All outputs of a node; `complete`: no limit was reached, so that nothing had to be assumed."""
+
+    sinks: tuple[NodeSink, ...] = ()
+    complete: bool = True
