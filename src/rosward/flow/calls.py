@@ -326,7 +326,7 @@ def send(walker: Walker, effect: SentEffect, mask: int) -> None:
     """Record a sink of ROS."""
     node = next((a for a in _addresses(effect.node)), None)
     sink = Sink(KINDS.get(effect.kind, effect.kind), node, effect.name, effect.place)
-    walker.changed |= walker.sinks.add(sink, mask, walker.event)
+    walker.send(sink, mask)
 
 
 def _addresses(value: Value) -> Iterable[int]:

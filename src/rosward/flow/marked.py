@@ -75,6 +75,25 @@ FUNCTIONS: Final = (
         "cv2.VideoCapture psutil.*",
         source="device",
     ),
+    Effect(
+        "can.Bus.send can.Bus.send_periodic can.ThreadSafeBus.send can.interface.Bus.send pymodbus.client.*.write* "
+        "odrive.* pigpio.pi.write pigpio.pi.set_servo_pulsewidth board.* busio.I2C.writeto spidev.SpiDev.xfer*",
+        sink="device",
+    ),
+    Effect(
+        "can.Bus.recv can.Bus can.ThreadSafeBus.recv can.ThreadSafeBus can.interface.Bus.recv can.interface.Bus "
+        "pymodbus.client.*.read* pigpio.pi.read picamera.* picamera2.* pyrealsense2.* smbus2.* busio.I2C.readfrom_into "
+        "spidev.SpiDev.xfer*",
+        source="device",
+    ),
+    Effect(
+        "eval exec builtins.eval builtins.exec compile builtins.compile __import__ importlib.import_module", sink="code"
+    ),
+    Effect(
+        "pickle.loads pickle.load pickle.Unpickler.load dill.loads cloudpickle.loads marshal.loads jsonpickle.decode "
+        "yaml.unsafe_load shelve.open",
+        sink="pickle",
+    ),
     Effect("input builtins.input sys.stdin.read sys.stdin.readline", source="stdin"),
     Effect(
         "time.time time.monotonic time.perf_counter time.time_ns time.monotonic_ns time.localtime time.strftime "

@@ -11,6 +11,7 @@ Each source of a process has three bits, from strong to weak. A union is `|`; wh
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Final, NamedTuple, final
 
 from rosward.effects.flows import Source
@@ -54,6 +55,16 @@ def triggering(mask: int) -> int:
     return (mask & _DATA) << 2 | (mask & _CONTROL) << 1 | mask & _TRIGGER
 
 
+def numbers(mask: int) -> Iterator[int]:
+    """The numbers of the sources in a mask, of any strength."""
+    number = 0
+    while mask:
+        if mask & 7:
+            yield number
+        mask >>= 3
+        number += 1
+
+
 @final
 class Sources:
     """The sources that one process meets, in the order in which it does."""
@@ -69,6 +80,10 @@ class Sources:
     def trigger(self, source: Source) -> int:
         """The mask of its arrival."""
         return self.data(source) << 2
+
+    def number(self, source: Source) -> int:
+        """Which of them it is."""
+        return min(self._numbers[source], _SOURCES - 1)
 
     @property
     def all(self) -> int:

@@ -150,6 +150,15 @@ class Memory:
             found = found.joined(self.of(root).whole)
         return found
 
+    def base(self, roots: Iterable[Root]) -> int:
+        """What stands in objects that came from outside, as far as one look tells."""
+        found = 0
+        for root in roots:
+            content = self.known(root)
+            if content is not None:
+                found |= content.base
+        return found
+
     def size(self, roots: Iterable[Root]) -> int:
         """What the number of elements depends on."""
         found = 0
@@ -166,6 +175,9 @@ class Memory:
     def write(self, roots: frozenset[Root], key: object, mark: Mark) -> None:
         """Something is written under a key: in the place of what stood there, where it is surely one object."""
         sure = self.is_one(roots)
+        trail = self.shape.trail
+        if trail is not None and (mask := mark.mask | self.base(mark.roots)):
+            trail.keep(mask, key)
         for root in roots:
             content = self._opened(root)
             old = content.slots.get(key)
@@ -175,6 +187,9 @@ class Memory:
 
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
+        trail = self.shape.trail
+        if trail is not None and (mask := mark.mask | self.base(mark.roots)):
+            trail.keep(mask, "")
         for root in roots:
             content = self._opened(root)
             new = content._replace(any=content.any.joined(mark), size=content.size | size)

@@ -18,6 +18,7 @@ from rosward.flow import containers, library
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
 from rosward.flow.native_call import NativeCall
+from rosward.flow.outside import out
 from rosward.flow.reading import elements, owners_of
 from rosward.models.ros.interfaces import message_name
 
@@ -92,6 +93,8 @@ def _get_attribute(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
     key = call.key(1)
     found = memory.read_all(owner.roots) if not isinstance(key, str) else memory.read(owner.roots, key)
+    if not isinstance(key, str) and call.mark(1).mask:
+        out(call.walker, "method", call.mark(1).mask)
     return found.joined(call.mark(2)).under(call.pc | owner.mask | call.mark(1).mask)
 
 

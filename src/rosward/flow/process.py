@@ -8,11 +8,12 @@ hold every source.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Partial
 from rosward.domain.values import Function, Ref, Value
-from rosward.effects.flows import Flow, ProcessFlows, Source
+from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
@@ -25,6 +26,7 @@ from rosward.flow.memory import Memory
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -80,8 +82,14 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         events = 0
         for event in walker.sinks.events[sink]:
             events |= walker.sources.trigger(event)
-        flows.append(Flow(sink, *walker.sources.apart(mask | events)))
+        data, control, trigger = walker.sources.apart(mask | events)
+        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control)))
     return ProcessFlows(tuple(flows), complete)
+
+
+def _paths(walker: Walker, sink: Sink, sources: Iterable[Source]) -> dict[Source, tuple[Place, ...]]:
+    trail, arriving = walker.trail, walker.arriving
+    return {s: trail.way(sink, walker.sources.number(s), s, arriving) for s in sources}
 
 
 def _settle(walker: Walker, machine: Interpreter) -> bool:
@@ -111,6 +119,7 @@ def _where(entry: Scheduled) -> object:
 def _main(walker: Walker) -> None:
     """The main body, beside which callbacks may run."""
     walker.event = (Source("main"),)
+    walker.trail.begin("main", None)
     walker.node = _only(walker)
     walker.memory = Memory(walker.shape)
     walker.shape.placed.clear()
@@ -132,7 +141,8 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     walker.memory = walker.beside.copy()
     walker.shape.placed.clear()
     sources = tuple(_sources(walker, entry))
-    walker.event = sources
+    walker.event = walker.arriving[entry] = sources
+    walker.trail.begin(entry, _beginning(entry.callback))
     walker.node = _node(walker, entry)
     pc = demoted(walker.registered.get(entry, 0))
     for source in sources:
@@ -169,6 +179,15 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     if isinstance(value, Ref) or entry.event in ("service", "execute"):
         return Mark(0, roots)
     return Mark(walker.given.get(entry, 0), roots)
+
+
+def _beginning(callback: Value) -> Place | None:
+    """The first line of a callback."""
+    while isinstance(callback, (BoundMethod, Partial)):
+        callback = callback.function
+    if isinstance(callback, Function) and not callback.code.file.startswith("models:"):
+        return Place(callback.code.file, callback.code.line)
+    return None
 
 
 def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:

@@ -13,6 +13,7 @@ from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
 from rosward.flow.remembered import Tracker
+from rosward.flow.trail import Trail
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
@@ -52,6 +53,7 @@ class Shape:
         self.inner: dict[int, tuple[int, str]] = machine.inner_objects()
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
         self.placed: set[int] = set()  # what was made since the callback that runs began
+        self.trail: Trail | None = None  # by which lines sources come along
         self.tracker: Tracker | None = None  # of the body that is being walked through
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}

@@ -13,15 +13,17 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.compound import BoundMethod, Native
 from rosward.domain.values import Class, Function, Value
-from rosward.effects.flows import Source
+from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
 from rosward.flow.body import Attempt, Body, Point, TooLongError
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
 from rosward.flow.sinks import Sinks
+from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.check import reads
+from rosward.source.location import Place
 
 if TYPE_CHECKING:
     from rosward.engine.scheduled import Scheduled
@@ -55,6 +57,7 @@ class Walker:
         self.table = table
         self.sources = Sources()
         self.sinks = Sinks()
+        self.trail = shape.trail = Trail(self.place)
         self.memory = Memory(shape)
         self.beside = Memory(shape)
         self.bodies: list[Body] = []
@@ -63,6 +66,7 @@ class Walker:
         self.arguments: dict[Activation, list[Mark]] = {}
         self.registered: dict[Scheduled, int] = {}  # what decides that a callback is registered
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
+        self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
@@ -90,6 +94,11 @@ class Walker:
                 self._attempted(op, body, known)
             if table[op.__class__](self, op, body, known) is False:
                 return False
+            if op.__class__ in _READING:
+                mark = body.registers[op.dst]  # type: ignore[attr-defined]  # all of them have one
+                mask = mark.mask | self.memory.base(mark.roots)
+                if mask:
+                    self.trail.meet(mask, op.name if op.__class__ is ops.LoadAttr else "")
             if not known.alive and op.__class__ not in STRUCTURED:
                 return False
             if self.attempts:
@@ -126,6 +135,19 @@ class Walker:
                     found[key] = [_merged(several)]
             self._bodies[seen] = found
         return found
+
+    def send(self, sink: Sink, mask: int) -> None:
+        """Something leaves the process."""
+        self.trail.send(sink)
+        self.changed |= self.sinks.add(sink, mask, self.event)
+
+    def place(self) -> Place:
+        """The statement of the user's code that is running."""
+        for body in reversed(self.bodies):
+            code = body.activation.code
+            if not code.file.startswith("models:"):
+                return Place(code.file, body.at.line, body.at.column)
+        return Place("", 0)
 
     def interleave(self) -> None:
         """Another thread may have run: what callbacks write may stand here."""
@@ -282,6 +304,8 @@ _SAFE: Final = frozenset(
     )
 )
 
+_READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
+"""What may be the first to meet a source."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40

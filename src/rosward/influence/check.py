@@ -111,7 +111,7 @@ def _way_from(found: dict[Vertex, Reached], vertex: Vertex) -> list[Edge]:
 
 def _broken(rule: Rule, way: list[Edge], target: Vertex, reached: Reached) -> Finding:
     source = way[0].source
-    path = tuple(dict.fromkeys(place for edge in way for place in edge.path if place.file))
+    path = tuple({(p.file, p.line): p for edge in way for p in edge.path if p.file}.values())
     via = [edge.node for edge in way if edge.node]
     how = {"data": "reaches", "control": "decides", "trigger": "triggers"}[reached.strength]
     message = f"{source} {how} {target} through {', '.join(dict.fromkeys(via))}, which {rule.name!r} forbids"

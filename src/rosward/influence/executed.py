@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator
 from typing import Final
 
 from rosward.findings import Finding
-from rosward.influence.graph import sinks_of
 from rosward.ros.entities import Node
 
 _MESSAGES: Final = ("topic", "service", "goal", "feedback", "result", "response", "network")
@@ -21,11 +20,12 @@ _HOW: Final = {
 
 def executed(nodes: Iterable[Node]) -> Iterator[Finding]:
     """One finding for each source and place."""
-    for node, sink in sinks_of(nodes):
-        how = _HOW.get(sink.sink.kind)
-        if how is not None and node.flows is not None:
-            paths = dict(sink.paths)
-            for source in sink.data:
-                if source.kind in _MESSAGES and source not in sink.assumed:
-                    message = f"the content of {source} {how}"
-                    yield Finding("RW605", message, sink.at, nodes=(node.fqn,), path=paths.get(source, ()))
+    for node in nodes:
+        if node.flows is not None:
+            for sink in (*node.flows.sinks, *node.flows.executed):
+                how = _HOW.get(sink.sink.kind)
+                paths = dict(sink.paths)
+                for source in sink.data if how is not None else ():
+                    if source.kind in _MESSAGES and source not in sink.assumed:
+                        message = f"the content of {source} {how}"
+                        yield Finding("RW605", message, sink.at, nodes=(node.fqn,), path=paths.get(source, ()))

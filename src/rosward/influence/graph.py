@@ -15,7 +15,7 @@ from typing import Final, NamedTuple, final
 from rosward.influence.declared import flows_of
 from rosward.network.holes import may_meet
 from rosward.ros.entities import Node
-from rosward.ros.flows import STRENGTHS, End, NodeSink
+from rosward.ros.flows import STRENGTHS, End
 from rosward.source.location import Place
 
 SHARED: Final = ("topic", "request", "response", "goal", "feedback", "result", "tf", "log")
@@ -131,10 +131,3 @@ def _meeting(name: str, arriving: dict[str, Vertex]) -> Iterator[Vertex]:
     for other, vertex in arriving.items():
         if other != name and ("*" in name or "*" in other) and may_meet(name, other):
             yield vertex
-
-
-def sinks_of(nodes: Iterable[Node]) -> Iterator[tuple[Node, NodeSink]]:
-    """All outputs."""
-    for node in nodes:
-        for sink in flows_of(node).sinks:
-            yield node, sink

@@ -15,7 +15,7 @@ from rosward.naming.options import name_options
 from rosward.naming.resolved import resolved
 from rosward.ros.distro import Distro
 from rosward.ros.entities import EntityKind, Node
-from rosward.ros.flows import STRENGTHS, End, NodeFlows, NodeSink
+from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
 from rosward.source.location import Place
 
@@ -48,8 +48,14 @@ def with_flows(nodes: list[Node], identities: Identities, flows: ProcessFlows, d
         ]
         if not flows.complete:
             sinks += all_to_all(node, nodes)
-        result.append(replace(node, flows=NodeFlows(_joined(sinks), flows.complete)))
+        result.append(replace(node, flows=_flows(sinks, complete=flows.complete)))
     return result
+
+
+def _flows(sinks: Iterable[NodeSink], *, complete: bool) -> NodeFlows:
+    joined = _joined(sinks)
+    outputs = tuple(s for s in joined if s.sink.kind not in EXECUTING)
+    return NodeFlows(outputs, complete, tuple(s for s in joined if s.sink.kind in EXECUTING))
 
 
 class _Names:
@@ -122,4 +128,5 @@ def both(ours: NodeFlows | None, theirs: NodeFlows | None) -> NodeFlows | None:
     """The flows of a node that is known twice."""
     if ours is None or theirs is None:
         return ours or theirs
-    return NodeFlows(_joined((*ours.sinks, *theirs.sinks)), ours.complete and theirs.complete)
+    sinks = (*ours.sinks, *theirs.sinks, *ours.executed, *theirs.executed)
+    return _flows(sinks, complete=ours.complete and theirs.complete)

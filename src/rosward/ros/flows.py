@@ -11,6 +11,8 @@ from typing import Final, NamedTuple
 
 from rosward.source.location import Place
 
+EXECUTING: Final = ("code", "pickle", "method")
+"""Kinds of what is no output, but decides what is executed."""
 STRENGTHS: Final = ("data", "control", "trigger")
 """From strong to weak: the content is in it; the content decides what or whether; only that it arrived counts."""
 
@@ -47,7 +49,11 @@ class NodeSink:
 
 @dataclass(frozen=True, slots=True)
 class NodeFlows:
-    """All outputs of a node; `complete`: no limit was reached, so that nothing had to be assumed."""
+    """All outputs of a node; `complete`: no limit was reached, so that nothing had to be assumed.
+
+    `executed`: where values decide what the node itself executes: kind `code`, `pickle` or `method`.
+    """
 
     sinks: tuple[NodeSink, ...] = ()
     complete: bool = True
+    executed: tuple[NodeSink, ...] = ()

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""By which lines does information come from its source to a sink?
+
+    def on_image(self, msg):      it arrives
+        self.last = msg           it is kept
+    def on_timer(self):
+        image = self.last         another callback gets it
+        self.pub.publish(image)   and sends it
+
+For each callback it is noted where each source is met first, and where it is kept; the way is put together where somebody asks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Final, NamedTuple, final
+
+from rosward.flow.marks import numbers
+from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    from rosward.effects.flows import Sink, Source
+
+_MOST: Final = 8
+"""So many callbacks a way goes through."""
+
+
+class _Met(NamedTuple):
+    """Where something is met, and the name under which it was kept ('' where it has none)."""
+
+    place: Place
+    key: object
+
+
+@final
+class Trail:
+    """What is noted in one process. `event` tells the callback that runs from others."""
+
+    def __init__(self, where: Callable[[], Place]) -> None:
+        self.event: object = None
+        self._where = where
+        self.begins: dict[object, Place] = {}
+        self._had: dict[object, int] = {}
+        self._first: dict[tuple[object, int], _Met] = {}
+        self._kept: dict[int, list[tuple[object, _Met]]] = {}
+        self._sent: dict[Sink, list[object]] = {}
+        self._keeping: dict[tuple[object, object], int] = {}
+
+    def begin(self, event: object, place: Place | None) -> None:
+        """A callback begins, at the first line of its code."""
+        self.event = event
+        if place is not None:
+            self.begins.setdefault(event, place)
+
+    def meet(self, mask: int, key: object) -> None:
+        """These sources are met here."""
+        had = self._had.get(self.event, 0)
+        if mask & ~had:
+            self._had[self.event] = had | mask
+            place = self._where()
+            for number in numbers(mask & ~had):
+                self._first.setdefault((self.event, number), _Met(place, key))
+
+    def keep(self, mask: int, key: object) -> None:
+        """These sources are kept under a key."""
+        known = self._keeping.get((self.event, key), 0)
+        if mask & ~known:
+            self._keeping[(self.event, key)] = known | mask
+            place = self._where()
+            for number in numbers(mask & ~known):
+                self._kept.setdefault(number, []).append((self.event, _Met(place, key)))
+
+    def send(self, sink: Sink) -> None:
+        """Something is sent in this callback."""
+        events = self._sent.setdefault(sink, [])
+        if self.event not in events:
+            events.append(self.event)
+
+    def way(
+        self, sink: Sink, number: int, source: Source, arriving: dict[object, tuple[Source, ...]]
+    ) -> tuple[Place, ...]:
+        """The lines from a source to a sink. `arriving`: what arrives in each callback."""
+        event = next((e for e in self._sent.get(sink, ()) if source in arriving.get(e, ())), None)
+        if event is not None:
+            return _once(self.begins.get(event), sink.place)
+        event = next(iter(self._sent.get(sink, ())), None)
+        places: list[Place | None] = [sink.place]
+        seen = {event}
+        for _ in range(_MOST):
+            met = self._first.get((event, number))
+            places.append(met.place if met is not None else None)
+            before = self._keeper(number, seen, None if met is None else met.key, source, arriving)
+            if before is None:
+                break
+            event, kept = before
+            seen.add(event)
+            places.append(kept.place)
+            if source in arriving.get(event, ()):
+                places.append(self.begins.get(event))
+                break
+        return _once(*places[::-1])
+
+    def _keeper(
+        self, number: int, seen: set[object], key: object, source: Source, arriving: dict[object, tuple[Source, ...]]
+    ) -> tuple[object, _Met] | None:
+        """The callback that kept it: one in which it arrives, under the same name, sooner than another."""
+        best: tuple[tuple[bool, bool], object, _Met] | None = None
+        for event, met in self._kept.get(number, ()):
+            if event not in seen:
+                rank = (source not in arriving.get(event, ()), met.key != key)
+                if best is None or rank < best[0]:
+                    best = rank, event, met
+        return None if best is None else best[1:]
+
+
+def _once(*places: Place | None) -> tuple[Place, ...]:
+    return tuple({(p.file, p.line): p for p in places if p is not None and p.file}.values())
