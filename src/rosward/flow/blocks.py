@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.flow.body import Attempt, Body, Point, TooLongError, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.marks import Mark, demoted
-from rosward.flow.reading import elements
+from rosward.flow.reading import elements, narrowed
 from rosward.ir import ops
 
 if TYPE_CHECKING:
@@ -40,11 +40,11 @@ def branch(walker: Walker, op: ops.If, body: Body, _seen: Seen) -> bool:
     outside, leaves, turns = body.pc, body.leaves, body.turns
     inside = outside | decides(walker, body.registers[op.test])
     before = walker.point(body)
-    body.pc = inside
     name = body.tests.get(op.test, "")
     about = name in walker.shape.parameters
     if about:
         walker.narrowed.append(name)
+    body.pc = narrowed(walker, inside)
     after = walker.point(body) if walker.run(op.then, body) else None
     if about:
         walker.narrowed.pop()

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from rosward.ir import ops
 
 
+_KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
+"""Their methods keep nothing of what they are given that they give back later, unless a model says so."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
 
@@ -33,7 +35,12 @@ class _Pattern(NamedTuple):
 
 
 _PATTERNS: Final = tuple(
-    _Pattern(re.compile("(?:" + "|".join(e.names.split()).replace(".", r"\.").replace("*", r"\w*") + r")\Z"), e)
+    _Pattern(
+        re.compile(
+            "(?:" + "|".join(e.names.split()).replace(".", r"\.").replace("**", r"[\w.]+").replace("*", r"\w*") + r")\Z"
+        ),
+        e,
+    )
     for e in FUNCTIONS
 )
 _PURE: Final = re.compile("(?:" + "|".join(PURE.split()).replace(".", r"\.").replace("*", r"[\w.]*") + r")\Z")
@@ -75,7 +82,7 @@ def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
 
 
 def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) -> Mark:
-    """A function of which a model says only that it is there: its result is computed from what it gets."""
+    """A function of which a model says only that it is there: its result is computed from what it gets, which its object may keep."""
     name = f"{function.module.name}.{function.code.qualname}"
     mask = body.pc
     nodes = walker.shape.nodes
@@ -86,7 +93,11 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
     if name in STOPS and marks:
         for root in (marks[-1] if function.code.name.startswith("destroy") and len(marks) > 1 else marks[0]).roots:
             stop(walker, root, body.pc | demoted(marks[0].mask))
-    return Mark(mask | given)
+    if "." in function.code.qualname and marks and not name.startswith(_KNOWN):
+        walker.memory.write_any(marks[0].roots - nodes, Mark(mask))
+    root = walker.shape.made(body.activation, body.at.number, name)
+    walker.memory.renew(root)
+    return Mark(mask | given, frozenset((root,)))
 
 
 def stop(walker: Walker, root: Root, mask: int) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The functions of libraries by which something leaves ROS or comes into it, and those that only compute.
 
-Names are dotted; a `*` stands for any word. A method of what a function gives is named behind that: `cv2.VideoCapture.read`.
+Names are dotted; a `*` stands for any word, `**` for any words. A method of what a function gives is named behind that: `cv2.VideoCapture.read`.
 """
 
 from __future__ import annotations
@@ -17,11 +17,16 @@ class Effect(NamedTuple):
     source: str = ""
 
 
-_LOGGERS: Final = "rclpy.impl.rcutils_logger.RcutilsLogger logging.Logger logging"
+_LOGGER: Final = "rclpy.impl.rcutils_logger.RcutilsLogger"
+_PYTHON: Final = ("logging.Logger", "logging.getLogger", "logging")
 _LEVELS: Final = ("debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log")
 
 FUNCTIONS: Final = (
-    Effect(" ".join(f"{_LOGGERS.split()[0]}.{level}" for level in _LEVELS), sink="log"),
+    Effect(" ".join(f"{_LOGGER}.{level}" for level in _LEVELS), sink="log"),
+    *(
+        Effect(" ".join(f"{logger}.{level}" for logger in _PYTHON for level in _LEVELS), sink=sink)
+        for sink in ("stdout", "file")  # its handlers decide
+    ),
     Effect("print builtins.print sys.stdout.write sys.stderr.write pprint.pprint", sink="stdout"),
     Effect(
         "open.write open.writelines io.open.write codecs.open.write json.dump yaml.dump_all pickle.dump numpy.save "
@@ -41,12 +46,14 @@ FUNCTIONS: Final = (
         "socket.socket.send socket.socket.sendall socket.socket.sendto socket.socket.sendmsg "
         "socket.create_connection.send socket.create_connection.sendall requests.* requests.Session.* "
         "urllib.request.urlopen urllib.request.Request http.client.HTTPConnection.request "
-        "paho.mqtt.client.Client.publish websocket.create_connection.send websocket.WebSocketApp.send "
+        "paho.mqtt.client.Client.publish boto3.** openai.** aiohttp.** httpx.** grpc.** firebase_admin.** pymongo.** "
+        "psycopg2.** influxdb** telegram.** twilio.** google.cloud.** websocket.create_connection.send websocket.WebSocketApp.send "
         "websockets.connect.send zmq.Context.socket.send* zmq.Context.socket.send smtplib.SMTP.*",
         sink="network",
     ),
     Effect(
         "socket.socket.recv socket.socket.recvfrom socket.socket.recv_into socket.create_connection.recv "
+        "boto3.** openai.** aiohttp.** httpx.** grpc.** firebase_admin.** pymongo.** psycopg2.** influxdb** google.cloud.** "
         "socket.socket.accept requests.* requests.Session.* urllib.request.urlopen urllib.request.urlopen.read "
         "http.client.HTTPConnection.getresponse websocket.create_connection.recv zmq.Context.socket.recv* "
         "zmq.Context.socket.recv",
@@ -120,8 +127,10 @@ FUNCTIONS: Final = (
 )
 
 PURE: Final = (
-    "math.* numpy.* scipy.* cv2.cvtColor cv2.inRange cv2.resize cv2.findContours cv2.contourArea cv2.boundingRect "
-    "cv2.moments cv2.GaussianBlur cv2.blur cv2.medianBlur cv2.Canny cv2.threshold cv2.bitwise_* cv2.imread "
+    "math.* numpy.* scipy.* cv2.cvtColor cv2.inRange cv2.resize "
+    "cv2.findContours cv2.contourArea cv2.boundingRect "
+    "cv2.imshow cv2.waitKey cv2.namedWindow cv2.destroyAllWindows cv2.moments "
+    "cv2.GaussianBlur cv2.blur cv2.medianBlur cv2.Canny cv2.threshold cv2.bitwise_* cv2.imread "
     "cv2.warpPerspective cv2.HoughLines* cv2.HoughCircles cv2.erode cv2.dilate cv2.minEnclosingCircle cv2.addWeighted "
     "cv2.getPerspectiveTransform cv2.flip cv2.rotate cv2.split cv2.merge cv2.connectedComponents* cv2.imencode "
     "cv2.imdecode cv2.Rodrigues cv2.approxPolyDP cv2.arcLength cv2.convexHull cv2.minAreaRect cv2.boxPoints "

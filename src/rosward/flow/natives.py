@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
+from rosward.effects.flows import Source
 from rosward.engine.seen import refs_of
 from rosward.flow import containers, library
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
-from rosward.flow.reading import elements, owners_of
+from rosward.flow.reading import arising, elements, owners_of
 from rosward.models.ros.interfaces import message_name
 
 if TYPE_CHECKING:
@@ -120,6 +121,15 @@ def _nothing(call: NativeCall) -> Mark:
     return Mark(call.pc)
 
 
+def _parameter(call: NativeCall) -> Mark:
+    """The value of a parameter: of which one, the interpretation says with the value, unless that is a list."""
+    mask = call.pc | call.mark(1).mask
+    if not arising(call.walker, call.seen):
+        name = call.key(1)
+        mask |= call.walker.sources.data(Source("parameter", name if isinstance(name, str) else "*"))
+    return Mark(mask)
+
+
 def _of_library(call: NativeCall) -> Mark:
     """`_rosward.unknown(…)`: what a library makes of all that it was given."""
     mask, nodes = call.pc, call.walker.shape.nodes
@@ -184,11 +194,12 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
             *("_rosward.fail_unless", "_rosward.spin", "_rosward.report", "_rosward.create", "_rosward.create_node"),
             *("_rosward.may_refuse", "_rosward.sender", "_rosward.node_name", "_rosward.node_namespace"),
             *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.set_parameter", "_rosward.declare_own"),
-            *("_rosward.declare_parameter", "_rosward.parameter", "_rosward.is_given", "_rosward.needs_parameter"),
+            *("_rosward.is_given", "_rosward.needs_parameter"),
             *("_rosward.is_unset", "queue._alone"),
         ),
         _nothing,
     ),
     "_rosward.unknown": _of_library,
+    **dict.fromkeys(("_rosward.declare_parameter", "_rosward.parameter"), _parameter),
     "_rosward.message": _arrives,
 }

@@ -72,11 +72,12 @@ def narrowed(walker: Walker, mask: int) -> int:
     if not walker.narrowed:
         return mask
     anything = walker.sources.data(Source(_PARAMETER, "*"))
-    if not mask & anything:
+    bits = mask & 7 * anything
+    if not bits:
         return mask
-    mask &= ~anything
+    mask &= ~bits
     for name in walker.narrowed:
-        mask |= walker.sources.data(Source(_PARAMETER, name))
+        mask |= bits // anything * walker.sources.data(Source(_PARAMETER, name))
     return mask
 
 

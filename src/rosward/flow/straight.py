@@ -87,6 +87,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         if isinstance(root, int):
             for cls in shape.classes(root):
                 found = found.joined(memory.of(cls).read(op.name))
+            if seen.reasons and not seen.refs and op.name not in content.slots:  # of a base that is not known
+                found = Mark(found.mask, found.roots | {("of", root, op.name)})
         elif root[0] == "external":
             found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))
         else:
@@ -95,7 +97,11 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         roots |= opaque(found)
     if given is not None:
         mask, roots = mask | given.mask, roots | opaque(given)
-    mask = narrowed(walker, mask | arising(walker, seen, read=True))
+    if not owner.roots or any(op.name not in memory.of(r).slots for r in owner.roots):
+        mask |= arising(walker, seen, read=True)  # what was written here, is known
+    if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
+        whole = memory.deep(Mark(mask, opaque(Mark(0, frozenset(roots)))))
+        mask, roots = narrowed(walker, whole), {r for r in roots if isinstance(r, int)} if whole != mask else roots
     body.registers[op.dst] = Mark(mask, frozenset(roots) | external(walker, seen))
 
 
