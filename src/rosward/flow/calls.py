@@ -21,6 +21,7 @@ from rosward.engine.seen import Activation, Called, Handed, Seen
 from rosward.flow import library, natives
 from rosward.flow.body import Body
 from rosward.flow.content import Content
+from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising
 from rosward.ir import ops
@@ -60,6 +61,10 @@ def run_callees(
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, marks[0], result)
         mine = waiting.get(key, ())
+        if walker.hurries and code.file.startswith("models:") and library.is_pure(name):
+            computed = library.computed(walker, body, name, marks[0])
+            result = computed if result is None else result.joined(computed)
+            continue
         if not mine and code.is_stub:
             declared = library.declared(walker, body, function, marks[0])
             result = declared if result is None else result.joined(declared)
@@ -270,13 +275,19 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         if isinstance(callee, (Native, External)) or (
             isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
         ):
-            result = result.joined(natives.apply(walker, op, body, seen, callee, marks))
+            computed = natives.apply(walker, op, body, seen, callee, marks)
+            result = result.joined(computed)
+            if walker.attempts and may_fail(op, seen):
+                walker.attempts[-1].mask |= computed.mask
         elif isinstance(callee, Class):
             result = result.joined(Mark(body.pc, frozenset(seen.refs)))
         elif not isinstance(callee, Function):
             unknown = True
     if unknown or not seen.functions:
-        result = result.joined(library.unknown(walker, op, body, function, marks))
+        computed = library.unknown(walker, op, body, function, marks)
+        result = result.joined(computed)
+        if walker.attempts:
+            walker.attempts[-1].mask |= computed.mask
     roots = frozenset(seen.refs) | frozenset(r for r in result.roots if not isinstance(r, int))
     roots |= frozenset(("external", name) for name in seen.externals)
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)

@@ -12,7 +12,7 @@ import re
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.values import Function
-from rosward.flow.marked import FUNCTIONS, PURE, STOPS, WRITES, Effect
+from rosward.flow.marked import FUNCTIONS, MUTATORS, PURE, STOPS, WRITES, Effect
 from rosward.flow.marks import Mark, Root, demoted
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import owners_of
@@ -98,6 +98,22 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
     return Mark(mask | given, frozenset((root,)))
+
+
+def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
+    """A function that only computes, taken as a whole: what it gives may be a view of what it is given; few write to their object."""
+    mask = body.pc
+    for mark in marks:
+        mask |= walker.memory.deep(mark)
+    roots = frozenset[Root]().union(*(m.roots for m in marks))
+    if name.rpartition(".")[2] in MUTATORS:
+        walker.memory.write_any(marks[0].roots, Mark(mask, roots - marks[0].roots))
+        return Mark(mask, marks[0].roots)
+    root = walker.shape.made(body.activation, body.at.number, name)
+    walker.memory.renew(root)
+    if len(roots) > _FEW:
+        walker.shape.melt(roots)
+    return Mark(mask, roots | {root})
 
 
 def stop(walker: Walker, root: Root, mask: int) -> None:

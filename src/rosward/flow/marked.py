@@ -170,3 +170,12 @@ STOPS: Final = frozenset(
     }
 )
 """What they are called on, or given, runs no more, or again."""
+
+MUTATORS: Final = frozenset(
+    (
+        *("__init__", "__setitem__", "__iadd__", "__isub__", "__imul__", "__itruediv__", "__ifloordiv__", "__imod__"),
+        *("__ipow__", "__iand__", "__ior__", "__ixor__", "__imatmul__", "fill", "sort", "put", "partition", "resize"),
+        *("itemset", "setfield", "byteswap", "append", "extend"),
+    )
+)
+"""Methods that write to their object."""

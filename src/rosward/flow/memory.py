@@ -24,6 +24,15 @@ _MOST: Final = 4_000
 _MOST_LAYERS: Final = 6
 
 
+def _fewer(layers: tuple[Layer, ...]) -> tuple[Layer, ...]:
+    """The same in fewer layers. The oldest, which others share, stays as long as it is the larger part."""
+    oldest, *newer = layers
+    later: Layer = {}
+    for layer in newer:
+        later.update(layer)
+    return (oldest, later) if 2 * len(later) < len(oldest) else ({**oldest, **later},)
+
+
 @final
 class Memory:
     """The content of all objects, at one point of the program.
@@ -45,10 +54,7 @@ class Memory:
             self._shared = (*self._shared, self._own)
             self._own = {}
             if len(self._shared) > _MOST_LAYERS:
-                whole: Layer = {}
-                for layer in self._shared:
-                    whole.update(layer)
-                self._shared = (whole,)
+                self._shared = _fewer(self._shared)
         copy = Memory(self.shape)
         copy._shared, copy.log = self._shared, self.log
         return copy
@@ -250,6 +256,14 @@ class Memory:
         if owner is not None and not isinstance(root, int) and root not in self.of(owner[0]).any.roots:
             self.write_any([owner[0]], Mark(0, frozenset((root,))))
         return content
+
+    def near(self, mark: Mark) -> int:
+        """What a value depends on, with what stands in it, as far as one look tells."""
+        found = mark.mask
+        for root in mark.roots:
+            content = self.of(root)
+            found |= content.size | content.whole.mask
+        return found
 
     def deep(self, mark: Mark) -> int:
         """All that a value depends on, with what it leads to; but not what nodes hold that it leads to."""

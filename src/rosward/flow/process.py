@@ -36,9 +36,9 @@ if TYPE_CHECKING:
     from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
-_STEPS_EACH: Final = 8
+_STEPS_EACH: Final = 2
 """The walk may take so many times the steps of the interpretation."""
-_LEAST: Final = 400_000
+_LEAST: Final = 300_000
 _EVENTS: Final = {
     "message": ("topic", "subscription"),
     "service": ("service", "service_server"),

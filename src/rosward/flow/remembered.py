@@ -19,15 +19,16 @@ MOST: Final = 6
 
 @final
 class Tracker:
-    """What a walk reads and writes. `open`: it depends on more than that, so that it can't be remembered."""
+    """What a walk reads and writes. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
 
-    __slots__ = ("open", "placed", "reads", "writes")
+    __slots__ = ("beside", "open", "placed", "reads", "writes")
 
     def __init__(self) -> None:
         self.reads: Layer = {}
         self.writes: set[Root] = set()
         self.placed: set[int] = set()
         self.open = False
+        self.beside = False
 
     def read(self, root: Root, content: Content) -> None:
         """Content was read, as it stands where the walk began unless the walk itself has written it."""
@@ -41,13 +42,15 @@ class Tracker:
         self.writes |= inner.writes
         self.placed |= inner.placed
         self.open = self.open or inner.open
+        self.beside = self.beside or inner.beside
 
 
 class Remembered(NamedTuple):
-    """One walk: what it found, and what it left. `raising` is what may have failed in it."""
+    """One walk: what it found, and what it left. `raising` is what may have failed in it, `beside` how often callbacks had written."""
 
     given: tuple[object, ...]
     tracker: Tracker
     writes: Layer
     result: Mark
     raising: int
+    beside: int

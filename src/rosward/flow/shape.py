@@ -37,6 +37,8 @@ class MeltedError(Exception):
 
 MELTED: Final[Root] = ("melted",)
 """What stands for all objects that may be views of too many others."""
+_EVERYTHING: Final = ("", 0)
+"""All operations: where melting some was not enough, since the walk begins anew each time."""
 
 
 @final
@@ -66,7 +68,9 @@ class Shape:
 
     def made(self, activation: Activation, number: int, name: str = "", kind: str = "made") -> Root:
         """The object that an operation makes and that has no address; `name`: of what in a library it is the result."""
-        return MELTED if (activation.code.key, number) in self._melted else (kind, activation, number, name)
+        if self._melted and (_EVERYTHING in self._melted or (activation.code.key, number) in self._melted):
+            return MELTED
+        return (kind, activation, number, name)
 
     def melt(self, roots: Iterable[Root]) -> None:
         """So many objects may be views of one another that they are one from now on: the walk begins anew."""
@@ -80,8 +84,8 @@ class Shape:
                 assert isinstance(activation, Activation)
                 assert isinstance(number, int)
                 sites.add((activation.code.key, number))
-        if len(sites) > 1:
-            self._melted |= sites
+        if not sites <= self._melted:
+            self._melted |= {_EVERYTHING} if self._melted else sites
             raise MeltedError
 
     def afresh(self) -> Shape:

@@ -11,11 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final, final
 
-from rosward.domain.compound import BoundMethod, Native
-from rosward.domain.values import Class, Function, Value
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
 from rosward.flow.body import Attempt, Body, Point, TooLongError
+from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
@@ -110,7 +109,7 @@ class Walker:
         attempt = self.attempts[-1]
         if may_fail(op, seen):
             for register in reads(op):
-                attempt.mask |= self.memory.deep(body.registers[register])
+                attempt.mask |= self.memory.near(body.registers[register])
         if attempt.handles:
             attempt.body.pc |= demoted(attempt.mask)
 
@@ -149,6 +148,11 @@ class Walker:
                 return Place(code.file, body.at.line, body.at.column)
         return Place("", 0)
 
+    @property
+    def hurries(self) -> bool:
+        """Whether so much was walked through that functions of libraries are taken as a whole."""
+        return self.shape.spent > _CALM
+
     def interleave(self) -> None:
         """Another thread may have run: what callbacks write may stand here."""
         if self.threaded:
@@ -156,6 +160,8 @@ class Walker:
 
     def join_beside(self) -> None:
         """Callbacks run here: all that they may have written may stand here."""
+        if self.shape.tracker is not None:
+            self.shape.tracker.beside = True
         self.memory.join(self.beside)
 
     def leave(self) -> None:
@@ -200,11 +206,12 @@ class Walker:
             if self.shape.tracker is not None:
                 self.shape.tracker.open = True
             return self.results.get(activation, NOTHING)
-        given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts), self._beside)
+        given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts))
         earlier = self._remembered.setdefault(activation, [])
         outer = self.shape.tracker
         for each in earlier:
-            if each.given == given and self.memory.finds(each.tracker.reads):
+            current = not each.tracker.beside or each.beside == self._beside
+            if current and each.given == given and self.memory.finds(each.tracker.reads):
                 self.memory.replay(each.writes, each.tracker.placed)
                 if self.attempts:
                     self.attempts[-1].mask |= each.raising
@@ -212,6 +219,7 @@ class Walker:
                     outer.absorb(each.tracker)
                 return each.result
         tracker = self.shape.tracker = Tracker()
+        beside = self._beside
         before = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask = 0
@@ -227,7 +235,7 @@ class Walker:
         if not tracker.open:
             writes = {root: content for root in tracker.writes if (content := self.memory.known(root)) is not None}
             del earlier[MOST - 1 :]
-            earlier.insert(0, Remembered(given, tracker, writes, result, raising))
+            earlier.insert(0, Remembered(given, tracker, writes, result, raising, beside))
         return result
 
     def _walk(self, activation: Activation, arguments: list[Mark], pc: int) -> Mark:
@@ -282,30 +290,10 @@ def _merged(several: list[Activation]) -> Activation:
     return found
 
 
-def may_fail(op: ops.Op, seen: Seen) -> bool:
-    """Whether an operation may raise an exception because of what it works on; a function of the program says so itself."""
-    if isinstance(op, ops.Call):
-        return any(not isinstance(f, (Function, Class)) and not _is_safe(f) for f in seen.functions)
-    return isinstance(op, (ops.LoadItem, ops.Binary, ops.Unpack, ops.StoreItem, ops.ForEach, ops.Format))
-
-
-def _is_safe(function: Value) -> bool:
-    """Whether a call surely raises nothing because of its arguments, or is one of the program."""
-    if isinstance(function, BoundMethod):
-        return isinstance(function.function, Function) or function.function in _SAFE
-    return function in _SAFE
-
-
-_SAFE: Final = frozenset(
-    Native(name)
-    for name in (
-        *("list.append", "list.extend", "list.clear", "dict.get", "dict.items", "dict.keys", "dict.values", "set.add"),
-        *("builtins.len", "builtins.str", "builtins.isinstance", "builtins.print", "builtins.list", "builtins.repr"),
-    )
-)
-
 _READING: Final = frozenset((ops.LoadAttr, ops.LoadItem, ops.LoadGlobal, ops.Call))
 """What may be the first to meet a source."""
+_CALM: Final = 50_000
+"""After so much, functions of libraries that only compute are taken as a whole."""
 _FEW: Final = 8
 """So many activations of a body are walked through one by one for one operation."""
 _DEEP: Final = 40
