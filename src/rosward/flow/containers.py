@@ -146,7 +146,7 @@ def _all_elements(call: NativeCall) -> Mark:
         pair: Root = call.walker.shape.made(call.body.activation, call.op.number, "pair", "tuple")
         content = pairs(call, size)
         memory.place(pair, content)
-        return call.new(Content(0, Mark(call.pc, frozenset((pair,)) | content.whole.roots), size))
+        return call.new(Content(0, Mark(call.pc, frozenset((pair,))), size))
     return call.new(Content(0, found.under(call.pc), size))
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
+from rosward.domain.unknown import Cause
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
 from rosward.flow.content import Content
@@ -74,6 +75,11 @@ def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
     return frozenset(("external", name) for name in seen.externals)
 
 
+def _of_base(seen: Seen) -> bool:
+    """Whether an attribute is one of a base class that is not known."""
+    return not seen.refs and any(reason.cause is not Cause.MESSAGE for reason in seen.reasons)
+
+
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
     owner = body.registers[op.obj]
     memory, shape = walker.memory, walker.shape
@@ -87,7 +93,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         if isinstance(root, int):
             for cls in shape.classes(root):
                 found = found.joined(memory.of(cls).read(op.name))
-            if seen.reasons and not seen.refs and op.name not in content.slots:  # of a base that is not known
+            if op.name not in content.slots and _of_base(seen):
                 found = Mark(found.mask, found.roots | {("of", root, op.name)})
         elif root[0] == "external":
             found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))
