@@ -90,7 +90,7 @@ def _run(options: argparse.Namespace) -> int:
             "--check and --suggest-private look at everything: they cannot be combined with --from or --to"
         )
     request = request_of(options)
-    result = extracted(options, options.paths, request, flow=True)
+    result = extracted(options, options.paths, request, flow=True, watched=frozenset(policy.functions))
     nodes = result.network.nodes
     graph = graph_of(nodes)
     found = _findings(nodes, graph, policy)

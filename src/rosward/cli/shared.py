@@ -224,16 +224,25 @@ def add_unknown(parser: argparse.ArgumentParser) -> None:
 
 
 def extracted(
-    options: argparse.Namespace, paths: Iterable[str], request: Request, *, shown: bool = True, flow: bool = False
+    options: argparse.Namespace,
+    paths: Iterable[str],
+    request: Request,
+    *,
+    shown: bool = True,
+    flow: bool = False,
+    watched: frozenset[str] = frozenset(),
 ) -> Result:
-    """What the options ask to read and to start; `shown`: progress is drawn, `flow`: also what flows in each node. Raises WrongUseError."""
+    """What the options ask to read and to start; `shown`: progress is drawn. Raises WrongUseError.
+
+    `flow`: also what flows in each node, where what `watched` functions give is told apart.
+    """
     from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
 
     try:
         with ProgressLine(shown=shown) as progress:
             result = extract(
                 *paths,
-                **_with_flow(reading(options, request), flow=flow),
+                **_with_flow(reading(options, request), flow, watched),
                 unknown=getattr(options, "unknown", "deny"),
                 **_wanted_enclaves(getattr(options, "enclaves", None)),
                 assumed=not options.no_assumed,
@@ -249,8 +258,9 @@ def extracted(
     return result
 
 
-def _with_flow(given: _Reading, *, flow: bool) -> _Reading:
-    return {**given, "budget": given["budget"]._replace(flow=flow)}
+def _with_flow(given: _Reading, flow: bool, watched: frozenset[str]) -> _Reading:
+    given["budget"] = given["budget"]._replace(flow=flow, watched=watched)
+    return given
 
 
 def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> None:

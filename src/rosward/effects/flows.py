@@ -5,10 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from rosward.domain.values import Value
 from rosward.source.location import Place
+
+RELEASED: Final = "released"
+"""The kind of what a function gives that releases something: a sink of what it is made of, and a source."""
 
 
 class Source(NamedTuple):

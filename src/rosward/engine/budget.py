@@ -26,7 +26,7 @@ class Budget(NamedTuple):
     `fixpoint`: turns after which a loop that is followed by joining must have come to rest; `widen_after`: turns before widening.
     `rounds`: rounds in which all callbacks run before widening forces an end. `items`: elements of one collection kept apart.
     `seconds`: of CPU time for one process: a net below all the others, many times what the steps take.
-    `flow`: information flow is followed as well.
+    `flow`: information flow is followed as well; `watched`: the functions, by their dotted names, of which it is told what they give.
     `net`: what fails in rosward itself is a finding (RW299) and costs one piece of input; without it, it is raised.
     """
 
@@ -57,6 +57,7 @@ class Budget(NamedTuple):
 
     net: bool = True
     flow: bool = False
+    watched: frozenset[str] = frozenset()
 
     @property
     def factor(self) -> float:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
 from rosward.domain.values import Class, Const, Function, Value
-from rosward.effects.flows import Sink
+from rosward.effects.flows import RELEASED, Sink, Source
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.seen import Activation, Called, Handed, Seen
@@ -292,10 +292,31 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     roots |= frozenset(("external", name) for name in seen.externals)
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
-    body.registers[op.dst] = Mark(mask, roots)
+    body.registers[op.dst] = _released(walker, op, body, function, seen, Mark(mask, roots))
     _register(walker, body, seen, marks, pc)
     if any(_spins(f) for f in _callees(seen.functions)):
         walker.join_beside()
+
+
+def _released(walker: Walker, op: ops.Call, body: Body, function: Mark, seen: Seen, given: Mark) -> Mark:
+    """What a watched function gives is a source of its own: what it is made of is told of the function."""
+    if not walker.watched:
+        return given
+    names = {library.name_of(root) for root in function.roots}
+    for callee in _callees(seen.functions):
+        if isinstance(callee, Function):  # by its file, since the module that is started has another name
+            names.add(f"{callee.code.file.removesuffix('.py').replace('/', '.')}.{callee.code.qualname}")
+    found = sorted(w for w in walker.watched if any(f".{name}".endswith(f".{w}") for name in names))
+    if not found:
+        return given
+    mask = body.pc
+    for word in found:
+        sink = Sink(RELEASED, walker.node, Const(word), walker.place())
+        walker.send(sink, walker.memory.deep(given))
+        mask |= walker.sources.data(Source(RELEASED, word))
+    root = walker.shape.made(body.activation, op.number, found[0])
+    walker.memory.renew(root)
+    return Mark(mask, frozenset((root,)))
 
 
 def _callees(functions: Iterable[Value]) -> Iterable[Value]:

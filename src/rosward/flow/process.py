@@ -63,13 +63,13 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
     table = Table({**straight.TABLE, **blocks.TABLE})
     most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
-    walker = Walker(watch, Shape(machine), table, most)
+    walker = Walker(watch, Shape(machine), table, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
     while True:
         try:
             complete = _settle(walker, machine) and complete
         except MeltedError:
-            walker = Walker(watch, walker.shape.afresh(), table, most)
+            walker = Walker(watch, walker.shape.afresh(), table, most, walker.watched)
             continue
         except TooLongError:
             complete = False

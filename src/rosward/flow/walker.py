@@ -50,7 +50,9 @@ STRUCTURED: Final = (
 class Walker:
     """Walks through one process. `memory` is where it is; `beside`: what all callbacks may have written."""
 
-    def __init__(self, watch: Watch, shape: Shape, table: Mapping[type[ops.Op], Handler], most: int) -> None:
+    def __init__(
+        self, watch: Watch, shape: Shape, table: Mapping[type[ops.Op], Handler], most: int, watched: frozenset[str]
+    ) -> None:
         self.watch = watch
         self.shape = shape
         self.table = table
@@ -70,6 +72,7 @@ class Walker:
         self.node: int | None = None  # on whose behalf
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
         self.changed = False
+        self.watched = watched  # the functions that release something
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self._most = most

@@ -23,14 +23,14 @@ _NOBODYS: Final = ("clock", "random")
 _NOWHERE: Final = Place("", 0)
 
 
-def check(graph: FlowGraph, policy: Policy, released: frozenset[str] = frozenset()) -> list[Finding]:
-    """Findings of all rules. `released`: the functions of releases that were met in the sources."""
+def check(graph: FlowGraph, policy: Policy) -> list[Finding]:
+    """Findings of all rules."""
     found: list[Finding] = []
     for rule in policy.rules:
         found += _names_nothing(graph, rule)
         found += _forbidden(graph, rule, policy) if rule.sources else _others(graph, rule, policy)
     for release in policy.releases:
-        found += _releases(graph, release, released)
+        found += _releases(graph, release)
     found += _contradictions(policy)
     return found
 
@@ -38,7 +38,7 @@ def check(graph: FlowGraph, policy: Policy, released: frozenset[str] = frozenset
 def _passing(by: str, releases: Iterable[Release]) -> Passing:
     """Edges of that strength that no release stops."""
     strong = at_least(by)
-    through = [s for release in releases for s in release.through if not is_function(s.word)]
+    through = [s for release in releases for s in release.through]
 
     def passing(edge: Edge) -> bool:
         return strong(edge) and not any(_goes_through(edge, s) for s in through)
@@ -47,6 +47,8 @@ def _passing(by: str, releases: Iterable[Release]) -> Passing:
 
 
 def _goes_through(edge: Edge, through: Selection) -> bool:
+    if is_function(through.word):
+        return edge.target.end.kind == "released" and edge.target.end.name == through.word
     if through.node:
         return edge.node != "" and through.fits(edge.node)
     return edge.node == "" and (through.means(edge.source) or through.means(edge.target))
@@ -134,7 +136,7 @@ def _names_nothing(graph: FlowGraph, rule: Rule) -> Iterator[Finding]:
             yield Finding("RW603", f"{selection.word!r} in the flow rule {rule.name!r} names nothing", _NOWHERE)
 
 
-def _releases(graph: FlowGraph, release: Release, released: frozenset[str]) -> Iterator[Finding]:
+def _releases(graph: FlowGraph, release: Release) -> Iterator[Finding]:
     """Whether something is released, and whether what is secret decides that."""
     words = ", ".join(s.word for s in release.through)
     vertices = graph.vertices
@@ -144,9 +146,9 @@ def _releases(graph: FlowGraph, release: Release, released: frozenset[str]) -> I
         edge
         for vertex in found
         for edge in graph.out.get(vertex, ())
-        if any(not is_function(s.word) and _goes_through(edge, s) for s in release.through)
+        if any(_goes_through(edge, s) for s in release.through)
     ]
-    if not passing and not released.intersection(release.functions):
+    if not passing:
         yield Finding("RW602", f"the flow release through {words} releases nothing", _NOWHERE)
     deciding = [edge for edge in _inside(graph, passing) if edge.strength == "control" and edge.source in found]
     for edge in deciding[:1]:

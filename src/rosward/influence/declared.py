@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Final
 
 from rosward.ros.entities import Interface, Node
-from rosward.ros.flows import End, NodeFlows, NodeSink
+from rosward.ros.flows import STRENGTHS, End, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
 
 _ANYTHING: Final = End("topic", "/*")
@@ -20,3 +22,23 @@ def flows_of(node: Node) -> NodeFlows:
         anything = NodeSink(_ANYTHING, node.defined_at, data=(_ANYTHING,), assumed=(_ANYTHING,))
         return NodeFlows((anything,), complete=False)
     return NodeFlows(tuple(all_to_all(node, (node,))), complete=False)
+
+
+def unreleased(sink: NodeSink, released: Iterable[NodeSink]) -> NodeSink:
+    """An output with what its released sources are made of in their place: what it holds if no function released anything."""
+    inner = {each.sink: each for each in released}
+    listed: dict[str, set[End]] = {strength: set() for strength in STRENGTHS}
+    work = [(end, strength) for strength in STRENGTHS for end in sink.of(strength)]
+    seen: set[tuple[End, str]] = set()
+    while work:
+        end, strength = work.pop()
+        if (end, strength) in seen:
+            continue
+        seen.add((end, strength))
+        if end in inner:
+            work += [(e, max(strength, s, key=STRENGTHS.index)) for s in STRENGTHS for e in inner[end].of(s)]
+        else:
+            listed[strength].add(end)
+    data, control = listed["data"], listed["control"] - listed["data"]
+    trigger = listed["trigger"] - data - control
+    return replace(sink, data=tuple(sorted(data)), control=tuple(sorted(control)), trigger=tuple(sorted(trigger)))

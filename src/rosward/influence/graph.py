@@ -73,8 +73,10 @@ def graph_of(nodes: Iterable[Node]) -> FlowGraph:
 
 
 def _inside(node: Node) -> Iterator[Edge]:
-    for sink in flows_of(node).sinks:
-        target = sent(sink.sink, node.display_name)
+    flows = flows_of(node)
+    for sink in (*flows.sinks, *flows.released):
+        inner = sink in flows.released
+        target = (arrived if inner else sent)(sink.sink, node.display_name)
         paths = dict(sink.paths)
         for strength in STRENGTHS:
             for source in sink.of(strength):

@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Final
 
+from rosward.domain.certain import text_of
 from rosward.domain.values import Value
-from rosward.effects.flows import Flow, ProcessFlows, Source
+from rosward.effects.flows import RELEASED, Flow, ProcessFlows, Source
 from rosward.findings import Findings
 from rosward.naming.implicit import Identity
 from rosward.naming.options import name_options
@@ -54,8 +55,9 @@ def with_flows(nodes: list[Node], identities: Identities, flows: ProcessFlows, d
 
 def _flows(sinks: Iterable[NodeSink], *, complete: bool) -> NodeFlows:
     joined = _joined(sinks)
-    outputs = tuple(s for s in joined if s.sink.kind not in EXECUTING)
-    return NodeFlows(outputs, complete, tuple(s for s in joined if s.sink.kind in EXECUTING))
+    outputs = tuple(s for s in joined if s.sink.kind not in (*EXECUTING, RELEASED))
+    executed = tuple(s for s in joined if s.sink.kind in EXECUTING)
+    return NodeFlows(outputs, complete, executed, tuple(s for s in joined if s.sink.kind == RELEASED))
 
 
 class _Names:
@@ -76,7 +78,7 @@ class _Names:
     def _of(self, kind: str, node: int | None, given: Value | None, name: str) -> Iterator[End]:
         entity = _NAMED.get(kind)
         if entity is None or given is None:
-            yield End(kind, name)
+            yield End(kind, name or (given is not None and text_of(given)) or "")
             return
         identities = [i for address, i in self._known if address == node]
         for identity in [self._identity] if node == self._address or not identities else identities:
@@ -128,5 +130,5 @@ def both(ours: NodeFlows | None, theirs: NodeFlows | None) -> NodeFlows | None:
     """The flows of a node that is known twice."""
     if ours is None or theirs is None:
         return ours or theirs
-    sinks = (*ours.sinks, *theirs.sinks, *ours.executed, *theirs.executed)
+    sinks = (*ours.sinks, *theirs.sinks, *ours.executed, *theirs.executed, *ours.released, *theirs.released)
     return _flows(sinks, complete=ours.complete and theirs.complete)

@@ -52,8 +52,10 @@ class NodeFlows:
     """All outputs of a node; `complete`: no limit was reached, so that nothing had to be assumed.
 
     `executed`: where values decide what the node itself executes: kind `code`, `pickle` or `method`.
+    `released`: what the functions give that release something, each a source of outputs by its name.
     """
 
     sinks: tuple[NodeSink, ...] = ()
     complete: bool = True
     executed: tuple[NodeSink, ...] = ()
+    released: tuple[NodeSink, ...] = ()

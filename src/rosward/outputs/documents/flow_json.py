@@ -11,7 +11,7 @@ from typing import Final
 
 from rosward._version import __version__
 from rosward.findings import Finding
-from rosward.influence.declared import flows_of
+from rosward.influence.declared import flows_of, unreleased
 from rosward.influence.graph import FlowGraph
 from rosward.influence.links import links_of
 from rosward.outputs.documents.json_text import json_text
@@ -52,7 +52,7 @@ def _node(node: Node) -> dict[str, object]:
         "node": node.display_name,
         "interface": _INTERFACES[node.interface],
         "complete": flows.complete,
-        "sinks": [_sink(sink) for sink in flows.sinks],
+        "sinks": [_sink(unreleased(sink, flows.released)) for sink in flows.sinks],
     }
 
 
