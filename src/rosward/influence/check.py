@@ -128,6 +128,11 @@ def _broken(rule: Rule, way: list[Edge], target: Vertex, reached: Reached) -> Fi
 def _names_nothing(graph: FlowGraph, rule: Rule) -> Iterator[Finding]:
     vertices = graph.vertices
     nodes = {e.node for edges in graph.out.values() for e in edges}
+    protected = rule.sources or rule.to
+    if protected and not meant(protected, vertices) and not any(s.node and any(map(s.fits, nodes)) for s in protected):
+        words = ", ".join(s.word for s in protected)
+        yield Finding("RW603", f"nothing is called {words}: the flow rule {rule.name!r} protects nothing", _NOWHERE)
+        return
     for selection in (*rule.sources, *rule.not_to, *rule.to, *rule.only_from):
         if selection.word.endswith("*") or selection.kind in ("network", "file", "log", "process", "stdout"):
             continue
