@@ -167,14 +167,14 @@ def _identity(call: NativeCall) -> Mark:
 _METHODS: Final[dict[str, containers.Handler]] = {
     **containers.METHODS,
     "send": _send_into,
-    **dict.fromkeys(("close", "discard"), _nothing),
+    "close": _nothing,
 }
 _KNOWN: Final[dict[str, containers.Handler]] = {
     **containers.KNOWN,
     **dict.fromkeys(("isinstance", "issubclass", "type", "id", "callable", "hasattr", "super", "object"), _identity),
     "getattr": _get_attribute,
     "setattr": _set_attribute,
-    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited"), _pass),
+    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited", "vars"), _pass),
     **dict.fromkeys(
         (
             *("_rosward.schedule", "_rosward.ask", "_rosward.overridden", "_rosward.opaque", "_rosward.escape"),

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
+from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
@@ -76,6 +77,9 @@ def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
 
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
     owner = body.registers[op.obj]
+    if op.name == "__dict__":  # the same slots by another way
+        body.registers[op.dst] = owner.under(body.pc)
+        return
     memory, shape = walker.memory, walker.shape
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
@@ -140,6 +144,25 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     else:
         walker.memory.write(owner.roots, key, written)
         walker.memory.write_any(owner.roots, NOTHING, body.pc)
+
+
+def _delete(walker: Walker, op: ops.Delete, body: Body, seen: Seen) -> None:
+    """What is deleted is gone, if control is here: that stands under its key, or anywhere."""
+    if op.kind not in ("attr", "item"):
+        return
+    owner = body.registers[op.obj]
+    run_callees(walker, op, body, seen)
+    if op.kind == "attr":
+        walker.memory.write(owner.roots, op.name, Mark(body.pc | demoted(owner.mask)))
+        return
+    index = body.registers[op.index]
+    mask = body.pc | demoted(owner.mask) | walker.memory.deep(index)
+    key = constant(seen, op.index)
+    if isinstance(key, str):
+        walker.memory.write(owner.roots, key, Mark(mask))
+        walker.memory.write_any(owner.roots, NOTHING, mask)
+    else:
+        taken_out(walker.memory, owner.roots, mask)
 
 
 def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
@@ -256,6 +279,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.Compare: _compare,
     ops.LoadItem: _load_item,
     ops.StoreItem: _store_item,
+    ops.Delete: _delete,
     ops.Build: _build,
     ops.Unpack: _unpack,
     ops.MakeFunction: _make_function,
