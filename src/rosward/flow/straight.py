@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 _NO_ROOTS: Final[frozenset[Root]] = frozenset()
+_SLICE: Final[Root] = ("slice",)
+"""What an index leads to that stands for several elements."""
 
 
 def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
@@ -127,6 +129,8 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
     roots = frozenset(seen.refs) | opaque(found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
     mask = owner.mask | index.mask | found.mask | body.pc
+    if _SLICE in index.roots:
+        mask |= walker.memory.size(owner.roots)
     if given is not None:
         mask, roots = mask | given.mask, roots | opaque(given)
     body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
@@ -139,7 +143,12 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     run_callees(walker, op, body, seen)
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
     key = constant(seen, op.index)
-    if key is None:
+    if _SLICE in index.roots:
+        mask = body.pc | demoted(owner.mask) | index.mask
+        size = mask | value.mask | walker.memory.size(value.roots)
+        taken_out(walker.memory, owner.roots, mask)
+        walker.memory.write_any(owner.roots, elements(walker, written), size)
+    elif key is None:
         walker.memory.write_any(owner.roots, written, index.mask | body.pc)
     else:
         walker.memory.write(owner.roots, key, written)
@@ -264,6 +273,8 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         body.registers[op.dst] = Mark(mask)
         return
     plain(walker, op, body, seen)
+    if op.name == "slice":
+        body.registers[op.dst] = Mark(body.registers[op.dst].mask, frozenset((_SLICE,)))
 
 
 TABLE: Final[dict[type[ops.Op], Any]] = {
