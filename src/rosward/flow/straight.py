@@ -149,10 +149,10 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
         taken_out(walker.memory, owner.roots, mask)
         walker.memory.write_any(owner.roots, elements(walker, written), size)
     elif key is None:
-        walker.memory.write_any(owner.roots, written, index.mask | body.pc)
+        walker.memory.write_any(owner.roots, written, index.mask | body.pc | demoted(owner.mask))
     else:
         walker.memory.write(owner.roots, key, written)
-        walker.memory.write_any(owner.roots, NOTHING, body.pc)
+        walker.memory.write_any(owner.roots, NOTHING, body.pc | demoted(owner.mask))
 
 
 def _delete(walker: Walker, op: ops.Delete, body: Body, seen: Seen) -> None:
