@@ -127,7 +127,7 @@ class Seen:
 
     def key(self, register: int, value: Value) -> None:
         """The operation finds a value in a register that may name a slot: what it is, where it is always the same constant."""
-        found = value if value.__class__ is Const else None
+        found = value if value.__class__ is Const and all(o.settled for o in value.origins) else None
         if register not in self.keys:
             self.keys[register] = found
         elif self.keys[register] != found:
