@@ -156,8 +156,9 @@ def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]
     given = [_handed(walker, op, body, h).under(spread) for h in called.args]
     named: dict[str, Mark] = {}
     for name, handed in called.keywords:
-        plain = name.removeprefix(MAYBE) if name not in (LOOSE, ORDER, ANY) else name
-        named[plain] = _handed(walker, op, body, handed, plain).under(spread)
+        unknown = name in (LOOSE, ORDER, ANY)
+        plain = name if unknown else name.removeprefix(MAYBE)
+        named[plain] = _handed(walker, op, body, handed, "" if unknown else plain).under(spread)
     unnamed = NOTHING
     for name, mark in named.items():
         if name in (LOOSE, ORDER, ANY):
