@@ -225,10 +225,12 @@ def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
         body.registers[register] = Mark(found.mask | source.mask | body.pc, roots)
 
 
-def _make_function(_walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen) -> None:
+def _make_function(walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen) -> None:
+    """Its defaults are known by their addresses; of what has none, all of it is in the function."""
     mask = body.pc
     for register in reads(op):
-        mask |= body.registers[register].mask
+        mark = body.registers[register]
+        mask |= walker.memory.deep(Mark(mark.mask, opaque(mark)))
     body.registers[op.dst] = Mark(mask)
 
 
