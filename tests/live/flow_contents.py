@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What arrives at a program: messages, requests and values, the same for the same name, round and variant.
 
-    Contents({"topic:/in": 2}).filled("topic:/in", 0, Float64)    the third content of the first message on /in; all else is as ever
+Contents({"topic:/in": 2}).filled("topic:/in", 0, Float64)    the third content of the first message on /in; all else is as ever
 """
 
 from __future__ import annotations

@@ -6,239 +6,17 @@ Nothing raises, and every loop ends: what comes out of the holes is of the right
 
 from __future__ import annotations
 
+import ast
 import re
 import textwrap
+from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Final
 
 from .draft import Chooser
+from .flow_skeleton import HEAD, HELPER, NODE
 from .flow_ways import BLOCKS, CONDITIONS, NUMBERS, PLAIN, SENDING, TEXTS
-
-_HEAD: Final = '''import contextlib
-import copy
-import functools
-import json
-import math
-from collections import deque
-
-import rclpy
-from geometry_msgs.msg import PointStamped, Twist, Vector3
-from rclpy.node import Node
-from rclpy.parameter import Parameter
-from std_msgs.msg import Bool, Float64, Float64MultiArray, Int32, String
-from std_srvs.srv import SetBool, Trigger
-
-STATE = {'a': 1.0, 'b': 2.0, 'c': 3.0}
-
-
-class Shared:
-    total = 0.0
-
-
-class Refused(Exception):
-    def __init__(self, value):
-        super().__init__('refused')
-        self.value = value
-
-
-def free(p, q):
-    return p + q * 0.5
-
-
-def remember(p, kept=[]):
-    kept.append(p)
-    return sum(kept[-2:])
-
-
-def parsed(text, otherwise):
-    try:
-        return float(text)
-    except ValueError:
-        return otherwise
-
-
-def put(where, what):
-    where.append(what)
-
-
-TABLE = [lambda v: v + 1.0, lambda v: v * 2.0]
-'''
-
-_HELPER: Final = '''
-class Helper:
-    made = 0
-
-    def __init__(self, value=0.0):
-        self.value = value
-        self.other = 1.0
-        self.items = [value]
-        self.by_key = {{'a': value, 'b': 0.0, 'c': 0.0}}
-        self.name = 'a'
-
-    def step(self, p):
-{step}
-
-    def keep(self, p):
-        self.items.append(p)
-{keep}
-
-    @property
-    def level(self):
-        return {level}
-
-    @level.setter
-    def level(self, p):
-        self.other = p
-
-    def itself(self):
-        return self
-
-    @classmethod
-    def make(cls, p):
-        return cls(p)
-
-    def __call__(self, p):
-{call}
-
-    def __add__(self, other):
-        return Helper(self.value + other.other)
-
-    def __eq__(self, other):
-        return self.value == other.value
-
-    def __hash__(self):
-        return 1
-
-    def __len__(self):
-        return len(self.items)
-
-    def __bool__(self):
-        return True
-
-    def __iter__(self):
-        return iter(self.items)
-
-    def __getitem__(self, key):
-        return self.by_key[key]
-
-    def __setitem__(self, key, p):
-        self.by_key[key] = p
-
-    def __enter__(self):
-        self.other = self.value
-        return self
-
-    def __exit__(self, *_):
-        self.value = self.other
-
-
-class Further(Helper):
-    def step(self, p):
-        self.other = super().step(p)
-        return {further}
-'''
-
-_NODE: Final = '''
-class Robot(Node):
-    shared = {{'a': 0.0, 'b': 0.0, 'c': 0.0}}
-    bias = 0.5
-
-    def __init__(self):
-        super().__init__('robot')
-        self.n0, self.n1, self.n2 = 0.0, 1.0, 2.0
-        self.text, self.flag, self.last, self.pair = 'a', False, None, (0.0, 1.0)
-        self.l0, self.l1 = [], [1.0]
-        self.d0, self.d1 = ({{'a': 0.0, 'b': 1.0, 'c': 2.0}} for _ in range(2))
-        self.rows = [[], [0.0]]
-        self.seen, self.hooks = {{}}, []
-        self.table = dict.fromkeys('abc', abs)
-        self.queue, self.recent = deque([0.0], maxlen=3), deque([Twist()], maxlen=2)
-        self.o0, self.o1 = Helper(), Further(1.0)
-        self.helpers = {{'a': self.o0, 'b': self.o1, 'c': Helper(2.0)}}
-        self.m0 = Twist()
-        self._sum = 0.0
-        self.declare_parameter('gain', 2.0)
-        self.declare_parameter('mode', False)
-        self.f0 = self.create_publisher(Float64, '/f0', 10)
-        self.f1 = self.create_publisher(Float64, '/f1', 10)
-        self.words = self.create_publisher(String, '/words', 10)
-        self.moves = self.create_publisher(Twist, '/moves', 10)
-        self.many = self.create_publisher(Float64MultiArray, '/many', 10)
-        self.outs = [self.create_publisher(Float64, f'/out{{i}}', 10) for i in range(2)]
-        self.by_name = {{c: self.create_publisher(Float64, f'/by/{{c}}', 10) for c in 'abc'}}
-        self.client = self.create_client(Trigger, '/query')
-        self.timer = self.create_timer(0.1, self.tick)
-{init}
-
-    @property
-    def average(self):
-        return self._sum / 2.0
-
-    @average.setter
-    def average(self, p):
-        self._sum += p
-
-    def set_n0(self, p):
-        self.n0 = p
-
-    def set_n1(self, p):
-        self.n1 = p
-
-    def set_n2(self, p):
-        self.n2 = p
-
-    def send(self, name, p):
-        self.by_name[name].publish(Float64(data=float(p)))
-
-    def both(self, p, q):
-        return p, q
-
-    def spread(self, *values, **named):
-        return sum(values[-1:]) + sum(v for k, v in named.items() if k != 'a')
-
-    def change(self, where):
-        where.append(self.n2)
-
-    def fill(self, where, p):
-        where['b'] = p
-
-    def pour(self, message, p):
-        message.linear.x = float(p)
-
-    def counting(self, p):
-        yield p
-{counting}
-        yield self.n1
-
-    @contextlib.contextmanager
-    def changed(self, p):
-        before, self.n2 = self.n2, p
-        try:
-            yield self.n2
-        finally:
-            self.n2 = before
-
-    def risky(self, p):
-        if p > 1.0:
-            raise Refused(p)
-        return p
-
-    def ask(self, flag):
-        if flag:
-            self.client.call_async(Trigger.Request()).add_done_callback(self.on_answer)
-
-    def on_answer(self, future):
-        answer = future.result()
-{answer}
-{methods}
-
-def main():
-    rclpy.init()
-    rclpy.spin(Robot())
-
-
-main()
-'''
 
 _MESSAGES: Final[dict[str, dict[str, list[str]]]] = {
     "Float64": {"n": ["msg.data"]},
@@ -292,7 +70,9 @@ class _Writer:
             return self.chooser.pick(known)
         ways = {"n": NUMBERS, "c": CONDITIONS, "t": TEXTS}[kind]
         if depth <= 0:
-            ways = tuple(w for w in ways if not re.search(r"\{[nct]\}", w)) if kind != "c" else ("{n} > 1.0", "self.flag")
+            ways = (
+                tuple(w for w in ways if not re.search(r"\{[nct]\}", w)) if kind != "c" else ("{n} > 1.0", "self.flag")
+            )
         return self.filled(self.chooser.pick(self.usable(ways, scope)), scope, depth)
 
     def usable(self, ways: tuple[str, ...], scope: _Scope) -> list[str]:
@@ -304,7 +84,7 @@ class _Writer:
                 continue
             if "hook()" in way and (scope.inner or scope.helpers):
                 continue
-            if "{y}" in way and scope.inner:
+            if scope.inner and any(word in way for word in ("{y}", "{l} +=", "{d} |=", "{d}, {d2} =")):
                 continue
             if not scope.own and ("self." in way or "{a}" in way or any("{" + k in way for k in "ldom")):
                 continue
@@ -333,7 +113,9 @@ class _Writer:
                 lines = self.block(inner.inside(), depth - 1)
                 return textwrap.indent(lines, "    ") if not match[2] else lines.replace("\n", "\n        ")
             if kind == "f":
-                return textwrap.indent(self.block(replace(inner.inside(), names=[], result=False, inner=True), depth - 1), "    ")
+                return textwrap.indent(
+                    self.block(replace(inner.inside(), names=[], result=False, inner=True), depth - 1), "    "
+                )
             if kind == "r":
                 return f"return {self.expression('n', inner, 1)}" if scope.result else "return"
             if key not in held:
@@ -397,25 +179,29 @@ class _Writer:
             init.append(f"self.create_subscription({kind}, '/{name}', self.on_{name}, 10)")
             known = {k: 2 * v for k, v in _MESSAGES[kind].items()}
             first = "data = list(msg.data)" if "l" in known else ""
-            methods.append(self.method(f"on_{name}(self, msg)", _Scope(known=known), first, sends=self.chooser.chance(60)))
+            methods.append(
+                self.method(f"on_{name}(self, msg)", _Scope(known=known), first, sends=self.chooser.chance(60))
+            )
         methods.append(self.method("tick(self)", _Scope(), sends=True))
         if self.chooser.chance(40):
             init.append("self.create_service(SetBool, '/set', self.on_set)")
             body = self.method("on_set(self, request, response)", _Scope(known={"c": ["request.data"]}))
             body = re.sub(r"\breturn$", "return response", body, flags=re.M)
-            methods.append(f"{body}        response.message = {self.expression('t', _Scope(), 1)}\n        return response\n")
+            methods.append(
+                f"{body}        response.message = {self.expression('t', _Scope(), 1)}\n        return response\n"
+            )
         for number in range(self.helpers):
             scope = _Scope(known={"n": ["p", "other"]}, names=["p"], result=True, helpers=number + 1)
             methods.append(self.method(f"helper{number}(self, p, other={pick(['0.0', '3.0'])})", scope))
         of_generator = self.block(_Scope(known={"n": ["p"]}, names=["p"], helpers=9), 0, 2)
         answer = _Scope(known={"t": ["answer.message"], "c": ["answer.success"]})
-        node = _NODE.format(
+        node = NODE.format(
             init=textwrap.indent("\n".join([*init, self.statement(_Scope(helpers=9), 0)]), " " * 8),
             counting=textwrap.indent(of_generator.replace("self.counting", "(lambda v: iter([v, v]))"), " " * 8),
             answer=textwrap.indent(self.block(answer, 1).replace("self.ask", "bool"), " " * 8),
             methods="".join(methods),
         )
-        return _HEAD + self.helper() + node
+        return _pruned(HEAD + self.helper() + node)
 
     def helper(self) -> str:
         pick = self.chooser.pick
@@ -423,7 +209,13 @@ class _Writer:
         names = [*fields, "p", "p"]
 
         def number() -> str:
-            return pick([*names, f"({pick(names)} + {pick(names)})", f"({pick(names)} if {pick(names)} > 1.0 else {pick(names)})"])
+            return pick(
+                [
+                    *names,
+                    f"({pick(names)} + {pick(names)})",
+                    f"({pick(names)} if {pick(names)} > 1.0 else {pick(names)})",
+                ]
+            )
 
         def write() -> str:
             place = pick(["self.value", "self.other", "self.by_key['a']", "self.by_key['b']", "self.value"])
@@ -445,7 +237,50 @@ class _Writer:
             return textwrap.indent("\n".join([write(), write(), f"return {number()}"]), " " * 8)
 
         keep = textwrap.indent(write(), " " * 8)
-        return _HELPER.format(step=body(), keep=keep, level=pick(fields), call=body(), further=number())
+        return HELPER.format(step=body(), keep=keep, level=pick(fields), call=body(), further=number())
+
+
+def _pruned(text: str) -> str:
+    """The same without what nothing uses."""
+    tree = ast.parse(text)
+    while True:
+        used = Counter(
+            n.attr if isinstance(n, ast.Attribute) else n.id
+            for n in ast.walk(tree)
+            if isinstance(n, (ast.Attribute, ast.Name))
+        )
+
+        found = [(block, s) for block in _blocks(tree) for s in block if not any(used[n] for n in _defined(s, used))]
+        if not found:
+            return ast.unparse(tree) + "\n"
+        for block, statement in found:
+            block.remove(statement)
+            if not block:
+                block.append(ast.Pass())
+
+
+def _blocks(tree: ast.Module) -> Iterator[list[ast.stmt]]:
+    """The definitions of the module, the methods of its classes, and what their constructors write."""
+    yield tree.body
+    for statement in tree.body:
+        if isinstance(statement, ast.ClassDef):
+            yield statement.body
+            yield from (s.body for s in statement.body if isinstance(s, ast.FunctionDef) and s.name == "__init__")
+
+
+def _defined(statement: ast.stmt, used: Counter[str]) -> list[str]:
+    """The names by which a statement is used; what has to stay in any case is `Node`."""
+    if isinstance(statement, (ast.FunctionDef, ast.ClassDef)) and not statement.name.startswith("__"):
+        return [statement.name]
+    if isinstance(statement, ast.ImportFrom):
+        statement.names = [a for a in statement.names if used[a.name]] or statement.names
+        return [a.name for a in statement.names]
+    if isinstance(statement, ast.Import):
+        return [a.name for a in statement.names]
+    if isinstance(statement, ast.Assign) and isinstance(target := statement.targets[0], (ast.Attribute, ast.Name)):
+        name = target.attr if isinstance(target, ast.Attribute) else target.id
+        return ["Node"] if used[name] > (1 if name != "timer" else 0) else []
+    return ["Node"]
 
 
 def _know(scope: _Scope, kind: str, name: str) -> None:

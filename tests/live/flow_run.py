@@ -13,6 +13,7 @@ import contextlib
 import gc
 import inspect
 from collections.abc import Callable, Iterator
+from functools import partial
 from types import CodeType, SimpleNamespace
 from typing import Any, Final, final
 
@@ -61,8 +62,8 @@ class Run:
         self._round = 0
         self._oks = _OKS * ROUNDS
         self._threads: list[Callable[[], object]] = []
-        self._pending: list[tuple[str, Any, Callable[[Any], None]]] = []  # requests that wait for an answer
-        self._waiting: list[tuple[Any, Callable[[Any], None]]] = []  # coroutines
+        self._pending: list[tuple[str, Any, Callable[[Any], object]]] = []  # requests that wait for an answer
+        self._waiting: list[tuple[Any, Callable[[Any], object]]] = []  # coroutines
 
     def go(self) -> Sent:
         """Run it to its end."""
@@ -104,7 +105,7 @@ class Run:
         self._pending.append((source, make, future.set_result))
         return future
 
-    def tell(self, source: str, make: Callable[[], Any], callback: Callable[[Any], None]) -> None:
+    def tell(self, source: str, make: Callable[[], Any], callback: Callable[[Any], object]) -> None:
         """Something will be told by the other side."""
         self._pending.append((source, make, callback))
 
@@ -131,7 +132,7 @@ class Run:
         for source, what in reversed(events) if self.backward else events:
             self._event(source, what)
         for number in range(len(self._threads)):
-            self._event(f"thread {number}", lambda number=number: self._advance_thread(number))
+            self._event(f"thread {number}", partial(self._advance_thread, number))
         self.answer()
         for node in self.nodes:
             for name in sorted(set(node._parameters) - set(_OWN)):
@@ -143,7 +144,7 @@ class Run:
         for _ in range(3):
             pending, self._pending = self._pending, []
             for source, make, give in pending:
-                self._event(source, lambda make=make, give=give: give(make()))
+                self._event(source, partial(_hand_over, make, give))
 
     def _event(self, source: str, what: Callable[[], object]) -> None:
         if source == self.absent:
@@ -156,7 +157,7 @@ class Run:
             self._advance(coroutine, give)
         self._when = before
 
-    def call(self, function: Callable[..., object], *arguments: object, give: Callable[[Any], None] = bool) -> None:
+    def call(self, function: Callable[..., object], *arguments: object, give: Callable[[Any], object] = bool) -> None:
         """Call something of the program; `give` gets the result."""
         try:
             result = function(*arguments)
@@ -168,7 +169,7 @@ class Run:
         else:
             give(result)
 
-    def _advance(self, coroutine: Any, give: Callable[[Any], None]) -> None:
+    def _advance(self, coroutine: Any, give: Callable[[Any], object]) -> None:
         try:
             coroutine.send(None)
         except StopIteration as end:
@@ -200,14 +201,18 @@ class Run:
     def _events(self, node: Any) -> Iterator[tuple[str, Callable[[], object]]]:
         for subscription in [s for s in node.subscriptions if not _of_library(s.callback)]:
             source = f"topic:{subscription.topic_name}"
-            yield source, lambda s=subscription, n=source: self._receive(node, s, n)
+            yield source, partial(self._receive, node, subscription, source)
         for service in list(node.services):
             if not _of_library(service.callback):
-                yield f"service:{service.service_name}", lambda s=service: self._serve(s)
+                yield f"service:{service.service_name}", partial(self._serve, service)
         for timer in list(node.timers):
-            yield "timer", lambda t=timer: None if t.is_canceled() else self.call(t.callback)
+            yield "timer", partial(self._tick, timer)
         for server in [w for w in node.waitables if isinstance(w, ActionServer)]:
-            yield f"goal:{server.flow_name}", lambda s=server: self._serve_goal(s)
+            yield f"goal:{server.flow_name}", partial(self._serve_goal, server)
+
+    def _tick(self, timer: Any) -> None:
+        if not timer.is_canceled():
+            self.call(timer.callback)
 
     def _receive(self, node: Any, subscription: Any, source: str) -> None:
         if subscription in list(node.subscriptions):
@@ -236,12 +241,18 @@ class Run:
         self.call(server._execute_callback, handle, give=lambda r: self.sent(f"result:{name}", r))
 
 
+def _hand_over(make: Callable[[], Any], give: Callable[[Any], object]) -> None:
+    give(make())
+
+
 def _of_library(callback: object) -> bool:
     return str(getattr(callback, "__module__", "")).startswith("rclpy.")
 
 
-class _Promise(Future[Any]):
+class _Promise(Future):  # type: ignore[type-arg,misc,unused-ignore]  # Any, where rclpy is not installed
     """A future whose callbacks are callbacks of the program."""
+
+    _callbacks: list[Any]
 
     def _schedule_or_invoke_done_callbacks(self) -> None:
         callbacks, self._callbacks = self._callbacks, []
