@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple, final
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.slots import Pointer, Slot
-from rosward.domain.values import Const, Function, Ref, Text, Unknown, Value
+from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Origin, Reason
@@ -28,10 +28,15 @@ _DEPTH: Final = 6
 
 
 def refs_of(value: Value, depth: int = 0) -> Iterator[int]:
-    """The addresses of the objects that a value is or holds; not those that a function or method is bound to."""
+    """The addresses of the objects that a value is or holds; not those that a function or method is bound to.
+
+    A class stands where its attributes and those of its bases do.
+    """
     for option in options(value):
         if option.__class__ is Ref:
             yield option.address
+        elif option.__class__ is Class:
+            yield from (c.address for c in option.mro if c.__class__ is Class and not c.stub)
         elif option.__class__ is Tuple and depth < _DEPTH:
             for item in option.items:
                 yield from refs_of(item, depth + 1)
@@ -122,7 +127,7 @@ class Seen:
 
     def key(self, register: int, value: Value) -> None:
         """The operation finds a value in a register that may name a slot: what it is, where it is always the same constant."""
-        found = value if value.__class__ is Const else None
+        found = value if value.__class__ is Const and all(o.settled for o in value.origins) else None
         if register not in self.keys:
             self.keys[register] = found
         elif self.keys[register] != found:

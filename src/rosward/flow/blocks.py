@@ -135,10 +135,11 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
     def test() -> int:
         return demoted(iterable.mask | walker.memory.size(iterable.roots))
 
-    return _turns(walker, op, body, begin, test)
+    return _turns(walker, op, body, begin, test, op.item)
 
 
-def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any) -> bool:
+def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any, item: int = ops.NO_REGISTER) -> bool:
+    """`item`: the register that keeps what it held where there is no further element."""
     outer = body.broken, body.continued
     body.enter_loop()
     outside = body.pc
@@ -147,10 +148,13 @@ def _turns(walker: Walker, op: Any, body: Body, begin: Any, test: Any) -> bool:
     for _ in range(_MOST_TURNS):
         walker.go(body, head.copy())
         before = body.pc
+        kept = body.registers[item]
         if not begin():
             break
         decided = test()
         ended = walker.point(body)
+        if item != ops.NO_REGISTER:
+            ended.registers[item] = kept.under(decided)
         if not _runs(op.body, body):
             break
         body.pc |= decided

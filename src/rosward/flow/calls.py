@@ -17,7 +17,7 @@ from rosward.domain.values import Class, Const, Function, Value
 from rosward.effects.flows import RELEASED, Sink, Source
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
-from rosward.engine.seen import Activation, Called, Handed, Seen
+from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
 from rosward.flow import library, natives
 from rosward.flow.body import Body
 from rosward.flow.content import Content
@@ -157,31 +157,54 @@ def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]
     """The marks of the parameters, in the order of their registers."""
     parameters = called.function.code.parameters
     count = len(parameters.positional)
-    given = [_handed(walker, op, body, h) for h in called.args]
+    spread = _spread_size(walker, op, body)
+    given = [_handed(walker, op, body, h).under(spread) for h in called.args]
     named: dict[str, Mark] = {}
     for name, handed in called.keywords:
-        plain = name.removeprefix(MAYBE) if name not in (LOOSE, ORDER, ANY) else name
-        named[plain] = _handed(walker, op, body, handed, plain)
+        unknown = name in (LOOSE, ORDER, ANY)
+        plain = name if unknown else name.removeprefix(MAYBE)
+        named[plain] = _handed(walker, op, body, handed, "" if unknown else plain).under(spread)
     unnamed = NOTHING
     for name, mark in named.items():
         if name in (LOOSE, ORDER, ANY):
             unnamed = unnamed.joined(mark)
     marks = list(given[:count])
-    default = Mark(body.registers[op.func].mask) if isinstance(op, ops.Call) else NOTHING
+    defaults = _defaults(
+        called.function, Mark(body.registers[op.func].mask | spread if isinstance(op, ops.Call) else 0)
+    )
     for name in parameters.positional[len(marks) :]:
-        marks.append(named.get(name, default).joined(unnamed))
+        marks.append(named.get(name, defaults[name]).joined(unnamed))
     if parameters.vararg is not None:
         root: Root = walker.shape.made(body.activation, op.number, "*", "tuple")
         slots: dict[object, Mark] = dict(enumerate(given[count:]))
-        walker.memory.place(root, Content(0, unnamed, body.pc, slots))
+        walker.memory.place(root, Content(0, unnamed, body.pc | spread, slots))
         marks.append(Mark(body.pc, frozenset((root,))))
-    marks += [named.get(name, default).joined(unnamed) for name in parameters.kwonly]
+    marks += [named.get(name, defaults[name]).joined(unnamed) for name in parameters.kwonly]
     if parameters.kwarg is not None:
         root = walker.shape.made(body.activation, op.number, "**", "tuple")
         further: dict[object, Mark] = {n: m for n, m in named.items() if n not in parameters.names}
-        walker.memory.place(root, Content(0, unnamed, body.pc, dict(further)))
+        walker.memory.place(root, Content(0, unnamed, body.pc | spread, dict(further)))
         marks.append(Mark(body.pc, frozenset((root,))))
     return marks
+
+
+def _defaults(function: Function, made: Mark) -> dict[str, Mark]:
+    """The marks of the parameters that are not given: what the function was made with."""
+    parameters = function.code.parameters
+    known = dict(function.kwdefaults)
+    known.update(zip(reversed(parameters.positional), reversed(function.defaults), strict=False))
+    names = (*parameters.positional, *parameters.kwonly)
+    return {n: Mark(made.mask, frozenset(refs_of(known[n])) if n in known else frozenset()) for n in names}
+
+
+def _spread_size(walker: Walker, op: ops.Op, body: Body) -> int:
+    """How many arguments `*` and `**` give, and so which of them is which."""
+    size = 0
+    for argument in op.arguments if isinstance(op, ops.Call) else ():
+        if argument.kind in ("star", "doublestar"):
+            mark = body.registers[argument.register]
+            size |= mark.mask | walker.memory.size(mark.roots)
+    return size
 
 
 def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = "") -> Mark:

@@ -8,13 +8,16 @@ copy.deepcopy(state)         a new object that holds the same; changing it chang
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Final
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Final
 
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.native_call import NativeCall
 from rosward.flow.reading import elements, opaque
+
+if TYPE_CHECKING:
+    from rosward.flow.memory import Memory
 
 Handler = Callable[[NativeCall], Mark]
 """What a native gives, and what it writes."""
@@ -58,12 +61,17 @@ def _is_keyed(call: NativeCall, mark: Mark) -> bool:
     )
 
 
+def taken_out(memory: Memory, roots: Iterable[Root], mask: int) -> None:
+    """An element is gone: what stands where, and how many there are, depends on this."""
+    memory.collapse(roots)
+    memory.write_any(roots, Mark(mask), mask)
+
+
 def _take(call: NativeCall) -> Mark:
     """An element is taken out."""
     memory, owner = call.walker.memory, call.mark(0)
     found = memory.read_all(owner.roots)
-    memory.collapse(owner.roots)
-    memory.write_any(owner.roots, NOTHING, call.pc)
+    taken_out(memory, owner.roots, call.pc | call.mark(1).mask)
     for each in call.marks[1:]:
         found = found.joined(each)
     return found.under(call.pc | owner.mask | memory.size(owner.roots))
@@ -93,9 +101,16 @@ def _clear(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
     if memory.is_one(owner.roots):
         for root in owner.roots:
-            memory.place(root, Content(size=call.pc))
+            memory.place(root, Content(base=call.pc, size=call.pc))
     else:
-        memory.write_any(owner.roots, NOTHING, call.pc)
+        memory.write_any(owner.roots, Mark(call.pc), call.pc)
+    return Mark(call.pc)
+
+
+def _remove(call: NativeCall) -> Mark:
+    """Which one is removed depends on all, and on what is looked for."""
+    memory, owner = call.walker.memory, call.mark(0)
+    taken_out(memory, owner.roots, call.pc | memory.deep(owner) | memory.deep(call.mark(1)))
     return Mark(call.pc)
 
 
@@ -217,7 +232,8 @@ METHODS: Final[dict[str, Handler]] = {
     **dict.fromkeys(("get", "__getitem__"), _get),
     "setdefault": _set_default,
     "clear": _clear,
-    **dict.fromkeys(("sort", "reverse", "remove", "rotate"), _reorder),
+    **dict.fromkeys(("sort", "reverse", "rotate"), _reorder),
+    **dict.fromkeys(("remove", "discard"), _remove),
     "copy": _copy,
     **dict.fromkeys(("values", "items", "keys", "union", "intersection", "difference"), _all_elements),
     **dict.fromkeys(("__next__",), _one_element),

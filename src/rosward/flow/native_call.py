@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, final
 
 from rosward.flow.content import Content
-from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import constant
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class NativeCall:
     """One call of a native: the receiver is among the marks; `keys` are the registers of the arguments behind it."""
 
-    __slots__ = ("body", "marks", "name", "op", "registers", "seen", "walker")
+    __slots__ = ("body", "marks", "name", "op", "pc", "registers", "seen", "walker")
 
     def __init__(
         self,
@@ -31,14 +31,13 @@ class NativeCall:
         name: str,
         marks: list[Mark],
         registers: list[int],
+        receiver: Mark = NOTHING,
     ) -> None:
         self.walker, self.op, self.body, self.seen = walker, op, body, seen
         self.name, self.marks, self.registers = name, marks, registers
-
-    @property
-    def pc(self) -> int:
-        """What decides that control is here."""
-        return self.body.pc
+        self.pc = body.pc  # what decides that control is here, and at this object
+        if receiver.mask and not walker.memory.is_one(receiver.roots):
+            self.pc |= demoted(receiver.mask)
 
     def mark(self, number: int) -> Mark:
         """Of one argument."""

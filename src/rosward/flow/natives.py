@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rosward.domain.choice import options
 from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
@@ -24,6 +25,8 @@ from rosward.flow.reading import arising, elements, owners_of
 from rosward.models.ros.interfaces import message_name
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from rosward.engine.seen import Seen
     from rosward.flow.body import Body
     from rosward.flow.walker import Walker
@@ -44,15 +47,23 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, BoundMethod):
         assert isinstance(callee.function, Native)
         name = callee.function.name
-        receiver = _receiver(callee, function)
-        return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], registers))
+        receiver = _receiver(seen, callee, function)
+        return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], registers, receiver))
     assert isinstance(callee, Native)
     return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
 
 
-def _receiver(callee: BoundMethod, function: Mark) -> Mark:
-    """What a method is bound to."""
-    return Mark(function.mask, frozenset(refs_of(callee.receiver)) | owners_of(function))
+def _receiver(seen: Seen, callee: BoundMethod, function: Mark) -> Mark:
+    """What a method is bound to: one of several objects, where it was seen to be bound to several."""
+    roots = {r for f in seen.functions for r in receivers_of(f, callee.function)}
+    return Mark(function.mask, frozenset(roots) | frozenset(refs_of(callee.receiver)) | owners_of(function))
+
+
+def receivers_of(value: Value, function: Value) -> Iterator[int]:
+    """The objects to which a method is bound."""
+    for option in options(value):
+        if isinstance(option, BoundMethod) and option.function == function:
+            yield from refs_of(option.receiver)
 
 
 def _message(call: NativeCall) -> Mark:
@@ -180,14 +191,14 @@ def _identity(call: NativeCall) -> Mark:
 _METHODS: Final[dict[str, containers.Handler]] = {
     **containers.METHODS,
     "send": _send_into,
-    **dict.fromkeys(("close", "discard"), _nothing),
+    "close": _nothing,
 }
 _KNOWN: Final[dict[str, containers.Handler]] = {
     **containers.KNOWN,
     **dict.fromkeys(("isinstance", "issubclass", "type", "id", "callable", "hasattr", "super", "object"), _identity),
     "getattr": _get_attribute,
     "setattr": _set_attribute,
-    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited"), _pass),
+    **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited", "vars"), _pass),
     **dict.fromkeys(
         (
             *("_rosward.schedule", "_rosward.ask", "_rosward.overridden", "_rosward.opaque", "_rosward.escape"),

@@ -21,13 +21,15 @@ def opaque(mark: Mark) -> frozenset[tuple[object, ...]]:
 
 
 def owners_of(mark: Mark) -> frozenset[Root]:
-    """The objects of a library that a method belongs to."""
+    """The objects without address that a method belongs to: whose attribute it is, or which its attributes are not told apart from."""
     found: set[Root] = set()
     for root in mark.roots:
         if not isinstance(root, int) and root[0] == "of":
             owner = root[1]
             assert isinstance(owner, (int, tuple))
             found.add(owner)
+        elif not isinstance(root, int) and root[0] != "external":
+            found.add(root)
     return frozenset(found)
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.unknown import Cause
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
+from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from rosward.flow.walker import Walker
 
 _NO_ROOTS: Final[frozenset[Root]] = frozenset()
+_SLICE: Final[Root] = ("slice",)
+"""What an index leads to that stands for several elements."""
 
 
 def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
@@ -82,6 +85,9 @@ def _of_base(seen: Seen) -> bool:
 
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
     owner = body.registers[op.obj]
+    if op.name == "__dict__":  # the same slots by another way
+        body.registers[op.dst] = owner.under(body.pc)
+        return
     memory, shape = walker.memory, walker.shape
     given = run_callees(walker, op, body, seen)
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
@@ -135,6 +141,8 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
     roots = frozenset(seen.refs) | opaque(found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
     mask = owner.mask | index.mask | found.mask | body.pc
+    if _SLICE in index.roots:
+        mask |= walker.memory.size(owner.roots)
     if given is not None:
         mask, roots = mask | given.mask, roots | opaque(given)
     body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
@@ -147,11 +155,35 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
     run_callees(walker, op, body, seen)
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
     key = constant(seen, op.index)
-    if key is None:
-        walker.memory.write_any(owner.roots, written, index.mask | body.pc)
+    if _SLICE in index.roots:
+        mask = body.pc | demoted(owner.mask) | index.mask
+        size = mask | value.mask | walker.memory.size(value.roots)
+        taken_out(walker.memory, owner.roots, mask)
+        walker.memory.write_any(owner.roots, elements(walker, written), size)
+    elif key is None:
+        walker.memory.write_any(owner.roots, written, index.mask | body.pc | demoted(owner.mask))
     else:
         walker.memory.write(owner.roots, key, written)
-        walker.memory.write_any(owner.roots, NOTHING, body.pc)
+        walker.memory.write_any(owner.roots, NOTHING, body.pc | demoted(owner.mask))
+
+
+def _delete(walker: Walker, op: ops.Delete, body: Body, seen: Seen) -> None:
+    """What is deleted is gone, if control is here: that stands under its key, or anywhere."""
+    if op.kind not in ("attr", "item"):
+        return
+    owner = body.registers[op.obj]
+    run_callees(walker, op, body, seen)
+    if op.kind == "attr":
+        walker.memory.write(owner.roots, op.name, Mark(body.pc | demoted(owner.mask)))
+        return
+    index = body.registers[op.index]
+    mask = body.pc | demoted(owner.mask) | walker.memory.deep(index)
+    key = constant(seen, op.index)
+    if isinstance(key, str):
+        walker.memory.write(owner.roots, key, Mark(mask))
+        walker.memory.write_any(owner.roots, NOTHING, mask)
+    else:
+        taken_out(walker.memory, owner.roots, mask)
 
 
 def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
@@ -205,10 +237,12 @@ def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
         body.registers[register] = Mark(found.mask | source.mask | body.pc, roots)
 
 
-def _make_function(_walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen) -> None:
+def _make_function(walker: Walker, op: ops.MakeFunction, body: Body, _seen: Seen) -> None:
+    """Its defaults are known by their addresses; of what has none, all of it is in the function."""
     mask = body.pc
     for register in reads(op):
-        mask |= body.registers[register].mask
+        mark = body.registers[register]
+        mask |= walker.memory.deep(Mark(mark.mask, opaque(mark)))
     body.registers[op.dst] = Mark(mask)
 
 
@@ -253,6 +287,8 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         body.registers[op.dst] = Mark(mask)
         return
     plain(walker, op, body, seen)
+    if op.name == "slice":
+        body.registers[op.dst] = Mark(body.registers[op.dst].mask, frozenset((_SLICE,)))
 
 
 TABLE: Final[dict[type[ops.Op], Any]] = {
@@ -268,6 +304,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.Compare: _compare,
     ops.LoadItem: _load_item,
     ops.StoreItem: _store_item,
+    ops.Delete: _delete,
     ops.Build: _build,
     ops.Unpack: _unpack,
     ops.MakeFunction: _make_function,

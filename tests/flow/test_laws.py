@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Promise: joining what is known never forgets anything, and what is written surely replaces what stood there.
+
+On these laws rests that the analysis is complete: marks (what a value depends on), contents (what stands in an object), and memory.
+"""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, Final
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rosward.flow.content import EMPTY, Content, both
+from rosward.flow.marks import NOTHING, Mark, Root, Source, Sources, demoted, triggering
+from rosward.flow.memory import Memory
+
+masks = st.integers(0, 2**12 - 1)
+keys = st.sampled_from(["a", "b", 0, 1])
+ONE: Final = 1
+MANY: Final = 2
+roots = st.sampled_from([ONE, MANY, ("made", "here")])
+marks = st.builds(Mark, masks, st.frozensets(roots))
+contents = st.builds(Content, masks, marks, masks, st.dictionaries(keys, marks))
+
+
+def covers(large: Mark, small: Mark) -> bool:
+    return large.mask | small.mask == large.mask and small.roots <= large.roots
+
+
+def same(ours: Content, theirs: Content) -> bool:
+    """Whether nobody who reads can tell them apart."""
+    alike = all(ours.read(key) == theirs.read(key) for key in {*ours.slots, *theirs.slots, "never written"})
+    return alike and ours.size == theirs.size and ours.whole == theirs.whole
+
+
+# Marks
+
+
+@given(marks, marks)
+def test_what_is_joined_covers_both(one: Mark, other: Mark) -> None:
+    joined = one.joined(other)
+    assert covers(joined, one)
+    assert covers(joined, other)
+    assert joined == other.joined(one)
+    assert joined.joined(other) is joined
+
+
+@given(marks, marks, marks)
+def test_the_order_of_joining_does_not_matter(a: Mark, b: Mark, c: Mark) -> None:
+    assert a.joined(b).joined(c) == a.joined(b.joined(c))
+    assert a.joined(NOTHING) == a
+
+
+@given(masks, masks)
+def test_demoting_keeps_every_source(mask: int, other: int) -> None:
+    sources = Sources()
+    all_of_them = [Source("topic", f"/{n}") for n in range(4)]
+    for source in all_of_them:
+        sources.data(source)
+    for weaker in (demoted(mask), triggering(mask), demoted(demoted(mask))):
+        assert frozenset().union(*sources.apart(weaker)) == frozenset().union(*sources.apart(mask))
+        assert not sources.apart(weaker)[0]
+    assert not sources.apart(triggering(mask))[1]
+    assert demoted(mask | other) == demoted(mask) | demoted(other)
+    assert triggering(mask | other) == triggering(mask) | triggering(other)
+
+
+@given(masks)
+def test_a_source_is_named_in_its_strongest_role_only(mask: int) -> None:
+    sources = Sources()
+    for n in range(4):
+        sources.data(Source("topic", f"/{n}"))
+    data, control, trigger = sources.apart(mask)
+    assert not data & control
+    assert not (data | control) & trigger
+    again = 0
+    for source in data:
+        again |= sources.data(source)
+    for source in control:
+        again |= demoted(sources.data(source))
+    for source in trigger:
+        again |= sources.trigger(source)
+    assert sources.apart(again) == (data, control, trigger)
+
+
+def test_every_source_is_data_at_most() -> None:
+    sources = Sources()
+    arrived = sources.trigger(Source("topic", "/in"))
+    only, none = frozenset((Source("topic", "/in"),)), frozenset[Source]()
+    assert sources.apart(arrived) == (none, none, only)
+    assert sources.apart(sources.all) == (only, none, none)
+
+
+# Contents
+
+
+@given(contents, contents, keys)
+def test_what_covers_two_contents_reads_as_both(ours: Content, theirs: Content, key: Any) -> None:
+    merged = both(ours, theirs)
+    for each in (ours, theirs):
+        assert covers(merged.read(key), each.read(key))
+        assert covers(merged.whole, each.whole)
+        assert merged.size | each.size == merged.size
+
+
+@given(contents, contents, contents)
+def test_contents_are_joined_in_any_order(a: Content, b: Content, c: Content) -> None:
+    assert both(a, a) == a
+    assert same(both(a, b), both(b, a))
+    assert same(both(both(a, b), c), both(a, both(b, c)))
+    assert same(both(both(a, b), b), both(a, b))
+
+
+@given(contents, keys)
+def test_the_whole_covers_each_slot(content: Content, key: Any) -> None:
+    assert covers(content.whole, content.read(key))
+
+
+# Memory
+
+
+def memory() -> Memory:
+    """One object that is surely one, and one that stands for several."""
+    shape: Any = SimpleNamespace(
+        many={MANY},
+        inner={},
+        tracker=None,
+        spent=0,
+        nodes=set(),
+        placed=set(),
+        several=set(),
+        held=lambda _: (),
+        parts=lambda _: (),
+    )
+    return Memory(shape)
+
+
+writes = st.lists(st.tuples(roots, keys, marks), max_size=6)
+
+
+def written(several: list[tuple[Root, Any, Mark]]) -> Memory:
+    made = memory()
+    for root, key, mark in several:
+        made.write(frozenset((root,)), key, mark)
+    return made
+
+
+@given(writes, keys, marks)
+def test_one_object_forgets_what_is_overwritten(before: list[Any], key: Any, mark: Mark) -> None:
+    made = written(before)
+    made.write(frozenset((ONE,)), key, mark)
+    assert made.read([ONE], key) == mark
+
+
+@given(writes, keys, marks)
+def test_of_several_objects_each_may_have_been_meant(before: list[Any], key: Any, mark: Mark) -> None:
+    made = written(before)
+    old = [made.read([root], key) for root in (ONE, MANY)]
+    made.write(frozenset((ONE, MANY)), key, mark)
+    for root, known in zip((ONE, MANY), old, strict=True):
+        assert covers(made.read([root], key), known)
+        assert covers(made.read([root], key), mark)
+
+
+@given(writes, keys, marks)
+def test_what_is_added_somewhere_may_stand_under_every_key(before: list[Any], key: Any, mark: Mark) -> None:
+    made = written(before)
+    old = made.read([ONE], key)
+    made.write_any([ONE], mark, mark.mask)
+    assert covers(made.read([ONE], key), old.joined(mark))
+    assert made.size([ONE]) | mark.mask == made.size([ONE])
+
+
+@given(writes, writes)
+def test_a_copy_goes_its_own_way(first: list[Any], second: list[Any]) -> None:
+    original = written(first)
+    kept = dict(original.items())
+    copy = original.copy()
+    assert dict(copy.items()) == kept
+    for root, key, mark in second:
+        copy.write(frozenset((root,)), key, mark)
+    assert dict(original.items()) == kept
+    original.write(frozenset((ONE,)), "a", Mark(1))
+    assert copy.read([ONE], "a") == written([*first, *second]).read([ONE], "a")
+
+
+@given(writes, writes, writes, keys, roots)
+def test_memories_that_meet_again_cover_each_way(
+    first: list[Any], one: list[Any], other: list[Any], key: Any, root: Any
+) -> None:
+    left = written(first)
+    right = left.copy()
+    for here, several in ((left, one), (right, other)):
+        for each, name, mark in several:
+            here.write(frozenset((each,)), name, mark)
+    ways = [left.copy(), right.copy()]
+    turned = right.copy()
+    turned.join(left)
+    changed = left.join(right)
+    for way in ways:
+        assert covers(left.read([root], key), way.read([root], key))
+    assert same(left.of(root), turned.of(root))
+    assert changed or same(left.of(root), ways[0].of(root))
+    assert not left.join(right)
+
+
+@given(writes, marks)
+def test_all_that_a_value_leads_to_counts(before: list[Any], mark: Mark) -> None:
+    made = written(before)
+    found = made.deep(mark)
+    assert found | mark.mask == found
+    for root in mark.roots:
+        assert found | made.of(root).whole.mask == found
+
+
+def test_nothing_stands_where_nothing_was_written() -> None:
+    made = memory()
+    assert made.of(ONE) == EMPTY
+    assert made.read([ONE], "a") == NOTHING
+    assert made.deep(Mark(0, frozenset((ONE,)))) == 0
