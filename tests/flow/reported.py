@@ -8,16 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any, NamedTuple
-from unittest.mock import patch
+from typing import NamedTuple
 
-from rosward.domain.certain import text_of
 from rosward.engine.budget import Budget
-from rosward.flow import process
-from rosward.flow.flows import ProcessFlows
 from rosward.pipeline import extract
-
-STRENGTHS = ("data", "control", "trigger")
+from rosward.ros.flows import STRENGTHS
 
 
 class Row(NamedTuple):
@@ -40,29 +35,13 @@ class Said(NamedTuple):
 
 def reported(program: Path) -> list[Row]:
     """All rows of a program."""
-    found: list[ProcessFlows] = []
-    compute = process.flows_of
-
-    def noted(*arguments: Any) -> ProcessFlows:
-        found.append(compute(*arguments))
-        return found[-1]
-
-    with patch.object(process, "flows_of", noted):
-        extract(program, budget=Budget()._replace(flow=True))
+    result = extract(program, budget=Budget()._replace(flow=True))
     return [
-        Row(_name(f.sink), f.sink.place.line, *(frozenset(map(_name, s)) for s in (f.data, f.control, f.trigger)))
-        for flows in found
-        for f in flows.flows
+        Row(str(sink.sink), sink.at.line, *(frozenset(map(str, sink.of(strength))) for strength in STRENGTHS))
+        for node in result.network.nodes
+        if node.flows is not None
+        for sink in node.flows.sinks
     ]
-
-
-def _name(end: Any) -> str:
-    """`topic:/in`, `parameter:gain`, `clock`."""
-    given = getattr(end, "given", None)
-    name = getattr(end, "name", "") if given is None else text_of(given) or "?"
-    if name and end.kind != "parameter" and not name.startswith("/"):
-        name = f"/{name}"
-    return f"{end.kind}:{name}" if name else str(end.kind)
 
 
 def said_of(rows: Iterable[Row], sink: str, line: int | None = None, others: Iterable[int] = ()) -> Said | None:

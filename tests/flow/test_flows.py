@@ -13,7 +13,9 @@ from typing import Final, NamedTuple
 
 import pytest
 
-from .reported import STRENGTHS, reported, said_of
+from rosward.ros.flows import STRENGTHS
+
+from .reported import reported, said_of
 
 _PROGRAM: Final = """
 import rclpy

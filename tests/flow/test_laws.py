@@ -12,8 +12,9 @@ from typing import Any, Final
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rosward.effects.flows import Source
 from rosward.flow.content import EMPTY, Content, both
-from rosward.flow.marks import NOTHING, Mark, Root, Source, Sources, demoted, triggering
+from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted, triggering
 from rosward.flow.memory import Memory
 
 masks = st.integers(0, 2**12 - 1)
@@ -127,6 +128,8 @@ def memory() -> Memory:
         many={MANY},
         inner={},
         tracker=None,
+        trail=None,
+        spent=0,
         spent=0,
         nodes=set(),
         placed=set(),
