@@ -130,7 +130,6 @@ def memory() -> Memory:
         tracker=None,
         trail=None,
         spent=0,
-        spent=0,
         nodes=set(),
         placed=set(),
         several=set(),
