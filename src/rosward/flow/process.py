@@ -192,27 +192,26 @@ def _beginning(callback: Value) -> Place | None:
 
 def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
     """The events in which a callback runs."""
-    registered = walker.watch.entries.get(entry)
-    kind = _EVENTS.get(entry.event)
-    if kind is not None and registered is not None:
-        found = False
-        for receiver in registered.receivers:
-            source = walker.shape.entity(receiver, kind[0])
-            if source is not None:
-                found = True
-                yield source
-        if found:
-            return
-        for turn, effect in registered.by.effects:
-            if isinstance(effect, EntityEffect) and effect.kind == kind[1] and turn == registered.turn:
-                found = True
-                yield Source(kind[0], node=effect.address, given=effect.name)
-        if found:
-            return
     if entry.event == "future":
         yield from _answers(walker, entry)
         return
-    yield Source(_PLAIN.get(entry.event, "thread"))
+    kind = _EVENTS.get(entry.event)
+    arriving = [] if kind is None else list(_arriving(walker, entry, *kind))
+    yield from arriving or [Source(_PLAIN.get(entry.event, "thread"))]
+
+
+def _arriving(walker: Walker, entry: Scheduled, kind: str, entity: str) -> Iterable[Source]:
+    """What arrives: at the objects that the callback was given to, else at those made with it, else at any of the process."""
+    registered = walker.watch.entries.get(entry)
+    if registered is not None:
+        found = [s for r in registered.receivers if (s := walker.shape.entity(r, kind)) is not None]
+        if found:
+            return found
+        made = [e for turn, e in registered.by.effects if turn == registered.turn and isinstance(e, EntityEffect)]
+        found = [Source(kind, node=e.address, given=e.name) for e in made if e.kind == entity]
+        if found:
+            return found
+    return [Source(kind, node=e.address, given=e.name) for e in walker.shape.entities if e.kind == entity]
 
 
 def _answers(walker: Walker, entry: Scheduled) -> Iterator[Source]:

@@ -59,6 +59,7 @@ class Shape:
         self.tracker: Tracker | None = None  # of the body that is being walked through
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}
+        self.entities = tuple(machine.log.entities)
         self.nodes = {effect.address for effect in machine.log.nodes}
         self._parts: dict[int, list[int]] = {}
         for address, (owner, _) in self.inner.items():
