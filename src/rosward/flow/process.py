@@ -166,6 +166,8 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     """What a callback is called with: the first of a message or request is new each time."""
     value: Value = (entry.args or ())[number]
     roots = frozenset(refs_of(value))
+    if roots and _came(walker, entry):
+        return Mark(0, roots)
     if number == 0 and entry.event in ("message", "service", "goal", "feedback") and sources:
         mask = 0
         for source in sources:
@@ -192,26 +194,35 @@ def _beginning(callback: Value) -> Place | None:
 
 def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
     """The events in which a callback runs."""
+    kind = _EVENTS.get(entry.event)
     if entry.event == "future":
         yield from _answers(walker, entry)
-        return
-    kind = _EVENTS.get(entry.event)
-    arriving = [] if kind is None else list(_arriving(walker, entry, *kind))
-    yield from arriving or [Source(_PLAIN.get(entry.event, "thread"))]
+    elif kind is None:
+        yield Source(_PLAIN.get(entry.event, "thread"))
+    else:
+        arriving = [Source(kind[0], node=e.address, given=e.name) for e in walker.shape.entities if e.kind == kind[1]]
+        yield from _arriving(walker, entry) or arriving or [Source("thread")]
 
 
-def _arriving(walker: Walker, entry: Scheduled, kind: str, entity: str) -> Iterable[Source]:
-    """What arrives: at the objects that the callback was given to, else at those made with it, else at any of the process."""
-    registered = walker.watch.entries.get(entry)
-    if registered is not None:
-        found = [s for r in registered.receivers if (s := walker.shape.entity(r, kind)) is not None]
-        if found:
-            return found
-        made = [e for turn, e in registered.by.effects if turn == registered.turn and isinstance(e, EntityEffect)]
-        found = [Source(kind, node=e.address, given=e.name) for e in made if e.kind == entity]
-        if found:
-            return found
-    return [Source(kind, node=e.address, given=e.name) for e in walker.shape.entities if e.kind == entity]
+def _arriving(walker: Walker, entry: Scheduled) -> list[Source]:
+    """What arrives: at the objects that the callback was given to, else at those made with it; none where nobody knows."""
+    registered, kind = walker.watch.entries.get(entry), _EVENTS.get(entry.event)
+    if registered is None or kind is None:
+        return []
+    found = [s for r in registered.receivers if (s := walker.shape.entity(r, kind[0])) is not None]
+    if found:
+        return found
+    made = [e for turn, e in registered.by.effects if turn == registered.turn and isinstance(e, EntityEffect)]
+    return [Source(kind[0], node=e.address, given=e.name) for e in made if e.kind == kind[1]]
+
+
+def _came(walker: Walker, entry: Scheduled) -> bool:
+    """Whether what a callback is called with came in where it was registered, as with message filters."""
+    return (
+        entry.event in _EVENTS
+        and not _arriving(walker, entry)
+        and any(walker.memory.known(root) is not None for value in entry.args or () for root in refs_of(value))
+    )
 
 
 def _answers(walker: Walker, entry: Scheduled) -> Iterator[Source]:

@@ -151,6 +151,6 @@ class Shape:
         for attribute in _NAMES.get(kind, ()):
             name = obj.attrs.get(attribute)
             if name is not None:
-                node = next(iter(refs_of(obj.attrs.get("_node", NONE))), None)
+                node = next((r for a in ("_node", "node") for r in refs_of(obj.attrs.get(a, NONE))), None)
                 return Source(kind, node=node, given=name)
         return None

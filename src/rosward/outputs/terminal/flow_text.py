@@ -92,8 +92,8 @@ def tree_text(graph: FlowGraph, targets: Sequence[Vertex], found: dict[Vertex, R
     """What reaches these, each source once, below what it is part of."""
     lines: list[str] = []
     done: set[Vertex] = set()
-    for target in targets:
-        if target not in done:
+    for target in sorted(targets, key=lambda v: (v.end, v.node, v.side != "sent")):
+        if target not in done and _vertex(target) not in lines:
             lines.append(_vertex(target))
             _branches(target, "", lines, done, lambda v: _inputs(graph, v, passing))
     outside = sorted({_vertex(v) for v in found if v.side == "in" and v.node and v.end.kind != "parameter"})
@@ -139,7 +139,7 @@ def _branches(
         mark = "" if not edge.assumed else "  (assumed)"
         branch = "└─ " if last else "├─ "
         lines.append(
-            f"{indent}{branch}{edge.strength:8}{_vertex(source)}  {edge.node}  {_path(edge.path)}{mark}{again}"
+            f"{indent}{branch}{edge.strength:8}{shown(source.end)}  {edge.node}  {_path(edge.path)}{mark}{again}"
         )
         if len(lines) > _MOST_LINES:
             lines.append("…  (use --format json for everything)")
@@ -155,7 +155,7 @@ def _path(path: tuple[Place, ...]) -> str:
     parts: list[str] = []
     file = ""
     for place in path:
-        parts.append(str(place.line) if place.file == file else f"{place.file}:{place.line}")
+        parts.append(str(place.line) if place.file == file else _short(place))
         file = place.file
     return " → ".join(parts)
 
@@ -174,7 +174,7 @@ def reaching_text(starts: Sequence[Vertex], found: dict[Vertex, Reached]) -> str
         rows.append((reached.strength, name, f"through {', '.join(via)}", "assumed" if reached.assumed else ""))
     if not rows:
         return f"{lines[0]} reaches nothing.\n"
-    return "\n".join(printable(line) for line in [*lines, *_aligned(rows)]) + "\n"
+    return "\n".join(printable(line).rstrip() for line in [*lines, *_aligned(rows)]) + "\n"
 
 
 def ways_text(found: dict[Vertex, Reached], targets: Sequence[Vertex]) -> str:
