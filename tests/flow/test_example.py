@@ -56,4 +56,4 @@ def test_a_leak_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
         "which 'camera pictures stay on the robot' forbids"
     )
     path = [line.strip().rpartition(":")[2] for line in said[broken + 1 : -1]]
-    assert path == [str(kept - 1), str(kept), str(sent)]
+    assert path == [str(kept - 1), str(kept), str(sent - 1), str(sent)]

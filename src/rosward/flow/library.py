@@ -136,7 +136,7 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         given |= perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op.number, names[0] if names else "")
     walker.memory.renew(root)
-    if names and all(is_pure(n) for n in names):
+    if names and all(is_pure(n) or (effects_of(n) and n not in WRITES) for n in names):
         return Mark(mask | given, frozenset((root,)))
     reached: set[Root] = set()
     for mark in everything:

@@ -41,6 +41,21 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
         body.registers[register] = Mark(mask, frozenset(seen.refs) if seen.refs else _NO_ROOTS)
 
 
+def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
+    """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
+    operands = [body.registers[register] for register in reads(op)]
+    plain(walker, op, body, seen)
+    found = body.registers[op.dst]
+    if getattr(op, "inplace", False):
+        left = body.registers[op.left]
+        walker.memory.write_any(left.roots, found, found.mask)
+        body.registers[op.dst] = Mark(found.mask, found.roots | left.roots)
+    elif any(opaque(mark) for mark in operands):
+        root = walker.shape.made(body.activation, op.number)
+        walker.memory.renew(root)
+        body.registers[op.dst] = Mark(found.mask, found.roots | {root})
+
+
 def _const(_walker: Walker, op: ops.Const, body: Body, _seen: Seen) -> None:
     body.registers[op.dst] = Mark(body.pc)
 
@@ -119,7 +134,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
 
 def _compare(walker: Walker, op: ops.Compare, body: Body, seen: Seen) -> None:
     """A comparison; of a name, what it says of a parameter that is set is kept for the branch."""
-    plain(walker, op, body, seen)
+    _compute(walker, op, body, seen)
     names = [n for r in (op.left, op.right) if isinstance(n := seen.constant(r), str)]
     body.tests[op.dst] = names[0] if op.operator == "==" and len(names) == 1 else ""
 
@@ -302,6 +317,8 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     ops.LoadAttr: _load_attr,
     ops.StoreAttr: _store_attr,
     ops.Compare: _compare,
+    ops.Binary: _compute,
+    ops.Unary: _compute,
     ops.LoadItem: _load_item,
     ops.StoreItem: _store_item,
     ops.Delete: _delete,
