@@ -107,6 +107,8 @@ def _get_attribute(call: NativeCall) -> Mark:
     found = memory.read_all(owner.roots) if not isinstance(key, str) else memory.read(owner.roots, key)
     if not isinstance(key, str) and call.mark(1).mask:
         out(call.walker, "method", call.mark(1).mask)
+        if any(isinstance(root, int) for root in owner.roots) and call.seen.reasons and not call.seen.refs:
+            call.walker.lost = True  # any method may be called
     return found.joined(call.mark(2)).under(call.pc | owner.mask | call.mark(1).mask)
 
 

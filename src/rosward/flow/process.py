@@ -74,6 +74,7 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         except TooLongError:
             complete = False
         break
+    complete = complete and not walker.lost
     if not complete:
         for sink in walker.sinks.masks:
             walker.sinks.masks[sink] |= walker.sources.all

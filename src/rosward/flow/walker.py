@@ -73,6 +73,7 @@ class Walker:
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
         self.changed = False
         self.watched = watched  # the functions that release something
+        self.lost = False  # code may run that nobody can name
         self.threaded = False  # whether something runs beside this
         self.narrowed: list[str] = []  # the names of parameters that the branches around are about
         self._most = most

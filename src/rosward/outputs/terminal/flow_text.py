@@ -45,7 +45,7 @@ def _doubt(node: Node) -> str:
     if node.flows is None:
         known = "declared" if node.interface is Interface.DECLARED else "unknown"
         return f"  ({known}: each output may hold each input)"
-    return "" if node.flows.complete else "  (a limit was reached: outputs may hold every input)"
+    return "" if node.flows.complete else "  (not wholly known: outputs may hold every input)"
 
 
 def _columns(
