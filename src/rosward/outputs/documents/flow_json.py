@@ -58,12 +58,15 @@ def _node(node: Node) -> dict[str, object]:
 
 def _sink(sink: NodeSink) -> dict[str, object]:
     paths = dict(sink.paths)
+    known = {end for strength in STRENGTHS for end in sink.of(strength)}
     return {
         "sink": str(sink.sink),
         "at": _at(sink.at),
         **{strength: _texts(sink.of(strength)) for strength in STRENGTHS},
         "assumed": _texts(sink.assumed),
-        "paths": {str(end): [_at(place) for place in path] for end, path in sorted(paths.items()) if path},
+        "paths": {
+            str(end): [_at(place) for place in path] for end, path in sorted(paths.items()) if path and end in known
+        },
     }
 
 

@@ -93,9 +93,16 @@ def _result(group: list[Judged], indices: dict[str, int], baseline: bool) -> dic
         "message": {"text": f"{finding.message} (and {more})" if more else finding.message},
         "locations": [_location(judged.file, finding.place.line, finding.place.column)],
         **({"relatedLocations": related} if related else {}),
+        **({"codeFlows": [_code_flow(judged)]} if finding.path else {}),
         "partialFingerprints": {_FINGERPRINT: _fingerprint(group)},
         **state,
     }
+
+
+def _code_flow(judged: Judged) -> dict[str, object]:
+    """The lines that lead to the place, as one thread."""
+    steps = [{"location": _location(p.file, p.line, p.column)} for p in judged.finding.path]
+    return {"threadFlows": [{"locations": steps}]}
 
 
 def _related(others: Iterable[Judged]) -> Iterator[RelatedPlace]:
