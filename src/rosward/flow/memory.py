@@ -17,6 +17,12 @@ from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, both
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.shape import MELTED, Shape
 
+
+def is_slot(root: Root) -> bool:
+    """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
+    return not isinstance(root, int) and root[0] == "slot"
+
+
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to."""
 
@@ -120,7 +126,9 @@ class Memory:
                 self._put(root, merged)
 
     def of(self, root: Root) -> Content:
-        """The content of an object."""
+        """The content of an object; of a slot, what stands there."""
+        if is_slot(root):
+            return Content(any=self.at(root))
         found = self.known(root)
         if found is None:
             owner = self._owner(root)
@@ -135,6 +143,28 @@ class Memory:
         if isinstance(root, int):
             return self.shape.inner.get(root)
         return (root[1], root[2]) if root[0] == "of" else None  # type: ignore[return-value]  # a root and a name
+
+    def at(self, slot: Root) -> Mark:
+        """What stands in a slot. Where that is a part of a message, which part it is the message does not say."""
+        _, base, key, how = slot  # type: ignore[misc]  # a slot
+        content = self.of(base)
+        if how == "any":
+            return content.whole
+        part = self.shape.part(base, key)
+        if part is None:
+            return content.read(key)
+        found = content.read(key) if key in content.slots else content.any
+        return Mark(found.mask, found.roots | {part})
+
+    def _write_slot(self, slot: Root, mark: Mark, *, sure: bool = False) -> None:
+        """Something is written into a slot: in the place of what stood there, where that is sure."""
+        _, base, key, how = slot  # type: ignore[misc]  # a slot
+        if how == "any":
+            self.write_any([base], mark)
+        elif sure and how == "one":
+            self.write(frozenset((base,)), key, mark)
+        else:
+            self.write(frozenset((base,)), key, mark.joined(self.of(base).read(key)))
 
     def read(self, roots: Iterable[Root], key: object) -> Mark:
         """What stands under a key in any of several objects."""
@@ -167,6 +197,9 @@ class Memory:
         """Something is written under a key: in the place of what stood there, where it is surely one object."""
         sure = self.is_one(roots)
         for root in roots:
+            if is_slot(root):
+                self._write_slot(root, mark, sure=key is None and len(roots) == 1)
+                continue
             content = self._opened(root)
             old = content.slots.get(key)
             new = mark if sure else mark.joined(content.read(key) if old is None else old)
@@ -176,6 +209,9 @@ class Memory:
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
         for root in roots:
+            if is_slot(root):
+                self._write_slot(root, mark)
+                continue
             content = self._opened(root)
             new = content._replace(any=content.any.joined(mark), size=content.size | size)
             if new != content:
@@ -199,7 +235,7 @@ class Memory:
     def collapse(self, roots: Iterable[Root]) -> None:
         """Elements change their places."""
         for root in roots:
-            content = self.of(root)
+            content = self.of(root) if not is_slot(root) else EMPTY
             if content.slots:
                 self._put(root, content._replace(any=content.whole, slots=NO_SLOTS))
 
@@ -227,6 +263,14 @@ class Memory:
             for inner in shape.parts(root):
                 if self.known(inner) is not None:
                     self._put(inner, Content(base=content.read(shape.inner[inner][1]).mask))
+
+    def place_again(self, root: Root, content: Content) -> None:
+        """An object takes over another content, and so do its parts that were written."""
+        self._put(root, content)
+        if isinstance(root, int):
+            for inner in self.shape.parts(root):
+                if self.known(inner) is not None:
+                    self._put(inner, Content(base=content.read(self.shape.inner[inner][1]).mask))
 
     def _opened(self, root: Root) -> Content:
         """The content of an object that is about to be written; what it is a part of leads to it."""

@@ -14,7 +14,7 @@ from rosward.domain.values import Function, Ref, Value
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
-from rosward.flow import blocks, straight
+from rosward.flow import blocks, cpp, straight
 from rosward.flow.body import TooLongError
 from rosward.flow.calls import begin, send
 from rosward.flow.content import Content
@@ -58,7 +58,7 @@ class Table(dict[type[ops.Op], Handler]):
 
 def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
-    table = Table({**straight.TABLE, **blocks.TABLE})
+    table = Table({**straight.TABLE, **blocks.TABLE, **cpp.TABLE})
     most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
     walker = Walker(watch, Shape(machine), table, most)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
@@ -183,7 +183,7 @@ def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
                 yield source
         if found:
             return
-        for turn, effect in registered.by.effects:
+        for turn, effect in registered.effects():
             if isinstance(effect, EntityEffect) and effect.kind == kind[1] and turn == registered.turn:
                 found = True
                 yield Source(kind[0], node=effect.address, given=effect.name)

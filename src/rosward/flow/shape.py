@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
 from rosward.domain.compound import External
-from rosward.domain.values import NONE, Class
+from rosward.domain.values import NONE, Class, Ref
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root, Source
 from rosward.flow.remembered import Tracker
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 
 _CONTAINERS: Final = ("list", "set", "dict")
 _NAMES: Final = {
-    "topic": ("topic", "topic_name"),
-    "service": ("srv_name",),
-    "response": ("srv_name",),
-    "goal": ("_action_name",),
-    "feedback": ("_action_name",),
-    "result": ("_action_name",),
+    "topic": ("topic", "topic_name", "_topic"),
+    "service": ("srv_name", "_service"),
+    "response": ("srv_name", "_service"),
+    "goal": ("_action_name", "_action"),
+    "feedback": ("_action_name", "_action"),
+    "result": ("_action_name", "_action"),
 }
 """The attributes in which the models of the client library keep the name of an entity."""
 
@@ -58,6 +58,8 @@ class Shape:
         self._parts: dict[int, list[int]] = {}
         for address, (owner, _) in self.inner.items():
             self._parts.setdefault(owner, []).append(address)
+        self._inside = {owner: address for address, owner in self.inner.items()}
+        self._named: dict[str, list[int]] | None = None
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
 
@@ -95,6 +97,20 @@ class Shape:
             yield inner
             yield from self.parts(inner)
 
+    def part(self, owner: object, name: object) -> int | None:
+        """The object that belongs to an attribute of another one."""
+        return self._inside.get((owner, name))  # type: ignore[arg-type]  # of others there is none
+
+    def named(self, name: str) -> list[int]:
+        """The scopes that have a variable of a name."""
+        if self._named is None:
+            self._named = {}
+            for address, obj in self._machine.state.heap.items():
+                if obj.kind in ("module", "class"):
+                    for key in obj.attrs:
+                        self._named.setdefault(key.partition("@")[0], []).append(address)
+        return self._named.get(name, [])
+
     def held(self, root: object) -> list[int]:
         """What an object holds: elements, and the fields of messages; of other objects only what was seen to be written counts."""
         if not isinstance(root, int):
@@ -108,7 +124,12 @@ class Shape:
         obj = self.record(address)
         if obj is None:
             return
-        if obj.kind == "instance" and isinstance(obj.cls, External):
+        by_value = self._machine.linked is not None and address not in self.nodes
+        if by_value and obj.kind == "instance":
+            for value in obj.attrs.values():
+                if not isinstance(obj.cls, Class) or isinstance(value, Ref):
+                    yield from refs_of(value)
+        elif obj.kind == "instance" and isinstance(obj.cls, External):
             for value in obj.attrs.values():
                 yield from refs_of(value)
         if obj.kind in _CONTAINERS:
