@@ -91,8 +91,8 @@ def _name(walker: Walker, op: cpp.Name, body: Body, seen: Seen) -> None:
         )
         for root in held.roots:
             found = found.joined(field(walker, root, name))
-        for address in walker.shape.named(name):
-            found = found.joined(walker.memory.read((address,), name))
+        for address, key in walker.shape.named(name):
+            found = found.joined(walker.memory.read((address,), key))
     extern = frozenset[Root](("external", n) for n in seen.externals)
     roots = frozenset(seen.refs) | nameless(found) | extern
     if seen.reasons and not op.slot:
@@ -121,8 +121,8 @@ def _member(walker: Walker, op: cpp.Member, body: Body, seen: Seen) -> None:
     else:
         for root in held.roots:
             found = found.joined(field(walker, root, op.name))
-        for address in walker.shape.named(op.name):
-            found = found.joined(walker.memory.read((address,), op.name))
+        for address, key in walker.shape.named(op.name):
+            found = found.joined(walker.memory.read((address,), key))
     found = found if given is None else found.joined(given)
     mark = settled(found, seen, body)
     if op.slot:
@@ -289,8 +289,9 @@ def _initialise(walker: Walker, op: cpp.Initialise, body: Body, seen: Seen) -> b
     everything = NOTHING
     copied_yet = False
     for member in op.members:
-        if not (walker.run(member.type_body, body) and walker.run(member.body, body)):
-            return False
+        for block in (member.type_body, member.body):
+            if block and block[0].number in body.activation.seen and not walker.run(block, body):
+                return False
         known = {a.register: body.registers[a.register] for a in member.arguments}
         marks = list(known.values())
         for mark in marks:

@@ -16,6 +16,7 @@ from rosward.domain.values import Function
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import Activation, Bound, Seen
 from rosward.flow import library
+from rosward.flow.body import Body
 from rosward.flow.calls import KINDS, send
 from rosward.flow.content import Content
 from rosward.flow.cpp_values import copies, nameless, slots, value
@@ -25,7 +26,6 @@ from rosward.flow.memory import is_slot
 from rosward.flow.reading import arising
 
 if TYPE_CHECKING:
-    from rosward.flow.body import Body
     from rosward.flow.walker import Walker
 
 __all__ = ["callees", "given_to", "is_safe", "named", "natives", "register", "sends", "strange"]
@@ -205,9 +205,9 @@ def given_to(walker: Walker, body: Body, bound: Bound, known: dict[int, Mark], e
                 mark.under(found.mask) if given.kind == "place" else mark.joined(_passed(walker, found, given.places))
             )
         if not given.registers:
-            if number < leading and bound.function.code.kind.value == "lambda":
-                found = walker.memory.of(captured).read(number)
-                mark = mark.joined(Mark(found.mask, nameless(found)))
+            kept = walker.memory.of(captured).slots.get(number)
+            if number < leading and kept is not None:
+                mark = mark.joined(Mark(kept.mask, nameless(kept)))
             elif given.kind == "value":
                 mark = mark.joined(Mark(walker.memory.deep(everything), nameless(everything)))
             elif given.kind == "place" and number >= leading:
@@ -391,3 +391,23 @@ def fresh(walker: Walker, seen: Seen, everything: Mark) -> None:
     """What an operation makes before it calls anything."""
     if seen.made:
         copies(walker, seen, everything)
+
+
+# Callbacks
+
+
+def begin(
+    walker: Walker, activation: Activation, arguments: list[Mark], given: int, pc: int
+) -> Mark:
+    """A callback is called: what arrives, what it is bound to, what else it may be given depends on `given`."""
+    body = Body(activation, [], pc)
+    seen = activation.of(0)
+    walker.bodies.append(body)
+    try:
+        everything = Mark(given)
+        for mark in arguments:
+            everything = everything.joined(Mark(mark.mask, frozenset(r for r in mark.roots if not isinstance(r, int))))
+        result = callees(walker, body, seen, everything)
+        return NOTHING if result is None else result.under(pc)
+    finally:
+        walker.bodies.pop()

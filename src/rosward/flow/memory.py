@@ -225,6 +225,8 @@ class Memory:
     def _is_held(self, root: Root) -> bool:
         """Whether something leads to an object."""
         for holder, content in self.items():
+            if holder in self.shape.ended:
+                continue
             if root in content.any.roots and holder != root:
                 return True
             for mark in content.slots.values():
@@ -263,6 +265,12 @@ class Memory:
             for inner in shape.parts(root):
                 if self.known(inner) is not None:
                     self._put(inner, Content(base=content.read(shape.inner[inner][1]).mask))
+
+    def forget(self, variables: Iterable[Root]) -> None:
+        """Variables begin anew."""
+        for root in variables:
+            if self.known(root) is not None and self.is_one((root,)):
+                self._put(root, EMPTY)
 
     def place_again(self, root: Root, content: Content) -> None:
         """An object takes over another content, and so do its parts that were written."""

@@ -10,11 +10,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Partial
-from rosward.domain.values import Function, Ref, Value
+from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
-from rosward.flow import blocks, cpp, straight
+from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.body import TooLongError
 from rosward.flow.calls import begin, send
 from rosward.flow.content import Content
@@ -24,6 +24,7 @@ from rosward.flow.memory import Memory
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
+from rosward.ir.program import CPP
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -116,6 +117,10 @@ def _main(walker: Walker) -> None:
     for activation in walker.watch.begun:
         walker.enter(activation, [], 0)
         walker.leave()
+    for (key, context), roots in walker.watch.activations.items():
+        if context == 0 and key.endswith("#0") and roots[0].of(0).bound:  # what starts a program that is linked
+            cpp_calls.begin(walker, roots[0], [], 0, 0)
+            walker.leave()
 
 
 def _only(walker: Walker) -> int | None:
@@ -143,8 +148,13 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     if entry.event == "future":
         for argument in arguments:
             pc |= triggering(walker.memory.deep(argument))
-    seen = root.of(0)
-    result = begin(walker, root, arguments, walker.given.get(entry, 0), pc)
+    seen, given = root.of(0), walker.given.get(entry, 0)
+    if root.code.language == CPP or seen.bound:
+        result = cpp_calls.begin(walker, root, arguments, given, pc)
+        if arguments and entry.event == "service":  # the response is the last of them
+            result = result.joined(arguments[-1])
+    else:
+        result = begin(walker, root, arguments, given, pc)
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
@@ -155,7 +165,7 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     """What a callback is called with: the first of a message or request is new each time."""
     value: Value = (entry.args or ())[number]
     roots = frozenset(refs_of(value))
-    if number == 0 and entry.event in ("message", "service", "goal", "feedback") and sources:
+    if number == _arriving(entry) and entry.event in ("message", "service", "goal", "feedback") and sources:
         mask = 0
         for source in sources:
             mask |= walker.sources.data(source)
@@ -168,6 +178,14 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     if isinstance(value, Ref) or entry.event in ("service", "execute"):
         return Mark(0, roots)
     return Mark(walker.given.get(entry, 0), roots)
+
+
+def _arriving(entry: Scheduled) -> int:
+    """Which of the arguments is the message or request: of a service, the first that is an object and not the service itself."""
+    args = entry.args or ()
+    if entry.event != "service" or len(args) < 2:
+        return 0
+    return max(0, len(args) - 2) if entry.answered is not None else int(isinstance(args[0], Unknown))
 
 
 def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:

@@ -52,6 +52,7 @@ class Shape:
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
         self.placed: set[int] = set()  # what was made since the callback that runs began
         self.tracker: Tracker | None = None  # of the body that is being walked through
+        self.ended: set[Root] = set()  # the variables of functions that do not run, in languages where these end with them
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}
         self.nodes = {effect.address for effect in machine.log.nodes}
@@ -59,7 +60,7 @@ class Shape:
         for address, (owner, _) in self.inner.items():
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
-        self._named: dict[str, list[int]] | None = None
+        self._named: dict[str, list[tuple[int, str]]] | None = None
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
 
@@ -101,14 +102,14 @@ class Shape:
         """The object that belongs to an attribute of another one."""
         return self._inside.get((owner, name))  # type: ignore[arg-type]  # of others there is none
 
-    def named(self, name: str) -> list[int]:
-        """The scopes that have a variable of a name."""
+    def named(self, name: str) -> list[tuple[int, str]]:
+        """The scopes that have a variable of a name, and what it is called there."""
         if self._named is None:
             self._named = {}
             for address, obj in self._machine.state.heap.items():
                 if obj.kind in ("module", "class"):
                     for key in obj.attrs:
-                        self._named.setdefault(key.partition("@")[0], []).append(address)
+                        self._named.setdefault(key.partition("@")[0], []).append((address, key))
         return self._named.get(name, [])
 
     def held(self, root: object) -> list[int]:

@@ -14,12 +14,14 @@ from rosward.domain.compound import BoundMethod, Native
 from rosward.domain.values import Class, Function, Value
 from rosward.engine.seen import Activation, Seen
 from rosward.flow.body import Attempt, Body, Point, TooLongError
+from rosward.flow.marked_cpp import is_safe
 from rosward.flow.marks import NOTHING, Mark, Root, Source, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
 from rosward.flow.sinks import Sinks
 from rosward.ir import ops
 from rosward.ir.check import reads
+from rosward.ir.program import CPP
 
 if TYPE_CHECKING:
     from rosward.engine.scheduled import Scheduled
@@ -213,11 +215,17 @@ class Walker:
         recursive = activation in self.results and len(self.bodies) > _DEEP
         given = known if recursive else arguments
         body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
+        own = activation.cells[: len(code.cells)] if code.language == CPP else ()
+        if own and any(b.activation is activation for b in self.bodies):
+            own = ()
+        self.shape.ended.difference_update(own)
+        self.memory.forget(own)
         self.bodies.append(body)
         try:
             alive = self.run(code.ops, body)
         finally:
             self.bodies.pop()
+            self.shape.ended.update(own)
         if body.returned is not None:
             if alive:
                 body.returned.join(self.memory)
@@ -260,6 +268,8 @@ def _merged(several: list[Activation]) -> Activation:
 
 def may_fail(op: ops.Op, seen: Seen) -> bool:
     """Whether an operation may raise an exception because of what it works on; a function of the program says so itself."""
+    if seen.natives or seen.strange:
+        return bool(seen.strange) or not all(map(is_safe, seen.natives))
     if isinstance(op, ops.Call):
         return any(not isinstance(f, (Function, Class)) and not _is_safe(f) for f in seen.functions)
     return isinstance(op, (ops.LoadItem, ops.Binary, ops.Unpack, ops.StoreItem, ops.ForEach, ops.Format))
