@@ -107,7 +107,7 @@ def _cell_slot(walker: Walker, op: cpp.CellSlot, body: Body, seen: Seen) -> None
 
 
 def _read(walker: Walker, op: cpp.Read, body: Body, seen: Seen) -> None:
-    body.registers[op.dst] = settled(value(walker, body.registers[op.src]), seen, body)
+    body.registers[op.dst] = settled(walker, value(walker, body.registers[op.src]), seen, body)
 
 
 def _member(walker: Walker, op: cpp.Member, body: Body, seen: Seen) -> None:
@@ -124,7 +124,7 @@ def _member(walker: Walker, op: cpp.Member, body: Body, seen: Seen) -> None:
         for address, key in walker.shape.named(op.name):
             found = found.joined(walker.memory.read((address,), key))
     found = found if given is None else found.joined(given)
-    mark = settled(found, seen, body)
+    mark = settled(walker, found, seen, body)
     if op.slot:
         mark = Mark(
             mark.mask,
@@ -148,7 +148,7 @@ def _item(walker: Walker, op: cpp.Item, body: Body, seen: Seen) -> None:
         for root in held.roots:
             found = found.joined(walker.memory.read((root,), key) if key is not None else walker.memory.of(root).whole)
     found = found if given is None else found.joined(given)
-    mark = settled(found, seen, body)
+    mark = settled(walker, found, seen, body)
     body.registers[op.dst] = Mark(mark.mask | arising(walker, seen, read=True), mark.roots)
 
 
@@ -159,14 +159,14 @@ def _deref(walker: Walker, op: cpp.Deref, body: Body, seen: Seen) -> None:
     if not op.slot:
         found = value(walker, found)
     found = found if given is None else found.joined(given)
-    body.registers[op.dst] = settled(found, seen, body)
+    body.registers[op.dst] = settled(walker, found, seen, body)
 
 
 def _address_of(walker: Walker, op: cpp.AddressOf, body: Body, seen: Seen) -> None:
     source = body.registers[op.src]
     for address in seen.made:
         walker.memory.place(address, Content(0, value(walker, source)))
-    mark = settled(Mark(source.mask, source.roots), seen, body)
+    mark = settled(walker, Mark(source.mask, source.roots), seen, body)
     body.registers[op.dst] = mark
 
 
@@ -186,7 +186,7 @@ def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
     if not own:
         write(walker, target, written, sure=not seen.reasons)
     if op.dst != ops.NO_REGISTER:
-        body.registers[op.dst] = settled(Mark(target.mask, target.roots), seen, body)
+        body.registers[op.dst] = settled(walker, Mark(target.mask, target.roots), seen, body)
 
 
 def _is_busy(seen: Seen) -> bool:
@@ -202,7 +202,7 @@ def _step(walker: Walker, op: cpp.Step, body: Body, seen: Seen) -> None:
     if op.dst != ops.NO_REGISTER:
         found = Mark(target.mask, target.roots) if op.prefix else before
         found = found if given is None else found.joined(given)
-        body.registers[op.dst] = settled(found, seen, body)
+        body.registers[op.dst] = settled(walker, found, seen, body)
 
 
 def _narrow(_walker: Walker, _op: cpp.Narrow, _body: Body, _seen: Seen) -> None:
@@ -219,7 +219,7 @@ def _copy(walker: Walker, op: cpp.Copy | cpp.Convert, body: Body, seen: Seen) ->
     if isinstance(op, cpp.Convert) and op.kind == "buffer":
         found = found.joined(Mark(0, slots(source)))
     found = found if given is None else found.under(given.mask)
-    body.registers[op.dst] = settled(copied(found, seen), seen, body)
+    body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
 
 
 def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> None:
@@ -236,7 +236,7 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
         body.registers[op.dst] = Mark(mask, frozenset(seen.refs))
         return
     found = found if given is None else found.joined(given)
-    body.registers[op.dst] = settled(copied(found, seen), seen, body)
+    body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
 
 
 def _aggregate(walker: Walker, seen: Seen, places: list[int], marks: list[Mark]) -> None:
@@ -455,7 +455,7 @@ def _spread(walker: Walker, op: cpp.Spread, body: Body, seen: Seen) -> None:
         walker.go(body, before)
     given = _acts(walker, op, body, seen, [found]) if seen.bound else None
     found = value(walker, found) if given is None else value(walker, found).joined(given)
-    body.registers[op.dst] = settled(found, seen, body)
+    body.registers[op.dst] = settled(walker, found, seen, body)
 
 
 # Calls
@@ -488,7 +488,7 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
     given = _acts(walker, op, body, seen, marks, pc=pc)
     if given is None:
         given = Mark(walker.memory.deep(value(walker, operands(body, reads(op)))))
-    mark = settled(copied(given, seen), seen, body)
+    mark = settled(walker, copied(given, seen), seen, body)
     mask = mark.mask | pc | arising(walker, seen)
     body.registers[op.dst] = Mark(mask, mark.roots)
 
@@ -513,14 +513,14 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
         given = _acts(walker, op, body, seen, [left, right], certain=True)
         mark = Mark(walker.memory.deep(held) | mask) if given is None else given
         if seen.bound and given is not None:
-            body.registers[op.dst] = settled(given, seen, body)
+            body.registers[op.dst] = settled(walker, given, seen, body)
             return
-        body.registers[op.dst] = settled(mark.joined(held).joined(other), seen, body)
+        body.registers[op.dst] = settled(walker, mark.joined(held).joined(other), seen, body)
         return
     if seen.wrote:
         cpp_calls.natives(walker, body, seen, [left, right])
     straight.plain(walker, op, body, seen)
-    body.registers[op.dst] = settled(
+    body.registers[op.dst] = settled(walker, 
         body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other))), seen, body
     )
 
@@ -553,7 +553,7 @@ def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     if not seen.bound:
         for mark in marks:
             mask |= walker.memory.deep(mark)
-    body.registers[op.dst] = settled(Mark(mask, NOTHING.roots if given is None else given.roots), seen, body)
+    body.registers[op.dst] = settled(walker, Mark(mask, NOTHING.roots if given is None else given.roots), seen, body)
 
 
 def _other(walker: Walker, op: Any, body: Body, seen: Seen) -> None:

@@ -273,6 +273,8 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> Mark |
         near = near.joined(held)
         whole = whole.joined(Mark(memory.deep(held), held.roots | slots(mark)))
     names = [n for n in seen.natives if n not in _QUIET]
+    if names and all(n.startswith("rosward.") for n in names):  # a node is given for what it is, not for what is in it
+        whole = near
     brought = 0
     for name in names:
         if name.startswith(LOGS):
@@ -286,7 +288,7 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> Mark |
         for address in mine:
             if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
                 memory.write_any([address], written, body.pc | near.mask)
-    _written(walker, marks, wrote, written, body)
+    _written(walker, marks, seen, wrote, written, body)
     only_reads = bool(names) and all(n.rpartition(".")[2] in READS or n.rpartition(".")[2] in STORES for n in names)
     if names and all(n.startswith("rosward.") for n in names):
         return Mark(
@@ -300,10 +302,13 @@ def _is_copy(site: object) -> bool:
     return isinstance(site, tuple) and site[:1] == ("copy",)
 
 
-def _written(walker: Walker, marks: list[Mark], wrote: set[int], written: Mark, body: Body) -> None:
+def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], written: Mark, body: Body) -> None:
     """What the interpretation saw written holds more now: the slots that were passed, else any part of the object."""
+    own = bool(seen.natives) and all(n.startswith("rosward.") for n in seen.natives)
     for address in wrote:
         passed = {r for mark in marks for r in mark.roots if is_slot(r) and r[1] == address}  # type: ignore[index]  # a slot
+        if own and not passed:  # what the models note in their own objects is no content
+            continue
         walker.memory.write_any(
             passed or [address], Mark(written.mask, written.roots - {address}), body.pc | written.mask
         )
@@ -322,7 +327,7 @@ def _arrives(walker: Walker, body: Body, seen: Seen, name: str) -> int:
         code = inner.activation.code
         if not code.file.startswith("models:"):
             break
-        kind = _kind(walker, inner)
+        kind = _kind(inner)
         if kind:
             mask |= walker.sources.data(walker.source_here(kind))
             break
@@ -341,15 +346,10 @@ _KINDS: Final = {
 }
 
 
-def _kind(walker: Walker, body: Body) -> str:
-    """What arrives at an object of the client library, by its class."""
-    for root in body.registers[0].roots if body.registers else ():
-        record = walker.shape.record(root) if isinstance(root, int) else None
-        name = str(getattr(getattr(record, "cls", None), "name", "")).replace(".", "::")
-        for part, kind in _KINDS.items():
-            if part in name:
-                return kind
-    return ""
+def _kind(body: Body) -> str:
+    """What arrives at an object of the client library, by the function of it that says so."""
+    name = body.activation.code.qualname
+    return next((kind for part, kind in _KINDS.items() if part in name), "")
 
 
 def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:

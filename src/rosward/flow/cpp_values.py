@@ -14,6 +14,7 @@ from rosward.engine.seen import refs_of
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot
+from rosward.flow.reading import arising
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
@@ -47,12 +48,12 @@ def value(walker: Walker, mark: Mark) -> Mark:
     return Mark(found.mask, frozenset(roots))
 
 
-def settled(mark: Mark, seen: Seen, body: Body) -> Mark:
+def settled(walker: Walker, mark: Mark, seen: Seen, body: Body) -> Mark:
     """The result of an operation: where it leads was seen, but for what nobody knows."""
     roots = frozenset(seen.refs) | nameless(mark)
     if seen.reasons or not seen.refs:
         roots |= mark.roots
-    return Mark(mark.mask | body.pc, roots)
+    return Mark(mark.mask | body.pc | arising(walker, seen, read=True), roots)
 
 
 def field(walker: Walker, root: Root, name: str) -> Mark:

@@ -47,6 +47,8 @@ _EVENTS: Final = {
     "feedback": ("feedback", "action_client"),
 }
 """The kind of source that an event brings, and of the entity at which it arrives."""
+_ANSWERS: Final = frozenset({"future", "response", "result", "goal response"})
+"""Callbacks that run when an answer is there."""
 _PLAIN: Final = {"timer": "timer", "thread": "thread", "parameters": "parameters"}
 
 
@@ -145,7 +147,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for owner in (*registered.receivers, *registered.by.refs) if registered is not None else ():
         pc |= demoted(walker.stopped.get(owner, 0))
     arguments = [_argument(walker, entry, n, sources) for n in range(len(entry.args or ()))]
-    if entry.event == "future":
+    if entry.event in _ANSWERS:
         for argument in arguments:
             pc |= triggering(walker.memory.deep(argument))
     seen, given = root.of(0), walker.given.get(entry, 0)
@@ -207,7 +209,7 @@ def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
                 yield Source(kind[0], node=effect.address, given=effect.name)
         if found:
             return
-    if entry.event == "future":
+    if entry.event in _ANSWERS:
         yield from _answers(walker, entry)
         return
     yield Source(_PLAIN.get(entry.event, "thread"))

@@ -1,5 +1,5 @@
 // The message itself is kept.
-// flow: topic:/out: control topic:/in; data topic:/in; trigger timer
+// flow: topic:/out: data topic:/in; trigger timer
 #include <chrono>
 #include <fstream>
 #include <functional>
