@@ -125,7 +125,7 @@ def _ways(
     function = several[0].function
     mine = list(activations)
     found: list[Callable[[], Mark]] = []
-    if not mine and function.code.is_stub and function.code.file.startswith("models:"):
+    if not mine and function.code.file.startswith("models:") and (function.code.is_stub or not function.code.ops):
         found.append(partial(_declared, walker, body, function, _joined(marks)))
     for number, activation in enumerate(mine):
         given = marks[number] if len(marks) == len(mine) else _joined(marks)
@@ -333,7 +333,7 @@ def _arrives(walker: Walker, body: Body, seen: Seen, name: str) -> int:
             break
     for address in (*seen.refs, *seen.made, *(seen.wrote if name == "rosward.fill" else ())):
         if isinstance(address, int):
-            walker.memory.place(address, Content(base=mask))
+            walker.memory.place_again(address, Content(base=mask))
     return mask
 
 

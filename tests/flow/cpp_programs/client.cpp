@@ -1,6 +1,6 @@
 // A request, and what comes back.
 // flow: request:/switch: data topic:/in
-// flow: topic:/out: data response:/switch
+// flow: topic:/out: data response:/switch; trigger topic:/in
 #include <chrono>
 #include <fstream>
 #include <functional>
