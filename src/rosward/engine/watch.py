@@ -232,7 +232,7 @@ class Watch:
                 seen.cells.add(frame.cells[op.cell])
             if cls in _KEYED_CPP:
                 for register in operands:
-                    seen.key(register, frame.registers[register])
+                    seen.key(register, _standing(machine, frame.registers[register]))
                 if cls is cpp.Invoke:
                     function = frame.registers[op.func]
                     seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
@@ -320,6 +320,14 @@ _STRUCTURED: Final = frozenset(
 _CELLED: Final = frozenset({ops.LoadCell, ops.StoreCell, cpp.CellSlot})
 _KEYED_CPP: Final = frozenset({cpp.Invoke, cpp.InvokeMember, cpp.Item, cpp.Construct})
 _NOTHING_GIVEN: Final = Given(frozenset(), frozenset(), "none")
+
+
+def _standing(machine: Engine, value: Value) -> Value:
+    """What stands in a variable; looking at it is no question of the program."""
+    if value.__class__ is not Slot or value.kind != "cell" or not isinstance(value.base, Ref):
+        return value
+    cell = machine.state.heap.get(value.base.address)
+    return value if cell is None else cell.attrs.get("value", value)
 
 
 def _of_members(op: cpp.Initialise) -> tuple[int, ...]:

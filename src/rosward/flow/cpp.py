@@ -48,6 +48,7 @@ def _acts(
     everything = NOTHING
     for mark in marks:
         everything = everything.joined(mark)
+    keys = tuple([constant(seen, a.register) for a in op.arguments]) if isinstance(op, cpp.Invoke) else ()
     cpp_calls.fresh(walker, seen, everything)
     result = cpp_calls.callees(walker, body, seen, everything, pc=pc, certain=certain)
     if result is not None and seen.made:
@@ -55,7 +56,7 @@ def _acts(
         copies(walker, seen, everything, but=frozenset(walker.memory.reached(given)))
     cpp_calls.sends(walker, body, seen, marks)
     for done in (
-        cpp_calls.natives(walker, body, seen, marks),
+        cpp_calls.natives(walker, body, seen, marks, keys),
         cpp_calls.strange(walker, op.number, body, seen, marks),
     ):
         if done is not None:

@@ -21,7 +21,7 @@ from rosward.flow.calls import KINDS, send
 from rosward.flow.content import Content
 from rosward.flow.cpp_values import copies, nameless, slots, value
 from rosward.flow.marked_cpp import LOGS, PURE, READS, STORES, is_safe
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, Source, demoted
 from rosward.flow.memory import is_slot
 from rosward.flow.reading import arising
 
@@ -260,7 +260,7 @@ KINDS_APART: Final = frozenset({"message", "service", "timer", "goal", "execute"
 # Models in code, and code that nobody knows
 
 
-def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> Mark | None:
+def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tuple[object, ...] = ()) -> Mark | None:
     """What models in code give, and what they write; None where none runs."""
     mine = [m for m in seen.made if not _is_copy(seen.made[m])]
     wrote = seen.wrote - set(seen.made)
@@ -280,7 +280,7 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> Mark |
         if name.startswith(LOGS):
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
-        brought |= _arrives(walker, body, seen, name)
+        brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
     only_stores = bool(names) and all(n.rpartition(".")[2] in STORES for n in names)
     content = near if only_stores else whole
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
@@ -296,6 +296,22 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> Mark |
         )
     mask = (near.mask if only_reads else whole.mask) | brought | arising(walker, seen)
     return Mark(mask, nameless(whole))
+
+
+def _parameter(walker: Walker, seen: Seen, name: str, keys: tuple[object, ...]) -> int:
+    """The parameter that a native of the models gives, or writes to a variable: of one that is not known, any."""
+    if name not in _OF_PARAMETERS:
+        return 0
+    known = keys[1] if len(keys) > 1 else None
+    if not isinstance(known, str) and arising(walker, seen):
+        return 0
+    return walker.sources.data(Source("parameter", known if isinstance(known, str) else "*"))
+
+
+_OF_PARAMETERS: Final = frozenset(
+    f"rosward.{name}"
+    for name in ("declare_parameter", "parameter", "get_parameter", "get_parameters", "given_parameters")
+)
 
 
 def _is_copy(site: object) -> bool:
