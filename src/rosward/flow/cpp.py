@@ -24,6 +24,7 @@ from rosward.flow.cpp_values import (
     operands,
     settled,
     slots,
+    sources,
     under_choice,
     value,
     write,
@@ -51,7 +52,7 @@ def _acts(
     keys = tuple([constant(seen, a.register) for a in op.arguments]) if isinstance(op, cpp.Invoke) else ()
     cpp_calls.fresh(walker, seen, everything)
     result = cpp_calls.callees(walker, body, seen, everything, pc=pc, certain=certain)
-    if result is not None and seen.made:
+    if result is not None and sources(seen):
         given = Mark(0, frozenset(p for b in seen.bound.values() for g in b.given for p in g.places))
         copies(walker, seen, everything, but=frozenset(walker.memory.reached(given)))
     cpp_calls.sends(walker, body, seen, marks)

@@ -267,34 +267,34 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
     if not (seen.natives or wrote):
         return None
     memory = walker.memory
-    whole, near = Mark(body.pc), Mark(body.pc)
+    near, passed = Mark(body.pc), frozenset[Root]()
     for mark in marks:
-        held = value(walker, mark)
-        near = near.joined(held)
-        whole = whole.joined(Mark(memory.deep(held), held.roots | slots(mark)))
+        near = near.joined(value(walker, mark))
+        passed |= slots(mark)
     names = [n for n in seen.natives if n not in _QUIET]
-    if names and all(n.startswith("rosward.") for n in names):  # a node is given for what it is, not for what is in it
-        whole = near
+    whole = near
+    last = [n.rpartition(".")[2] for n in names]
+    own = bool(names) and all(n.startswith("rosward.") for n in names)  # a node is given for what it is, not for what is in it
+    if not own and not (names and all(n in READS or n in STORES for n in last)):
+        whole = Mark(walker.memory.deep(near), near.roots | passed)
     brought = 0
     for name in names:
         if name.startswith(LOGS):
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
         brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
-    only_stores = bool(names) and all(n.rpartition(".")[2] in STORES for n in names)
-    content = near if only_stores else whole
+    content = near if names and all(n in STORES for n in last) else whole
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
     if not any(n in _ARRIVING for n in names):
         for address in mine:
             if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
                 memory.write_any([address], written, body.pc | near.mask)
     _written(walker, marks, seen, wrote, written, body)
-    only_reads = bool(names) and all(n.rpartition(".")[2] in READS or n.rpartition(".")[2] in STORES for n in names)
-    if names and all(n.startswith("rosward.") for n in names):
+    if own:
         return Mark(
             body.pc | brought | arising(walker, seen), nameless(whole) if "rosward.either" in names else frozenset()
         )
-    mask = (near.mask if only_reads else whole.mask) | brought | arising(walker, seen)
+    mask = whole.mask | brought | arising(walker, seen)
     return Mark(mask, nameless(whole))
 
 

@@ -93,10 +93,20 @@ def _source(site: object) -> int | None:
     return None
 
 
+def sources(seen: Seen) -> dict[int, int]:
+    """The copies that an operation makes, by what they are copies of."""
+    if not seen.made:
+        return _NO_COPIES
+    return {source: address for address, site in seen.made.items() if (source := _source(site)) is not None}
+
+
+_NO_COPIES: Final[dict[int, int]] = {}
+
+
 def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root] | None = None) -> None:
     """New objects stand here: copies with what is in their source, others empty. `but`: of copies those only that are not among these."""
     memory = walker.memory
-    fresh = {source: address for address, site in seen.made.items() if (source := _source(site)) is not None}
+    fresh = sources(seen)
     for address, site in seen.made.items():
         source = _source(site)
         if but is not None and (source is None or address in but):
@@ -127,7 +137,9 @@ def _renamed(content: Content, fresh: dict[int, int]) -> Content:
 
 def copied(mark: Mark, seen: Seen) -> Mark:
     """A value of which the objects are the copies that were made."""
-    fresh = {source: address for address, site in seen.made.items() if (source := _source(site)) is not None}
+    fresh = sources(seen) if mark.roots else _NO_COPIES
+    if not fresh:
+        return mark
     return Mark(mark.mask, frozenset(fresh.get(r, r) if isinstance(r, int) else r for r in mark.roots))
 
 

@@ -292,18 +292,20 @@ class Memory:
         """All that a value depends on, with what it leads to; but not what nodes hold that it leads to."""
         mask = mark.mask
         seen: set[Root] = set()
-        work = list(mark.roots)
-        while work:
+        work = set(mark.roots)
+        known = {id(mark.roots)}
+        nodes = self.shape.nodes
+        while work and len(seen) <= _MOST:
             root = work.pop()
-            if root in seen or len(seen) > _MOST:
-                continue
             seen.add(root)
             content = self.of(root)
             mask |= content.base | content.any.mask | content.size
             for each in (content.any, *content.slots.values()):
                 mask |= each.mask
-                work += [r for r in each.roots if r not in self.shape.nodes]
-            work += self.shape.held(root)
+                if each.roots and id(each.roots) not in known:  # many objects share what they lead to
+                    known.add(id(each.roots))
+                    work |= each.roots - seen - nodes
+            work.update(r for r in self.shape.held(root) if r not in seen)
         self.shape.spent += len(seen)
         return mask
 
