@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""C++: the bodies that an operation runs, models in code, and code that nobody knows.
+"""C++: the bodies that an operation runs, what is sent, which callbacks are registered.
 
-number(front, 4);            the body of `number`, whose parameter is the slot of `front`
-values.push_back(x);         the vector that the interpretation saw written holds x among others
-vendor::fill(frame, data);   nobody knows: what is passed may hold any of the arguments afterwards
+number(front, 4);     the body of `number`, whose parameter is the slot of `front`
+law->law(x);          the bodies of all classes that the object may have, each from the same state
 """
 
 from __future__ import annotations
@@ -18,28 +17,22 @@ from rosward.engine.seen import Activation, Bound, Seen
 from rosward.flow import library
 from rosward.flow.body import Body
 from rosward.flow.calls import KINDS, send
-from rosward.flow.content import Content
-from rosward.flow.cpp_values import copies, nameless, slots, value
-from rosward.flow.marked_cpp import LOGS, PURE, READS, STORES, is_safe
-from rosward.flow.marks import NOTHING, Mark, Root, Source, demoted
+from rosward.flow.cpp_values import (
+    nameless,
+    slots,
+    value,
+)
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot
-from rosward.flow.reading import arising
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
-
-__all__ = ["callees", "given_to", "is_safe", "named", "natives", "register", "sends", "strange"]
-
-_FEW: Final = 8
 
 
 def named(function: Function) -> str:
     """The dotted name of a function."""
     scope = function.module.name.replace("::", ".")
     return f"{scope}.{function.code.name}" if scope else function.code.name
-
-
-# Bodies
 
 
 def callees(
@@ -78,7 +71,7 @@ def callees(
         bound_keys = {b.function.code.key for b in seen.bound.values()}
         for key, activations in waiting.items():
             if key not in bound_keys:
-                steps.append([partial(_thunk, walker, body, seen, a, everything, inside) for a in activations])
+                steps.append([partial(_thunk, walker, a, everything, inside) for a in activations])
     known = registers if registers is not None else dict(enumerate(body.registers))
     for group in groups.values():
         ways: list[Callable[[], Mark]] = []
@@ -121,7 +114,7 @@ def _ways(
     everything: Mark,
     pc: int,
 ) -> list[Callable[[], Mark]]:
-    marks = [given_to(walker, body, bound, known, everything, pc) for bound in several]
+    marks = [given_to(walker, bound, known, everything, pc) for bound in several]
     function = several[0].function
     mine = list(activations)
     found: list[Callable[[], Mark]] = []
@@ -129,7 +122,7 @@ def _ways(
         found.append(partial(_declared, walker, body, function, _joined(marks)))
     for number, activation in enumerate(mine):
         given = marks[number] if len(marks) == len(mine) else _joined(marks)
-        found.append(partial(_enter, walker, body, activation, function, given, pc))
+        found.append(partial(_enter, walker, activation, function, given, pc))
     return found
 
 
@@ -144,7 +137,7 @@ def _joined(several: list[list[Mark]]) -> list[Mark]:
     return found
 
 
-def _enter(walker: Walker, body: Body, activation: Activation, function: Function, given: list[Mark], pc: int) -> Mark:
+def _enter(walker: Walker, activation: Activation, function: Function, given: list[Mark], pc: int) -> Mark:
     """Through a body; where its parameters lead was seen when it began."""
     marks = []
     for number, places in enumerate(activation.begun):
@@ -166,7 +159,7 @@ def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:
     return library.perform(walker, name, mask, pc)
 
 
-def _thunk(walker: Walker, body: Body, seen: Seen, activation: Activation, everything: Mark, pc: int) -> Mark:
+def _thunk(walker: Walker, activation: Activation, everything: Mark, pc: int) -> Mark:
     """A body that nothing calls with arguments: the first value of a field stands in it afterwards, a type is a type."""
     named_so = activation.code.parameters.names[:1] == ("this",)
     places = [frozenset(p) for p in activation.begun]
@@ -191,7 +184,7 @@ def _declared(walker: Walker, body: Body, function: Function, marks: list[Mark])
     return Mark(mask | library.perform(walker, named(function), mask, body.pc))
 
 
-def given_to(walker: Walker, body: Body, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:
+def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:
     """What is in the parameters of a call."""
     marks = []
     captured: Root = ("captured", bound.function.code.key)
@@ -228,9 +221,6 @@ def _shallow(walker: Walker, mark: Mark) -> int:
     return value(walker, mark).mask
 
 
-# What is sent, and registered
-
-
 def sends(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> None:
     """`rosward::send(kind, node, name, type, message)`."""
     for _, effect in seen.effects:
@@ -257,164 +247,7 @@ def register(walker: Walker, body: Body, seen: Seen, everything: Mark) -> None:
 KINDS_APART: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", *KINDS})
 
 
-# Models in code, and code that nobody knows
-
-
-def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tuple[object, ...] = ()) -> Mark | None:
-    """What models in code give, and what they write; None where none runs."""
-    mine = [m for m in seen.made if not _is_copy(seen.made[m])]
-    wrote = seen.wrote - set(seen.made)
-    if not (seen.natives or wrote):
-        return None
-    memory = walker.memory
-    near, passed = Mark(body.pc), frozenset[Root]()
-    for mark in marks:
-        near = near.joined(value(walker, mark))
-        passed |= slots(mark)
-    names = [n for n in seen.natives if n not in _QUIET]
-    whole = near
-    last = [n.rpartition(".")[2] for n in names]
-    own = bool(names) and all(n.startswith("rosward.") for n in names)  # a node is given for what it is, not for what is in it
-    if not own and not (names and all(n in READS or n in STORES for n in last)):
-        whole = Mark(walker.memory.deep(near), near.roots | passed)
-    brought = 0
-    for name in names:
-        if name.startswith(LOGS):
-            _log(walker, body, marks)
-        brought |= library.perform(walker, name, whole.mask, body.pc)
-        brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
-    content = near if names and all(n in STORES for n in last) else whole
-    written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
-    if not any(n in _ARRIVING for n in names):
-        for address in mine:
-            if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
-                memory.write_any([address], written, body.pc | near.mask)
-    _written(walker, marks, seen, wrote, written, body)
-    if own:
-        return Mark(
-            body.pc | brought | arising(walker, seen), nameless(whole) if "rosward.either" in names else frozenset()
-        )
-    mask = whole.mask | brought | arising(walker, seen)
-    return Mark(mask, nameless(whole))
-
-
-def _parameter(walker: Walker, seen: Seen, name: str, keys: tuple[object, ...]) -> int:
-    """The parameter that a native of the models gives, or writes to a variable: of one that is not known, any."""
-    if name not in _OF_PARAMETERS:
-        return 0
-    known = keys[1] if len(keys) > 1 else None
-    if not isinstance(known, str) and arising(walker, seen):
-        return 0
-    return walker.sources.data(Source("parameter", known if isinstance(known, str) else "*"))
-
-
-_OF_PARAMETERS: Final = frozenset(
-    f"rosward.{name}"
-    for name in ("declare_parameter", "parameter", "get_parameter", "get_parameters", "given_parameters")
-)
-
-
-def _is_copy(site: object) -> bool:
-    return isinstance(site, tuple) and site[:1] == ("copy",)
-
-
-def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], written: Mark, body: Body) -> None:
-    """What the interpretation saw written holds more now: the slots that were passed, else any part of the object."""
-    own = bool(seen.natives) and all(n.startswith("rosward.") for n in seen.natives)
-    for address in wrote:
-        passed = {r for mark in marks for r in mark.roots if is_slot(r) and r[1] == address}  # type: ignore[index]  # a slot
-        if own and not passed:  # what the models note in their own objects is no content
-            continue
-        walker.memory.write_any(
-            passed or [address], Mark(written.mask, written.roots - {address}), body.pc | written.mask
-        )
-
-
-_QUIET: Final = frozenset({"rosward.nothing", "rosward.type"})
-_ARRIVING: Final = frozenset({"rosward.arrived", "rosward.message", "rosward.fill"})
-
-
-def _arrives(walker: Walker, body: Body, seen: Seen, name: str) -> int:
-    """Something that somebody sent arrives here."""
-    if name not in _ARRIVING:
-        return 0
-    mask = body.pc
-    for inner in reversed(walker.bodies):
-        code = inner.activation.code
-        if not code.file.startswith("models:"):
-            break
-        kind = _kind(inner)
-        if kind:
-            mask |= walker.sources.data(walker.source_here(kind))
-            break
-    for address in (*seen.refs, *seen.made, *(seen.wrote if name == "rosward.fill" else ())):
-        if isinstance(address, int):
-            walker.memory.place_again(address, Content(base=mask))
-    return mask
-
-
-_KINDS: Final = {
-    "ServerGoalHandle": "goal",
-    "WrappedResult": "result",
-    "rclcpp_action::Client": "feedback",
-    "rclcpp::Client": "response",
-    "Subscription": "topic",
-}
-
-
-def _kind(body: Body) -> str:
-    """What arrives at an object of the client library, by the function of it that says so."""
-    name = body.activation.code.qualname
-    return next((kind for part, kind in _KINDS.items() if part in name), "")
-
-
-def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
-    """A line of a log: of all arguments but the logger."""
-    from rosward.flow.outside import out
-
-    mask = body.pc
-    for mark in marks[1:]:
-        mask |= walker.memory.deep(value(walker, mark))
-    out(walker, "log", mask)
-
-
-def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[Mark]) -> Mark | None:
-    """Code that nobody knows: it may write to all that it is passed, and give any of it. None where none runs."""
-    names = [n.replace("::", ".") for n in seen.strange]
-    if not names:
-        return None
-    memory = walker.memory
-    mask = body.pc
-    behind: frozenset[Root] = frozenset()
-    reached: set[Root] = set()
-    for mark in marks:
-        held = value(walker, mark)
-        mask |= memory.deep(held)
-        behind |= nameless(held) | frozenset(r for r in held.roots if isinstance(r, int))
-        reached |= slots(mark)
-        reached.update(memory.reached(held))
-    given = 0
-    for name in names:
-        given |= library.perform(walker, name, mask, body.pc)
-    root = walker.shape.made(body.activation, op_number, names[0])
-    memory.renew(root)
-    if not all(n.startswith(PURE) or library.is_pure(n) for n in names):
-        memory.write_any(reached, Mark(mask, behind), mask)
-    return Mark(mask | given, behind | {root})
-
-
-def fresh(walker: Walker, seen: Seen, everything: Mark) -> None:
-    """What an operation makes before it calls anything."""
-    if seen.made:
-        copies(walker, seen, everything)
-
-
-# Callbacks
-
-
-def begin(
-    walker: Walker, activation: Activation, arguments: list[Mark], given: int, pc: int
-) -> Mark:
+def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: int, pc: int) -> Mark:
     """A callback is called: what arrives, what it is bound to, what else it may be given depends on `given`."""
     body = Body(activation, [], pc)
     seen = activation.of(0)

@@ -13,7 +13,7 @@ from rosward.domain.values import Ref
 from rosward.engine.seen import refs_of
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.memory import is_slot
+from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.reading import arising
 
 if TYPE_CHECKING:
@@ -151,7 +151,7 @@ def write(walker: Walker, target: Mark, mark: Mark, *, sure: bool = True) -> Non
     several = len(target.roots) > 1 or not sure
     for root in target.roots:
         if is_slot(root):
-            _, base, key, how = root  # type: ignore[misc]  # a slot
+            base, key, how = slot_of(root)
             if how == "one" and not several:
                 walker.memory.write(frozenset((base,)), key, mark)
             else:

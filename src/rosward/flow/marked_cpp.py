@@ -116,7 +116,7 @@ PURE: Final = (
 
 def is_safe(name: str) -> bool:
     """Whether a model in code surely throws nothing."""
-    return name.startswith(LOGS) or name.startswith("rosward.") or name.rpartition(".")[2] in SAFE
+    return name.startswith((*LOGS, "rosward.")) or name.rpartition(".")[2] in SAFE
 
 
 FUNCTIONS: Final = (

@@ -23,6 +23,14 @@ def is_slot(root: Root) -> bool:
     return not isinstance(root, int) and root[0] == "slot"
 
 
+def slot_of(root: Root) -> tuple[Root, object, object]:
+    """Of a slot: the object, the key, and how much of the object it is known to be."""
+    assert not isinstance(root, int)
+    base = root[1]
+    assert isinstance(base, (int, tuple))
+    return base, root[2], root[3]
+
+
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to."""
 
@@ -146,7 +154,7 @@ class Memory:
 
     def at(self, slot: Root) -> Mark:
         """What stands in a slot. Where that is a part of a message, which part it is the message does not say."""
-        _, base, key, how = slot  # type: ignore[misc]  # a slot
+        base, key, how = slot_of(slot)
         content = self.of(base)
         if how == "any":
             return content.whole
@@ -158,7 +166,7 @@ class Memory:
 
     def _write_slot(self, slot: Root, mark: Mark, *, sure: bool = False) -> None:
         """Something is written into a slot: in the place of what stood there, where that is sure."""
-        _, base, key, how = slot  # type: ignore[misc]  # a slot
+        base, key, how = slot_of(slot)
         if how == "any":
             self.write_any([base], mark)
         elif sure and how == "one":

@@ -52,7 +52,9 @@ class Shape:
         self.many = {address for address, obj in machine.state.heap.items() if obj.many}
         self.placed: set[int] = set()  # what was made since the callback that runs began
         self.tracker: Tracker | None = None  # of the body that is being walked through
-        self.ended: set[Root] = set()  # the variables of functions that do not run, in languages where these end with them
+        self.ended: set[Root] = (
+            set()
+        )  # the variables of functions that do not run, in languages where these end with them
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}
         self.nodes = {effect.address for effect in machine.log.nodes}
