@@ -51,9 +51,7 @@ def _name(walker: Walker, op: cpp.Name, body: Body, seen: Seen) -> None:
         mask |= given.mask
     found = Mark(mask)
     if not op.slot:
-        held = (
-            body.registers[0] if body.registers and body.activation.code.parameters.names[:1] == ("this",) else NOTHING
-        )
+        held = _this(body)
         for root in held.roots:
             found = found.joined(field(walker, root, name))
         for address, key in walker.shape.named(name):
@@ -62,13 +60,35 @@ def _name(walker: Walker, op: cpp.Name, body: Body, seen: Seen) -> None:
     roots = frozenset(seen.refs) | nameless(found) | extern
     if seen.reasons and not op.slot:
         roots |= found.roots
+        if not seen.refs:
+            roots |= frozenset(
+                ("slot", r, name, "one") for r in _this(body).roots if isinstance(r, int) and _has(walker, r, name)
+            )
     body.registers[op.dst] = Mark(found.mask, roots)
+
+
+def _this(body: Body) -> Mark:
+    """The object whose method runs."""
+    return body.registers[0] if body.registers and body.activation.code.parameters.names[:1] == ("this",) else NOTHING
+
+
+def _has(walker: Walker, root: int, name: str) -> bool:
+    record = walker.shape.record(root)
+    return record is not None and name in record.attrs
 
 
 def _cell_slot(walker: Walker, op: cpp.CellSlot, body: Body, seen: Seen) -> None:
     found = walker.memory.read(seen.cells, "value")
     mask = 0 if any(is_slot(r) and slot_of(r)[0] in seen.cells for r in seen.refs) else found.mask
     body.registers[op.dst] = Mark(mask | body.pc, frozenset(seen.refs))
+
+
+def _load_cell(walker: Walker, op: ops.LoadCell, body: Body, seen: Seen) -> None:
+    """The value of a variable; of one that holds something that nobody knows, where it stands, for what is called on it."""
+    straight.TABLE[ops.LoadCell](walker, op, body, seen)
+    if body.activation.code.language == CPP and seen.reasons and not seen.refs:
+        places = frozenset[Root](("slot", cell, "value", "one") for cell in seen.cells)
+        body.registers[op.dst] = body.registers[op.dst].joined(Mark(0, places))
 
 
 def _read(walker: Walker, op: cpp.Read, body: Body, seen: Seen) -> None:
@@ -123,6 +143,13 @@ def _deref(walker: Walker, op: cpp.Deref, body: Body, seen: Seen) -> None:
     found = Mark(pointer.mask | body.pc, nameless(pointer) | slots(pointer))
     if not op.slot:
         found = value(walker, found)
+        for root in pointer.roots:
+            if (
+                isinstance(root, int) and root not in seen.refs
+            ):  # what is in an optional, or at the beginning of an array
+                found = found.joined(walker.memory.of(root).whole)
+    elif not seen.refs or seen.reasons:
+        found = found.joined(Mark(0, pointer.roots))
     found = found if given is None else found.joined(given)
     body.registers[op.dst] = settled(walker, found, seen, body)
 
@@ -189,8 +216,8 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
     else:
         function = body.registers[op.func]
         pc = demoted(value(walker, function).mask)
-        if nameless(function) or function.mask & ~body.pc:
-            marks = [*marks[:0], *marks, Mark(function.mask, nameless(function))] if not seen.effects else marks
+        if not seen.effects and (nameless(function) or slots(function) or function.mask & ~body.pc):
+            marks = [*marks, Mark(function.mask, nameless(function) | slots(function))]
     given = acts(walker, op, body, seen, marks, pc=pc)
     if given is None:
         given = Mark(walker.memory.deep(value(walker, operands(body, reads(op)))))
@@ -225,6 +252,9 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
         return
     if seen.wrote:
         cpp_outside.natives(walker, body, seen, [left, right])
+    if op.operator in ("<<", ">>") and seen.reasons:  # an operator that nobody knows
+        for one, two in ((left, other), (right, held)):
+            walker.memory.write_any(nameless(one) | slots(one), two.under(mask), mask)
     straight.plain(walker, op, body, seen)
     body.registers[op.dst] = settled(
         walker, body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other))), seen, body
@@ -268,6 +298,7 @@ TABLE: Final[dict[type[ops.Op], Any]] = {
     cpp.Name: _name,
     cpp.CellSlot: _cell_slot,
     cpp.Read: _read,
+    ops.LoadCell: _load_cell,
     cpp.Member: _member,
     cpp.Item: _item,
     cpp.Deref: _deref,

@@ -22,6 +22,7 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
+from rosward.flow.marked_cpp import HOLDS
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot
 
@@ -146,7 +147,25 @@ def _enter(walker: Walker, activation: Activation, function: Function, given: li
     result = walker.enter(activation, marks, pc)
     if function.code.file.startswith("models:"):
         result = result.under(_effects(walker, named(function), given, pc))
+        result = _held(walker, function, given, result)
     return result
+
+
+def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -> Mark:
+    """A model leaves out what a value of the library is made of: it is in it all the same."""
+    name, nodes = named(function), walker.shape.nodes
+    makes = function.code.name == function.module.name.rpartition(".")[2]
+    if not makes and not name.startswith(HOLDS):
+        return result
+    mask = 0
+    for mark in given[1:] if makes else given:
+        held = value(walker, mark)
+        mask |= walker.memory.deep(Mark(held.mask, held.roots - nodes))
+    if makes:
+        walker.memory.write_any([r for r in given[0].roots if r not in nodes], Mark(mask))
+        return result
+    walker.memory.write_any([r for r in result.roots if r not in nodes], Mark(mask))
+    return result.under(mask)
 
 
 def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:

@@ -61,6 +61,10 @@ def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> Non
         body.registers[op.dst] = Mark(mask, frozenset(seen.refs))
         return
     found = found if given is None else found.joined(given)
+    if not marks and seen.reasons and not seen.refs:  # an object of which nobody knows what it is
+        root = walker.shape.made(body.activation, op.number, "object")
+        walker.memory.renew(root)
+        found = found.joined(Mark(0, frozenset((root,))))
     body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
 
 

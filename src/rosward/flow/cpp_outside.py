@@ -18,7 +18,7 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import LOGS, PURE, READS, STORES
+from rosward.flow.marked_cpp import LOGS, PURE, READS, SIZES, STORES
 from rosward.flow.marks import Mark, Root, Source
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import out
@@ -45,13 +45,18 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
     own = bool(names) and all(
         n.startswith("rosward.") for n in names
     )  # a node is given for what it is, not for what is in it
-    if not own and not (names and all(n in READS or n in STORES for n in last)):
+    simple = bool(seen.refs) and not seen.reasons
+    is_size = bool(names) and all(n in SIZES for n in last)
+    if is_size:
+        near = whole = near.under(walker.memory.size(near.roots))
+    elif not own and not (names and all(n in STORES or (simple and n in READS) for n in last)):
         whole = Mark(walker.memory.deep(near), near.roots | passed)
     brought = 0
     for name in names:
         if name.startswith(LOGS):
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
+        brought |= _of_library(walker) if name == "rosward.unknown" else 0
         brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
     content = near if names and all(n in STORES for n in last) else whole
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
@@ -82,6 +87,18 @@ _OF_PARAMETERS: Final = frozenset(
     f"rosward.{name}"
     for name in ("declare_parameter", "parameter", "get_parameter", "get_parameters", "given_parameters")
 )
+
+
+def _of_library(walker: Walker) -> int:
+    """`rosward::unknown(…)`: what a library makes of all that it was given."""
+    mask, nodes = 0, walker.shape.nodes
+    for body in reversed(walker.bodies):
+        if not body.activation.code.file.startswith("models:"):
+            break
+        for mark in body.arguments:
+            held = value(walker, mark)
+            mask |= walker.memory.deep(Mark(held.mask, held.roots - nodes))
+    return mask
 
 
 def _is_copy(site: object) -> bool:
@@ -162,6 +179,8 @@ def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[
         held = value(walker, mark)
         mask |= memory.deep(held)
         behind |= nameless(held) | frozenset(r for r in held.roots if isinstance(r, int))
+        if mark is marks[0] or mark is marks[-1]:  # what it is called on
+            behind |= slots(mark)
         reached |= slots(mark)
         reached.update(memory.reached(held))
     given = 0

@@ -78,6 +78,12 @@ READS: Final = frozenset(
 )
 """What they give depends on what they are called on and on the key, not on all that it leads to."""
 
+SIZES: Final = frozenset(["size", "empty", "length", "ssize"])
+"""What they give depends on how much there is."""
+
+HOLDS: Final = ("rclcpp.Time", "rclcpp.Duration", "rclcpp.operator", "tf2.", "tf2_ros.fromMsg", "tf2_ros.toMsg")
+"""How the names of functions of models begin that make what they give, and what they are called on, of what they get."""
+
 LOGS: Final = ("RCLCPP_", "RCUTILS_LOG_")
 
 SAFE: Final = STORES | frozenset(
