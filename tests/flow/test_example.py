@@ -11,7 +11,7 @@ import pytest
 from rosward.cli import main
 
 ROOT = Path(__file__).parents[2]
-_DETECTOR = Path("delivery_robot/delivery_perception/delivery_perception/dock_detector.py")
+_DETECTOR = Path("delivery_perception/delivery_perception/dock_detector.py")
 _LEAK = {
     "        self._looking = False\n        self._pose =": (
         "        self._looking = False\n"
@@ -32,13 +32,13 @@ _LEAK = {
 
 
 def test_the_rules_hold(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["flow", str(ROOT / "examples"), "--check"]) == 0
+    assert main(["flow", str(ROOT / "examples" / "delivery_robot"), "--check"]) == 0
     assert capsys.readouterr().out == "No forbidden flow found.\n"
 
 
 def test_a_leak_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    folder = tmp_path / "examples"
-    shutil.copytree(ROOT / "examples", folder)
+    folder = tmp_path / "robot"
+    shutil.copytree(ROOT / "examples" / "delivery_robot", folder)
     text = (folder / _DETECTOR).read_text()
     for old, new in _LEAK.items():
         assert text.count(old) == 1

@@ -191,6 +191,8 @@ class Interpreter(Answers):
         """Replace the record at an address."""
         state = self.state
         state.heap[address] = obj
+        if self.watch is not None:
+            self.watch.wrote(address)
         before = state.version
         self._versions += 1
         state.version = self._versions
@@ -203,6 +205,8 @@ class Interpreter(Answers):
         if old.many:
             joined = join_objects(old, obj, join)
             if joined is old:
+                if self.watch is not None:
+                    self.watch.wrote(ref.address)
                 return
             obj = joined
         self.put(ref.address, obj)
@@ -213,7 +217,10 @@ class Interpreter(Answers):
         if frame is None:
             return Ref(self.place_at((obj.kind, site), obj))
         key = (frame.context, frame.code.key, frame.op.number, frame.next(), site, obj.kind, obj.cls)
-        return Ref(self.place_at(key, obj))
+        address = self.place_at(key, obj)
+        if self.watch is not None:
+            self.watch.made(address, site)
+        return Ref(address)
 
     def place_key(self, key: object) -> int:
         """The address that belongs to a key."""

@@ -62,6 +62,21 @@ class Watcher(Protocol):
     def again(self, machine: Engine, key: object) -> None:
         """What is remembered of a call is its result once more."""
 
+    def wrote(self, address: int) -> None:
+        """The object at an address is written to."""
+
+    def made(self, address: int, site: object) -> None:
+        """An object is made, of what the site says."""
+
+    def bound(self, machine: Engine, function: Function, args: tuple[Value, ...], registers: list[Value]) -> None:
+        """A function in C++ is called with these arguments, which stand in its registers so."""
+
+    def native(self, name: str) -> None:
+        """A model in code runs."""
+
+    def strange(self, name: str) -> None:
+        """Code that nobody knows gets hold of something."""
+
 
 class Engine(Machine, Protocol):
     """What runs the code of one process: its state, and each question that one module of the engine asks another."""

@@ -9,7 +9,7 @@ nobody asks, nothing is noted.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.domain.choice import options, reasons_of
@@ -49,6 +49,47 @@ def refs_of(value: Value, depth: int = 0) -> Iterator[int]:
             yield from refs_of(option.base, depth + 1)
 
 
+Place = int | tuple[object, ...]
+"""Where a value leads: the address of an object, or ('slot', address, key, how) for a part of one, as `placed` says."""
+
+
+def places_of(value: Value, depth: int = 0) -> Iterator[Place]:
+    """The same for a language in which a part of an object has an address: a slot, or a pointer to it, leads to that part."""
+    for option in options(value):
+        if option.__class__ is Ref:
+            yield option.address
+        elif option.__class__ is Tuple and depth < _DEPTH:
+            for item in option.items:
+                yield from places_of(item, depth + 1)
+        elif isinstance(option, Partial) and depth < _DEPTH:
+            for item in (*option.arguments, *(v for _, v in option.keywords)):
+                yield from places_of(item, depth + 1)
+        elif isinstance(option, Pointer):
+            yield from places_of(option.target, depth + 1)
+        elif isinstance(option, Slot):
+            yield from _placed(option)
+
+
+def _placed(slot: Slot) -> Iterator[Place]:
+    """A slot: of how much of the object it is known to be, 'one' element, 'any' of them, or a 'part' of one."""
+    for base in options(slot.base):
+        if isinstance(base, Slot):
+            yield from (
+                p if isinstance(p, int) else (*p[:3], "any" if p[3] == "any" else "part") for p in _placed(base)
+            )
+        elif isinstance(base, Ref):
+            key = slot.key
+            if slot.kind == "cell":
+                yield ("slot", base.address, "value", "one")
+            elif isinstance(key, str):
+                yield ("slot", base.address, key, "one")
+            elif key.__class__ is Const and slot.kind != "reverse":
+                assert isinstance(key, Const)
+                yield ("slot", base.address, key.value, "one" if slot.kind == "item" else "part")
+            else:
+                yield ("slot", base.address, None, "any")
+
+
 class Handed(NamedTuple):
     """One argument of a call: in which registers of the caller it stands as it is, and the objects that it is."""
 
@@ -64,6 +105,24 @@ class Called(NamedTuple):
     keywords: tuple[tuple[str, Handed], ...]
 
 
+class Given(NamedTuple):
+    """What stands in one parameter of a function in C++: in which registers of the caller it stood, and where it leads.
+
+    `kind`: 'none' where there is nothing in it, 'place' where it only leads somewhere, else 'value'.
+    """
+
+    registers: frozenset[int]
+    places: frozenset[Place]
+    kind: str
+
+
+class Bound(NamedTuple):
+    """A function in C++ that an operation calls, with what."""
+
+    function: Function
+    given: tuple[Given, ...]
+
+
 @final
 class Seen:
     """What was seen of one operation in one activation.
@@ -72,10 +131,13 @@ class Seen:
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
     `effects`: the entities that it creates and what it sends, `scheduled`: the callbacks that it registers, each with the context of the turn.
     `alive`: control came out behind it. `callees`: the functions that it ran, `summaries`: those of which it took a summary.
+    Of an operation of C++: `bound` are its calls, `made` the objects that it makes, each with what it is made of,
+    `wrote` those that it writes to, `natives` the models in code, and `strange` the names of code that nobody knows.
     """
 
     __slots__ = (
         "alive",
+        "bound",
         "callees",
         "calls",
         "cells",
@@ -84,21 +146,25 @@ class Seen:
         "functions",
         "keys",
         "last",
+        "made",
+        "natives",
         "origins",
         "parts",
         "reasons",
         "refs",
         "scheduled",
         "several",
+        "strange",
         "summaries",
+        "wrote",
     )
 
     def __init__(self) -> None:
         self.alive = False
         self.last: tuple[Value, ...] = ()
-        self.refs: set[int] = set()
+        self.refs: set[Place] = set()
         self.several = False
-        self.parts: dict[int, set[int]] = {}
+        self.parts: dict[int, set[Place]] = {}
         self.reasons: dict[Reason, None] = {}
         self.origins: dict[Origin, None] = {}
         self.externals: dict[str, None] = {}
@@ -110,6 +176,11 @@ class Seen:
         self.cells: set[int] = set()
         self.effects: dict[tuple[int, EntityEffect | SentEffect], None] = {}
         self.scheduled: dict[tuple[int, Scheduled], None] = {}
+        self.bound: dict[object, Bound] = {}
+        self.made: dict[int, object] = {}
+        self.wrote: set[int] = set()
+        self.natives: dict[str, None] = {}
+        self.strange: dict[str, None] = {}
 
     def absorb(self, other: Seen) -> None:
         """What was seen of the same operation in another activation counts too."""
@@ -117,11 +188,12 @@ class Seen:
         self.several = self.several or other.several
         self.refs |= other.refs
         self.cells |= other.cells
+        self.wrote |= other.wrote
         for number, refs in other.parts.items():
             self.parts.setdefault(number, set()).update(refs)
         for register, value in other.keys.items():
             self.keys[register] = value if self.keys.get(register, value) == value else None
-        for name in ("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees"):
+        for name in _GATHERED:
             getattr(self, name).update(getattr(other, name))
         self.summaries.update(other.summaries)
 
@@ -138,7 +210,7 @@ class Seen:
         found = self.keys.get(register)
         return found.value if isinstance(found, Const) else None
 
-    def give(self, values: tuple[Value, ...]) -> None:
+    def give(self, values: tuple[Value, ...], places: Callable[[Value], Iterator[Place]] = refs_of) -> None:
         """The operation gave these values."""
         self.alive = True
         if len(values) == len(self.last) and all(a is b for a, b in zip(values, self.last, strict=True)):
@@ -146,7 +218,7 @@ class Seen:
         self.last = values
         if len(values) > 1:
             for number, value in enumerate(values):
-                self.parts.setdefault(number, set()).update(refs_of(value))
+                self.parts.setdefault(number, set()).update(places(value))
         for value in values:
             for option in options(value):
                 if option.__class__ is Const or option.__class__ is Text:
@@ -157,14 +229,20 @@ class Seen:
                     self.externals[option.name] = None
             if value.__class__ is Text:
                 self.reasons.update(dict.fromkeys(reasons_of(value)))
-            self.refs.update(refs_of(value))
+            self.refs.update(places(value))
+
+
+_GATHERED: Final = (
+    *("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees"),
+    *("bound", "made", "natives", "strange"),
+)
 
 
 @final
 class Activation:
     """What was seen of one body in one context, whenever it ran there."""
 
-    __slots__ = ("cells", "code", "context", "module", "seen")
+    __slots__ = ("begun", "cells", "code", "context", "module", "seen")
 
     def __init__(self, code: Code, context: int, cells: tuple[int, ...], module: int) -> None:
         self.code = code
@@ -172,6 +250,7 @@ class Activation:
         self.context = context
         self.cells = cells
         self.seen: dict[int, Seen] = {}
+        self.begun: list[set[Place]] = []  # where its parameters lead, of a body in C++
 
     def of(self, number: int) -> Seen:
         """That of an operation, by its number; made where it is the first time."""

@@ -13,10 +13,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final, NamedTuple, final
 
 from rosward.domain.choice import options
-from rosward.domain.values import NONE, Function, Value
-from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
-from rosward.ir import ops
+from rosward.domain.compound import Tuple
+from rosward.domain.slots import Pointer, Slot
+from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
+from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
+from rosward.ir import cpp, ops
 from rosward.ir.check import reads, writes
+from rosward.ir.program import CPP
 
 if TYPE_CHECKING:
     from rosward.effects.log import EntityEffect
@@ -25,6 +28,7 @@ if TYPE_CHECKING:
     from rosward.engine.machine import Engine, Handler, Language
     from rosward.engine.scheduled import Scheduled
     from rosward.ir.program import Code
+    from rosward.ir.symbols import Signature
 
 __all__ = ["Watch"]
 
@@ -35,6 +39,14 @@ class Registered(NamedTuple):
     receivers: tuple[int, ...]
     by: Seen
     turn: int
+    among: Activation | None = None
+
+    def effects(self) -> Iterator[tuple[int, EntityEffect | SentEffect]]:
+        """What is created where the callback is registered: by the same operation, else in the same body."""
+        yield from self.by.effects
+        if self.among is not None:
+            for seen in self.among.seen.values():
+                yield from seen.effects
 
 
 def _receivers(machine: Engine) -> Iterator[int]:
@@ -59,12 +71,17 @@ class Watch:
         self.begun: dict[Activation, None] = {}  # those that nothing called: the main body
         self.entries: dict[Scheduled, Registered] = {}
         self._remembered: dict[object, tuple[str, int]] = {}
+        self._running: list[tuple[Frame, Seen, tuple[int, ...]]] = []  # the operations of C++, with what they read
 
     def watching(self, language: Language) -> Language:
         """The language, noting what its operations do."""
         table: dict[type[ops.Op], Handler] = {
             cls: self._noting(cls, handler) for cls, handler in language.table.items()
         }
+        if language.name == CPP:
+            return replace(
+                language, table={cls: self._noting_cpp(cls, handler) for cls, handler in language.table.items()}
+            )
         call_function = language.call_function
 
         def noting(machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> Value:
@@ -77,13 +94,22 @@ class Watch:
         """That of the operation that is running; what runs under no frame is of no activation."""
         if not machine.frames:
             return Seen()
-        frame = machine.frames[-1]
-        return self._activation(machine, frame, len(machine.frames) - 1).of(frame.op.number)
+        return self._of(machine, len(machine.frames) - 1)
+
+    def _of(self, machine: Engine, depth: int) -> Seen:
+        """That of what runs in a frame."""
+        frame = machine.frames[depth]
+        for running, seen, _ in reversed(self._running):
+            if running is frame:
+                return seen
+        return self._activation(machine, frame, depth).of(frame.op.number)
 
     def schedule(self, machine: Engine, entry: Scheduled) -> None:
         """A callback is registered here."""
         self.at(machine).scheduled[_turn(machine), entry] = None
-        self.entries.setdefault(entry, Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine)))
+        among = machine.frames[-1].seen if machine.frames and self._running else None
+        registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among)
+        self.entries.setdefault(entry, registered)
 
     def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:
         """An entity is created, or a message sent, here."""
@@ -117,11 +143,21 @@ class Watch:
         if found is None:
             found = frame.seen = self.of(frame.code, frame.context, frame.cells, frame.module.address)
             if depth:
-                caller = machine.frames[depth - 1]
-                self._activation(machine, caller, depth - 1).of(caller.op.number).callees[found] = None
+                self._of(machine, depth - 1).callees[found] = None
             elif frame.code.ops:
                 self.begun[found] = None
+            if frame.code.language == CPP:
+                self._begin(found, frame)
         return found
+
+    def _begin(self, activation: Activation, frame: Frame) -> None:
+        """Where the parameters of a body in C++ lead."""
+        signature = frame.code.signature
+        count = max(len(frame.code.parameters.names), 0 if signature is None else _width(signature))
+        for number in range(min(count, len(frame.registers))):
+            if number == len(activation.begun):
+                activation.begun.append(set())
+            activation.begun[number].update(places_of(frame.registers[number]))
 
     def _call(self, machine: Engine, function: Function, args: tuple[Value, ...], keywords: dict[str, Value]) -> None:
         if not machine.frames:
@@ -137,6 +173,82 @@ class Watch:
         named = tuple((name, handed(value)) for name, value in keywords.items())
         key = (function.code.key, function.cells, given, named)
         self.at(machine).calls[key] = Called(function, given, named)
+
+    # C++
+
+    def wrote(self, address: int) -> None:
+        """The object at an address is written to."""
+        if self._running:
+            self._running[-1][1].wrote.add(address)
+
+    def made(self, address: int, site: object) -> None:
+        """An object is made, of what the site says."""
+        if self._running:
+            self._running[-1][1].made.setdefault(address, site)
+
+    def native(self, name: str) -> None:
+        """A model in code runs."""
+        if self._running:
+            self._running[-1][1].natives[name] = None
+
+    def strange(self, name: str) -> None:
+        """Code that nobody knows gets hold of something."""
+        if self._running:
+            self._running[-1][1].strange[name] = None
+
+    def bound(self, machine: Engine, function: Function, args: tuple[Value, ...], registers: list[Value]) -> None:
+        """A function in C++ is called with these arguments, which stand in its registers so."""
+        if not machine.frames:
+            return
+        frame = machine.frames[-1]
+        operands: list[tuple[int, Value]] = []
+        if self._running and self._running[-1][0] is frame:
+            operands = [(r, frame.registers[r]) for r in self._running[-1][2]]
+        signature = function.code.signature
+        leading = 0 if signature is None else signature.leading
+        types = 0 if signature is None else len(signature.template)
+        given = []
+        for number, value in enumerate(registers):
+            first = number if number < leading else number - types
+            if leading <= number < leading + types or value is UNBOUND:
+                given.append(_NOTHING_GIVEN)
+                continue
+            is_pack = signature is not None and number == len(registers) - 1 and _ends_in_pack(signature)
+            mine = args[first:] if is_pack else args[first : first + 1]
+            where = frozenset(r for r, v in operands for a in mine if v is a)
+            given.append(Given(where, frozenset(places_of(value)), _kind(value)))
+        key = (function.code.key, function.cells, tuple(given))
+        self.at(machine).bound[key] = Bound(function, tuple(given))
+
+    def _noting_cpp(self, cls: type[ops.Op], handler: Handler) -> Handler:
+        """The handler of a kind of operation, noting what it gives; what it does itself is its own, not that of its blocks."""
+        structured, celled = cls in _STRUCTURED and cls is not ops.ForEach, cls in _CELLED
+
+        def noting(machine: Engine, op: Any, frame: Frame) -> bool | None:
+            activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
+            seen = activation.seen.get(op.number) or activation.of(op.number)
+            operands = tuple(reads(op)) if cls is not cpp.Initialise else _of_members(op)
+            if celled:
+                seen.cells.add(frame.cells[op.cell])
+            if cls in _KEYED_CPP:
+                for register in operands:
+                    seen.key(register, _standing(machine, frame.registers[register]))
+                if cls is cpp.Invoke:
+                    function = frame.registers[op.func]
+                    seen.several = seen.several or len([o for o in options(function) if o != NONE]) > 1
+            self._running.append((frame, seen, operands))
+            try:
+                result = handler(machine, op, frame)
+            finally:
+                self._running.pop()
+            if structured:
+                seen.alive = seen.alive or result is not False
+            elif result is not False:
+                registers = frame.registers
+                seen.give(tuple([registers[r] for r in writes(op)]), places_of)
+            return result
+
+        return noting
 
     def _noting(self, cls: type[ops.Op], handler: Handler) -> Handler:
         """The handler of a kind of operation, noting what it gives."""
@@ -205,3 +317,39 @@ _KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, 
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
+_CELLED: Final = frozenset({ops.LoadCell, ops.StoreCell, cpp.CellSlot})
+_KEYED_CPP: Final = frozenset({cpp.Invoke, cpp.InvokeMember, cpp.Item, cpp.Construct})
+_NOTHING_GIVEN: Final = Given(frozenset(), frozenset(), "none")
+
+
+def _standing(machine: Engine, value: Value) -> Value:
+    """What stands in a variable; looking at it is no question of the program."""
+    if value.__class__ is not Slot or value.kind != "cell" or not isinstance(value.base, Ref):
+        return value
+    cell = machine.state.heap.get(value.base.address)
+    return value if cell is None else cell.attrs.get("value", value)
+
+
+def _of_members(op: cpp.Initialise) -> tuple[int, ...]:
+    """The registers with the arguments of bases and fields."""
+    return tuple(dict.fromkeys(a.register for m in op.members for a in m.arguments))
+
+
+def _width(signature: Signature) -> int:
+    return signature.leading + len(signature.template) + len(signature.parameters)
+
+
+def _ends_in_pack(signature: Signature) -> bool:
+    return bool(signature.parameters) and signature.parameters[-1].pack
+
+
+def _kind(value: Value) -> str:
+    """Whether a value only leads somewhere, is surely the same each time, or depends on more."""
+    several = options(value)
+    if all(o.__class__ is Const and not o.origins for o in several):
+        return "none"
+    if all(o == NONE or o.__class__ in (Ref, Slot, Pointer) for o in several):
+        return "place"
+    if value.__class__ is Tuple and not value.items:
+        return "none"
+    return "value"

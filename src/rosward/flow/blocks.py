@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
+from rosward.flow import cpp_calls
 from rosward.flow.body import Attempt, Body, Point, TooLongError, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.marks import Mark, demoted
@@ -32,13 +33,21 @@ def _runs(block: ops.Block, body: Body) -> bool:
     return not block or block[0].number in body.activation.seen
 
 
-def branch(walker: Walker, op: ops.If, body: Body, _seen: Seen) -> bool:
+def _asked(walker: Walker, test: int, body: Body, seen: Seen) -> int:
+    """What an object of C++ says of itself that is a condition (`operator bool`)."""
+    if not seen.bound:
+        return 0
+    given = cpp_calls.callees(walker, body, seen, body.registers[test])
+    return 0 if given is None else demoted(given.mask)
+
+
+def branch(walker: Walker, op: ops.If, body: Body, seen: Seen) -> bool:
     """The ways that were followed, and joined behind."""
     then, other = _runs(op.then, body), _runs(op.orelse, body)
     if then != other:
         return walker.run(op.then if then else op.orelse, body)
     outside, leaves, turns = body.pc, body.leaves, body.turns
-    inside = outside | decides(walker, body.registers[op.test])
+    inside = outside | decides(walker, body.registers[op.test]) | _asked(walker, op.test, body, seen)
     before = walker.point(body)
     name = body.tests.get(op.test, "")
     about = name in walker.shape.parameters
@@ -106,7 +115,7 @@ def raise_(walker: Walker, op: ops.Raise, body: Body, seen: Seen) -> bool:
 _MOST_TURNS: Final = 60
 
 
-def loop(walker: Walker, op: ops.While, body: Body, _seen: Seen) -> bool:
+def loop(walker: Walker, op: ops.While, body: Body, seen: Seen) -> bool:
     """Turns until nothing changes."""
 
     def begin() -> bool:
@@ -114,7 +123,7 @@ def loop(walker: Walker, op: ops.While, body: Body, _seen: Seen) -> bool:
         return walker.run(op.condition, body)
 
     def test() -> int:
-        return decides(walker, body.registers[op.test])
+        return decides(walker, body.registers[op.test]) | _asked(walker, op.test, body, seen)
 
     return _turns(walker, op, body, begin, test)
 

@@ -12,9 +12,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
-from rosward.domain.compound import BoundMethod, Descriptor, External, Native, Partial, Tuple
+from rosward.domain.compound import BoundMethod, External, Native, Tuple
 from rosward.domain.values import Class, Const, Function, Value
-from rosward.effects.flows import RELEASED, Sink, Source
+from rosward.effects.flows import Sink
 from rosward.effects.sent import SentEffect
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
@@ -24,6 +24,7 @@ from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising
+from rosward.flow.released import callees, released
 from rosward.ir import ops
 from rosward.ir.check import reads
 
@@ -294,7 +295,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     given = run_callees(walker, op, body, seen, pc=pc)
     result = NOTHING if given is None else given
     unknown = False
-    for callee in dict.fromkeys(_callees(seen.functions)):
+    for callee in dict.fromkeys(callees(seen.functions)):
         if isinstance(callee, (Native, External)) or (
             isinstance(callee, BoundMethod) and isinstance(callee.function, Native)
         ):
@@ -315,45 +316,10 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     roots |= frozenset(("external", name) for name in seen.externals)
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
-    body.registers[op.dst] = _released(walker, op, body, function, seen, Mark(mask, roots))
+    body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
     _register(walker, body, seen, marks, pc)
-    if any(_spins(f) for f in _callees(seen.functions)):
+    if any(_spins(f) for f in callees(seen.functions)):
         walker.join_beside()
-
-
-def _released(walker: Walker, op: ops.Call, body: Body, function: Mark, seen: Seen, given: Mark) -> Mark:
-    """What a watched function gives is a source of its own: what it is made of is told of the function."""
-    if not walker.watched:
-        return given
-    names = {library.name_of(root) for root in function.roots}
-    for callee in _callees(seen.functions):
-        if isinstance(callee, Function):  # by its file, since the module that is started has another name
-            names.add(f"{callee.code.file.removesuffix('.py').replace('/', '.')}.{callee.code.qualname}")
-    found = sorted(w for w in walker.watched if any(f".{name}".endswith(f".{w}") for name in names))
-    if not found:
-        return given
-    mask = body.pc
-    for word in found:
-        sink = Sink(RELEASED, walker.node, Const(word), walker.place())
-        walker.send(sink, walker.memory.deep(given))
-        mask |= walker.sources.data(Source(RELEASED, word))
-    root = walker.shape.made(body.activation, op.number, found[0])
-    walker.memory.renew(root)
-    return Mark(mask, frozenset((root,)))
-
-
-def _callees(functions: Iterable[Value]) -> Iterable[Value]:
-    """What is behind methods and partials."""
-    for value in functions:
-        for option in options(value):
-            while isinstance(option, Partial):
-                option = option.function  # noqa: PLW2901 - what it stands for
-            if isinstance(option, BoundMethod) and not isinstance(option.function, Native):
-                yield option.function
-            elif isinstance(option, Descriptor):
-                yield option.getter
-            else:
-                yield option
 
 
 def _spins(function: Value) -> bool:

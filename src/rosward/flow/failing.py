@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Native
 from rosward.domain.values import Class, Function, Value
+from rosward.flow.marked_cpp import is_safe
 from rosward.ir import ops
 
 if TYPE_CHECKING:
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
 
 def may_fail(op: ops.Op, seen: Seen) -> bool:
     """Whether an operation may raise an exception because of what it works on; a function of the program says so itself."""
+    if seen.natives or seen.strange:
+        return bool(seen.strange) or not all(map(is_safe, seen.natives))
     if isinstance(op, ops.Call):
         return any(not isinstance(f, (Function, Class)) and not _is_safe(f) for f in seen.functions)
     return isinstance(op, (ops.LoadItem, ops.Binary, ops.Unpack, ops.StoreItem, ops.ForEach, ops.Format))

@@ -12,6 +12,7 @@ import re
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.values import Function
+from rosward.flow import marked_cpp
 from rosward.flow.marked import FUNCTIONS, MUTATORS, PURE, STOPS, WRITES, Effect
 from rosward.flow.marks import Mark, Root, demoted
 from rosward.flow.outside import comes_in, out
@@ -34,14 +35,13 @@ class _Pattern(NamedTuple):
     effect: Effect
 
 
+def _pattern(name: str) -> str:
+    return re.escape(name).replace(r"\*\*", r"[\w.]+").replace(r"\*", r"\w*")
+
+
 _PATTERNS: Final = tuple(
-    _Pattern(
-        re.compile(
-            "(?:" + "|".join(e.names.split()).replace(".", r"\.").replace("**", r"[\w.]+").replace("*", r"\w*") + r")\Z"
-        ),
-        e,
-    )
-    for e in FUNCTIONS
+    _Pattern(re.compile("(?:" + "|".join(map(_pattern, e.names.split())) + r")\Z"), e)
+    for e in (*FUNCTIONS, *marked_cpp.FUNCTIONS)
 )
 _PURE: Final = re.compile("(?:" + "|".join(PURE.split()).replace(".", r"\.").replace("*", r"[\w.]*") + r")\Z")
 

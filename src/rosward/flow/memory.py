@@ -17,6 +17,20 @@ from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, both
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.shape import MELTED, Shape
 
+
+def is_slot(root: Root) -> bool:
+    """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
+    return not isinstance(root, int) and root[0] == "slot"
+
+
+def slot_of(root: Root) -> tuple[Root, object, object]:
+    """Of a slot: the object, the key, and how much of the object it is known to be."""
+    assert not isinstance(root, int)
+    base = root[1]
+    assert isinstance(base, (int, tuple))
+    return base, root[2], root[3]
+
+
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to."""
 
@@ -126,7 +140,9 @@ class Memory:
                 self._put(root, merged)
 
     def of(self, root: Root) -> Content:
-        """The content of an object."""
+        """The content of an object; of a slot, what stands there."""
+        if is_slot(root):
+            return Content(any=self.at(root))
         found = self.known(root)
         if found is None:
             owner = self._owner(root)
@@ -141,6 +157,28 @@ class Memory:
         if isinstance(root, int):
             return self.shape.inner.get(root)
         return (root[1], root[2]) if root[0] == "of" else None  # type: ignore[return-value]  # a root and a name
+
+    def at(self, slot: Root) -> Mark:
+        """What stands in a slot. Where that is a part of a message, which part it is the message does not say."""
+        base, key, how = slot_of(slot)
+        content = self.of(base)
+        if how == "any":
+            return content.whole
+        part = self.shape.part(base, key)
+        if part is None:
+            return content.read(key)
+        found = content.read(key) if key in content.slots else content.any
+        return Mark(found.mask, found.roots | {part})
+
+    def _write_slot(self, slot: Root, mark: Mark, *, sure: bool = False) -> None:
+        """Something is written into a slot: in the place of what stood there, where that is sure."""
+        base, key, how = slot_of(slot)
+        if how == "any":
+            self.write_any([base], mark)
+        elif sure and how == "one":
+            self.write(frozenset((base,)), key, mark)
+        else:
+            self.write(frozenset((base,)), key, mark.joined(self.of(base).read(key)))
 
     def read(self, roots: Iterable[Root], key: object) -> Mark:
         """What stands under a key in any of several objects."""
@@ -185,6 +223,9 @@ class Memory:
         if trail is not None and (mask := mark.mask | self.base(mark.roots)):
             trail.keep(mask, key)
         for root in roots:
+            if is_slot(root):
+                self._write_slot(root, mark, sure=key is None and len(roots) == 1)
+                continue
             content = self._opened(root)
             old = content.slots.get(key)
             new = mark if sure else mark.joined(content.read(key) if old is None else old)
@@ -197,6 +238,9 @@ class Memory:
         if trail is not None and (mask := mark.mask | self.base(mark.roots)):
             trail.keep(mask, "")
         for root in roots:
+            if is_slot(root):
+                self._write_slot(root, mark)
+                continue
             content = self._opened(root)
             new = content._replace(any=content.any.joined(mark), size=content.size | size)
             if new != content:
@@ -210,6 +254,8 @@ class Memory:
     def _is_held(self, root: Root) -> bool:
         """Whether something leads to an object."""
         for holder, content in self.items():
+            if holder in self.shape.ended:
+                continue
             if root in content.any.roots and holder != root:
                 return True
             for mark in content.slots.values():
@@ -220,7 +266,7 @@ class Memory:
     def collapse(self, roots: Iterable[Root]) -> None:
         """Elements change their places."""
         for root in roots:
-            content = self.of(root)
+            content = self.of(root) if not is_slot(root) else EMPTY
             if content.slots:
                 self._put(root, content._replace(any=content.whole, slots=NO_SLOTS))
 
@@ -249,6 +295,20 @@ class Memory:
                 if self.known(inner) is not None:
                     self._put(inner, Content(base=content.read(shape.inner[inner][1]).mask))
 
+    def forget(self, variables: Iterable[Root]) -> None:
+        """Variables begin anew."""
+        for root in variables:
+            if self.known(root) is not None and self.is_one((root,)):
+                self._put(root, EMPTY)
+
+    def place_again(self, root: Root, content: Content) -> None:
+        """An object takes over another content, and so do its parts that were written."""
+        self._put(root, content)
+        if isinstance(root, int):
+            for inner in self.shape.parts(root):
+                if self.known(inner) is not None:
+                    self._put(inner, Content(base=content.read(self.shape.inner[inner][1]).mask))
+
     def _opened(self, root: Root) -> Content:
         """The content of an object that is about to be written; what it is a part of leads to it."""
         content = self.of(root)
@@ -269,18 +329,20 @@ class Memory:
         """All that a value depends on, with what it leads to; but not what nodes hold that it leads to."""
         mask = mark.mask
         seen: set[Root] = set()
-        work = list(mark.roots)
-        while work:
+        work = set(mark.roots)
+        known = {id(mark.roots)}
+        nodes = self.shape.nodes
+        while work and len(seen) <= _MOST:
             root = work.pop()
-            if root in seen or len(seen) > _MOST:
-                continue
             seen.add(root)
             content = self.of(root)
             mask |= content.base | content.any.mask | content.size
             for each in (content.any, *content.slots.values()):
                 mask |= each.mask
-                work += [r for r in each.roots if r not in self.shape.nodes]
-            work += self.shape.held(root)
+                if each.roots and id(each.roots) not in known:  # many objects share what they lead to
+                    known.add(id(each.roots))
+                    work |= each.roots - seen - nodes
+            work.update(r for r in self.shape.held(root) if r not in seen)
         self.shape.spent += len(seen)
         return mask
 

@@ -12,12 +12,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import BoundMethod, Partial
-from rosward.domain.values import Function, Ref, Value
+from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
-from rosward.flow import blocks, straight
+from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.body import TooLongError
 from rosward.flow.calls import begin, send
 from rosward.flow.content import Content
@@ -26,6 +26,7 @@ from rosward.flow.memory import Memory
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
+from rosward.ir.program import CPP
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -49,6 +50,8 @@ _EVENTS: Final = {
     "feedback": ("feedback", "action_client"),
 }
 """The kind of source that an event brings, and of the entity at which it arrives."""
+_ANSWERS: Final = frozenset({"future", "response", "result", "goal response"})
+"""Callbacks that run when an answer is there."""
 _PLAIN: Final = {"timer": "timer", "thread": "thread", "parameters": "parameters"}
 
 
@@ -61,7 +64,7 @@ class Table(dict[type[ops.Op], Handler]):
 
 def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
-    table = Table({**straight.TABLE, **blocks.TABLE})
+    table = Table({**straight.TABLE, **blocks.TABLE, **cpp.TABLE})
     most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
     walker = Walker(watch, Shape(machine), table, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
@@ -127,6 +130,10 @@ def _main(walker: Walker) -> None:
     for activation in walker.watch.begun:
         walker.enter(activation, [], 0)
         walker.leave()
+    for (key, context), roots in walker.watch.activations.items():
+        if context == 0 and key.endswith("#0") and roots[0].of(0).bound:  # what starts a program that is linked
+            cpp_calls.begin(walker, roots[0], [], 0, 0)
+            walker.leave()
 
 
 def _only(walker: Walker) -> int | None:
@@ -152,11 +159,16 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for owner in (*registered.receivers, *registered.by.refs) if registered is not None else ():
         pc |= demoted(walker.stopped.get(owner, 0))
     arguments = [_argument(walker, entry, n, sources) for n in range(len(entry.args or ()))]
-    if entry.event == "future":
+    if entry.event in _ANSWERS:
         for argument in arguments:
             pc |= triggering(walker.memory.deep(argument))
-    seen = root.of(0)
-    result = begin(walker, root, arguments, walker.given.get(entry, 0), pc)
+    seen, given = root.of(0), walker.given.get(entry, 0)
+    if root.code.language == CPP or seen.bound:
+        result = cpp_calls.begin(walker, root, arguments, given, pc)
+        if arguments and entry.event == "service":  # the response is the last of them
+            result = result.joined(arguments[-1])
+    else:
+        result = begin(walker, root, arguments, given, pc)
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
@@ -169,7 +181,7 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     roots = frozenset(refs_of(value))
     if roots and _came(walker, entry):
         return Mark(0, roots)
-    if number == 0 and entry.event in ("message", "service", "goal", "feedback") and sources:
+    if number == _which(entry) and entry.event in ("message", "service", "goal", "feedback") and sources:
         mask = 0
         for source in sources:
             mask |= walker.sources.data(source)
@@ -193,10 +205,18 @@ def _beginning(callback: Value) -> Place | None:
     return None
 
 
+def _which(entry: Scheduled) -> int:
+    """Which of the arguments is the message or request: of a service, the first that is an object and not the service itself."""
+    args = entry.args or ()
+    if entry.event != "service" or len(args) < 2:
+        return 0
+    return max(0, len(args) - 2) if entry.answered is not None else int(isinstance(args[0], Unknown))
+
+
 def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
     """The events in which a callback runs."""
     kind = _EVENTS.get(entry.event)
-    if entry.event == "future":
+    if entry.event in _ANSWERS:
         yield from _answers(walker, entry)
     elif kind is None:
         yield Source(_PLAIN.get(entry.event, "thread"))
@@ -213,7 +233,7 @@ def _arriving(walker: Walker, entry: Scheduled) -> list[Source]:
     found = [s for r in registered.receivers if (s := walker.shape.entity(r, kind[0])) is not None]
     if found:
         return found
-    made = [e for turn, e in registered.by.effects if turn == registered.turn and isinstance(e, EntityEffect)]
+    made = [e for turn, e in registered.effects() if turn == registered.turn and isinstance(e, EntityEffect)]
     return [Source(kind[0], node=e.address, given=e.name) for e in made if e.kind == kind[1]]
 
 

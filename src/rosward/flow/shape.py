@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
 from rosward.domain.compound import External
-from rosward.domain.values import NONE, Class
+from rosward.domain.values import NONE, Class, Ref
 from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
 _CONTAINERS: Final = ("list", "set", "dict")
 _NAMES: Final = {
-    "topic": ("topic", "topic_name"),
-    "service": ("srv_name",),
-    "response": ("srv_name",),
-    "goal": ("_action_name",),
-    "feedback": ("_action_name",),
-    "result": ("_action_name",),
+    "topic": ("topic", "topic_name", "_topic"),
+    "service": ("srv_name", "_service"),
+    "response": ("srv_name", "_service"),
+    "goal": ("_action_name", "_action"),
+    "feedback": ("_action_name", "_action"),
+    "result": ("_action_name", "_action"),
 }
 """The attributes in which the models of the client library keep the name of an entity."""
 
@@ -57,6 +57,9 @@ class Shape:
         self.placed: set[int] = set()  # what was made since the callback that runs began
         self.trail: Trail | None = None  # by which lines sources come along
         self.tracker: Tracker | None = None  # of the body that is being walked through
+        self.ended: set[Root] = (
+            set()
+        )  # the variables of functions that do not run, in languages where these end with them
         self.several: set[int] = set()  # what was made again while the one before was still held
         self.parameters = {n for effect in machine.log.parameters if (n := text_of(effect.name))}
         self.entities = tuple(machine.log.entities)
@@ -64,6 +67,8 @@ class Shape:
         self._parts: dict[int, list[int]] = {}
         for address, (owner, _) in self.inner.items():
             self._parts.setdefault(owner, []).append(address)
+        self._inside = {owner: address for address, owner in self.inner.items()}
+        self._named: dict[str, list[tuple[int, str]]] | None = None
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
 
@@ -103,6 +108,20 @@ class Shape:
             yield inner
             yield from self.parts(inner)
 
+    def part(self, owner: object, name: object) -> int | None:
+        """The object that belongs to an attribute of another one."""
+        return self._inside.get((owner, name))  # type: ignore[arg-type]  # of others there is none
+
+    def named(self, name: str) -> list[tuple[int, str]]:
+        """The scopes that have a variable of a name, and what it is called there."""
+        if self._named is None:
+            self._named = {}
+            for address, obj in self._machine.state.heap.items():
+                if obj.kind in ("module", "class"):
+                    for key in obj.attrs:
+                        self._named.setdefault(key.partition("@")[0], []).append((address, key))
+        return self._named.get(name, [])
+
     def held(self, root: object) -> list[int]:
         """What an object holds: elements, and the fields of messages; of other objects only what was seen to be written counts."""
         if not isinstance(root, int):
@@ -116,7 +135,12 @@ class Shape:
         obj = self.record(address)
         if obj is None:
             return
-        if obj.kind == "instance" and isinstance(obj.cls, External):
+        by_value = self._machine.linked is not None and address not in self.nodes
+        if by_value and obj.kind == "instance":
+            for value in obj.attrs.values():
+                if not isinstance(obj.cls, Class) or isinstance(value, Ref):
+                    yield from refs_of(value)
+        elif obj.kind == "instance" and isinstance(obj.cls, External):
             for value in obj.attrs.values():
                 yield from refs_of(value)
         if obj.kind in _CONTAINERS:

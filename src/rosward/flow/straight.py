@@ -109,7 +109,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     for root in owner.roots:
         content = memory.of(root)
         found = content.read(op.name)
-        if op.name not in content.slots and any(shape.inner.get(r) == (root, op.name) for r in seen.refs):
+        if op.name not in content.slots and any(shape.part(root, op.name) == r for r in seen.refs):
             found = content.any  # which part of a message it is, the message does not say
         if isinstance(root, int):
             for cls in shape.classes(root):

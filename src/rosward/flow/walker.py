@@ -22,6 +22,7 @@ from rosward.flow.sinks import Sinks
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.check import reads
+from rosward.ir.program import CPP
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -249,11 +250,17 @@ class Walker:
         recursive = activation in self.results and len(self.bodies) > _DEEP
         given = known if recursive else arguments
         body = Body(activation, [*given, *[NOTHING] * (code.registers - len(given))], pc)
+        own = activation.cells[: len(code.cells)] if code.language == CPP else ()
+        if own and any(b.activation is activation for b in self.bodies):
+            own = ()
+        self.shape.ended.difference_update(own)
+        self.memory.forget(own)
         self.bodies.append(body)
         try:
             alive = self.run(code.ops, body)
         finally:
             self.bodies.pop()
+            self.shape.ended.update(own)
         if body.returned is not None:
             if alive:
                 body.returned.join(self.memory)

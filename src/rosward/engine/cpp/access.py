@@ -12,11 +12,11 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, UNBOUND, Class, Const, Ref, Text, Unknown, Value
 from rosward.engine.cpp import calls, members
 from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.natives import run_native
 from rosward.engine.frame import Frame
 from rosward.models.cpp.memory import pointer_to
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import name_of
-from rosward.models.native import NativeCall, perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -93,7 +93,7 @@ def _element(machine: Engine, ref: Ref, index: Value) -> Value:
     for name in (name_of(obj.cls), kind):
         native = machine.library.native(f"{name}.operator[]")
         if native is not None:
-            return perform(native, NativeCall(machine, f"{name}.operator[]", (ref, index), {}))
+            return run_native(machine, native, f"{name}.operator[]", (ref, index), {})
     return Slot(ref, "item", read(machine, index))
 
 

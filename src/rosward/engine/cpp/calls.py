@@ -25,6 +25,7 @@ from rosward.engine.cpp.binding import bind
 from rosward.engine.cpp.classes import specialised
 from rosward.engine.cpp.handing import decayed, hand_over, is_member
 from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.opaque import opaque
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
@@ -34,7 +35,6 @@ from rosward.engine.escape import name_of
 from rosward.engine.python import calls as python_calls
 from rosward.models.cpp.c_functions import C_FUNCTIONS
 from rosward.models.cpp.slots import read
-from rosward.models.native import NativeCall, perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -145,7 +145,11 @@ def call_function(
     if special is not None:
         return call_function(machine, special, args, keywords)
     if function.code.is_stub:
+        if machine.watch is not None:
+            machine.watch.bound(machine, function, args, registers)
         return _without_body(machine, function, registers)
+    if machine.watch is not None:
+        machine.watch.bound(machine, function, args, registers)
     with _seen_as(machine, function, registers):
         value = activation.invoke(machine, function, registers)
     signature = function.code.signature
@@ -231,7 +235,7 @@ def _of_library(machine: Engine, function: External | TypeOf, args: Arguments, k
         named = dict(keywords)
         if isinstance(function, TypeOf):
             named["types"] = Tuple(function.arguments)
-        return perform(native, NativeCall(machine, name, args, named))
+        return run_native(machine, native, name, args, named)
     if construct.is_type(machine, function):
         return construct.make(machine, function, args, "paren")
     if "." not in name:

@@ -32,6 +32,7 @@ from rosward.engine.cpp.constructors import (
 from rosward.engine.cpp.converting import as_wanted, buffer, by_operator, cast, decayed, enumerator
 from rosward.engine.cpp.enumerations import is_enumeration
 from rosward.engine.cpp.linked import Info, linked
+from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import choose
 from rosward.engine.cpp.thunks import evaluate
 from rosward.engine.cpp.types import dotted, is_message, pointee
@@ -44,7 +45,6 @@ from rosward.models.cpp.conversions import default_value
 from rosward.models.cpp.copies import copied
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import Shape, shape_of
-from rosward.models.native import NativeCall, perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -92,7 +92,7 @@ def make(machine: Engine, type_: Value, args: Sequence[Value], form: Form) -> Va
     if native is not None:
         if len(args) == 1:
             args = (as_wanted(machine, args[0], type_),)
-        return perform(native, NativeCall(machine, f"{name}.new", (type_, *args), {"form": Const(form)}))
+        return run_native(machine, native, f"{name}.new", (type_, *args), {"form": Const(form)})
     if pointee(type_) is not None or shape_of(type_) is not Shape.OTHER or "." not in name:
         if not args or (len(args) == 1 and args[0] == Tuple(())):
             return default_value(machine, type_) if form != "default" or pointee(type_) is None else NONE

@@ -58,6 +58,8 @@ def hand_over(
 
     `informed`: it is declared among the sources, so it may know every class of the program. `throws`: it may.
     """
+    if machine.watch is not None:
+        machine.watch.strange(name)
     held = _bound(machine, [bare(machine, v) for v in values])
     machine.escape((*held, *(t for t in types if isinstance(t, Class))), name, callee)
     for value in held if informed else ():

@@ -19,6 +19,7 @@ from rosward.domain.values import NONE, UNBOUND, Class, Ref, Unknown, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.cpp import access, assumed_nodes, calls, members, names, operators
 from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.overloading import of_constness
 from rosward.engine.cpp.types import is_message, pointee
 from rosward.engine.cpp.values import overloads
@@ -27,7 +28,6 @@ from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.receivers import OF_PLACES
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import method_types, name_of
-from rosward.models.native import NativeCall, perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -129,7 +129,7 @@ def _of_one(
         native = machine.library.native(f"{type_name}.{name}")
         if native is not None:
             keywords: dict[str, Value] = {"types": Tuple(types)} if types else {}
-            return perform(native, NativeCall(machine, f"{type_name}.{name}", (slot, *args), keywords))
+            return run_native(machine, native, f"{type_name}.{name}", (slot, *args), keywords)
     if isinstance(value, Ref):
         cls = machine.obj(value).cls
         if is_message(cls) or name in machine.obj(value).attrs:  # what can be called is in a field: `entry->second()`

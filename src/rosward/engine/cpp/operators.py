@@ -19,6 +19,7 @@ from rosward.engine.cpp import calls, construct, members, names
 from rosward.engine.cpp.enumerations import enumeration_of, scope_of
 from rosward.engine.cpp.handing import decayed
 from rosward.engine.cpp.linked import linked
+from rosward.engine.cpp.natives import run_native
 from rosward.engine.cpp.patterns import type_of_pattern
 from rosward.engine.cpp.types import type_of
 from rosward.engine.cpp.values import overloads
@@ -26,7 +27,6 @@ from rosward.models.cpp import operators as plain
 from rosward.models.cpp.copies import copied, write
 from rosward.models.cpp.slots import read
 from rosward.models.cpp.types import name_of
-from rosward.models.native import NativeCall, perform
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine
@@ -168,7 +168,7 @@ def _object(machine: Engine, ref: Ref, src: Value) -> Value:
     cls = machine.obj(ref).cls
     native = machine.library.native(f"{name_of(cls)}.operator=")
     if native is not None:
-        return perform(native, NativeCall(machine, f"{name_of(cls)}.operator=", (ref, src), {}))
+        return run_native(machine, native, f"{name_of(cls)}.operator=", (ref, src), {})
     value = read(machine, src)
     if isinstance(value, (Tuple, Const, Pointer)) or not all(isinstance(o, Ref) for o in options(value)):
         if not isinstance(value, Unknown):

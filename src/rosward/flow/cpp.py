@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The operations of C++: names, members and what pointers lead to, assignments, calls.
+
+x_ = msg->x      what stands in the field x of the message is written to the slot of x_
+f(p)             the body of f, with the object or the slot of p; of code that nobody knows, p may hold anything that it is given
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.engine.seen import Seen
+from rosward.flow import cpp_making, cpp_outside, straight
+from rosward.flow.body import Body
+from rosward.flow.content import Content
+from rosward.flow.cpp_acts import acts, is_busy
+from rosward.flow.cpp_values import (
+    copied,
+    field,
+    nameless,
+    operands,
+    settled,
+    slots,
+    under_choice,
+    value,
+    write,
+)
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.memory import is_slot, slot_of
+from rosward.flow.outside import out
+from rosward.flow.reading import arising, constant
+from rosward.ir import cpp, ops
+from rosward.ir.check import reads
+from rosward.ir.program import CPP
+
+if TYPE_CHECKING:
+    from rosward.flow.walker import Walker
+
+
+def _known(_walker: Walker, op: Any, body: Body, _seen: Seen) -> None:
+    body.registers[op.dst] = Mark(body.pc)
+
+
+def _name(walker: Walker, op: cpp.Name, body: Body, seen: Seen) -> None:
+    """A variable of a scope, a member of `this`, a function, a type."""
+    given = acts(walker, op, body, seen, []) if seen.callees or seen.summaries or seen.bound else None
+    mask, name = body.pc | arising(walker, seen), op.parts[-1].name
+    if given is not None:
+        for address in seen.wrote:
+            walker.memory.write_any([address], Mark(value(walker, given).mask, nameless(given)))
+        mask |= given.mask
+    found = Mark(mask)
+    if not op.slot:
+        held = _this(body)
+        for root in held.roots:
+            found = found.joined(field(walker, root, name))
+        for address, key in walker.shape.named(name):
+            found = found.joined(walker.memory.read((address,), key))
+    extern = frozenset[Root](("external", n) for n in seen.externals)
+    roots = frozenset(seen.refs) | nameless(found) | extern
+    if seen.reasons and not op.slot:
+        roots |= found.roots
+        if not seen.refs:
+            roots |= frozenset(
+                ("slot", r, name, "one") for r in _this(body).roots if isinstance(r, int) and _has(walker, r, name)
+            )
+    body.registers[op.dst] = Mark(found.mask, roots)
+
+
+def _this(body: Body) -> Mark:
+    """The object whose method runs."""
+    return body.registers[0] if body.registers and body.activation.code.parameters.names[:1] == ("this",) else NOTHING
+
+
+def _has(walker: Walker, root: int, name: str) -> bool:
+    record = walker.shape.record(root)
+    return record is not None and name in record.attrs
+
+
+def _cell_slot(walker: Walker, op: cpp.CellSlot, body: Body, seen: Seen) -> None:
+    found = walker.memory.read(seen.cells, "value")
+    mask = 0 if any(is_slot(r) and slot_of(r)[0] in seen.cells for r in seen.refs) else found.mask
+    body.registers[op.dst] = Mark(mask | body.pc, frozenset(seen.refs))
+
+
+def _load_cell(walker: Walker, op: ops.LoadCell, body: Body, seen: Seen) -> None:
+    """The value of a variable; of one that holds something that nobody knows, where it stands, for what is called on it."""
+    straight.TABLE[ops.LoadCell](walker, op, body, seen)
+    if body.activation.code.language == CPP and seen.reasons and not seen.refs:
+        places = frozenset[Root](("slot", cell, "value", "one") for cell in seen.cells)
+        body.registers[op.dst] = body.registers[op.dst].joined(Mark(0, places))
+
+
+def _read(walker: Walker, op: cpp.Read, body: Body, seen: Seen) -> None:
+    body.registers[op.dst] = settled(walker, value(walker, body.registers[op.src]), seen, body)
+
+
+def _member(walker: Walker, op: cpp.Member, body: Body, seen: Seen) -> None:
+    owner = body.registers[op.obj]
+    held = value(walker, owner)
+    given = acts(walker, op, body, seen, [owner]) if seen.bound or seen.callees else None
+    found = Mark(held.mask | body.pc, nameless(held))
+    if op.slot:
+        if not seen.refs or seen.reasons:  # a part of something that is not known stands where that does
+            found = found.joined(Mark(0, slots(owner)))
+    else:
+        for root in held.roots:
+            found = found.joined(field(walker, root, op.name))
+        for address, key in walker.shape.named(op.name):
+            found = found.joined(walker.memory.read((address,), key))
+    found = found if given is None else found.joined(given)
+    mark = settled(walker, found, seen, body)
+    if op.slot:
+        mark = Mark(
+            mark.mask,
+            frozenset(r for r in mark.roots if r not in held.roots or r in seen.refs or not isinstance(r, int)),
+        )
+    body.registers[op.dst] = mark
+
+
+def _item(walker: Walker, op: cpp.Item, body: Body, seen: Seen) -> None:
+    owner, index = body.registers[op.obj], body.registers[op.index]
+    held, number = value(walker, owner), value(walker, index)
+    given = acts(walker, op, body, seen, [owner, index]) if seen.bound else None
+    for address in seen.wrote if given is None else ():  # `map[key]` makes what is not there
+        walker.memory.write_any([address], NOTHING, body.pc | number.mask)
+    found = Mark(held.mask | number.mask | body.pc, nameless(held))
+    if op.slot:
+        if not seen.refs or seen.reasons:
+            found = found.joined(Mark(0, slots(owner)))
+    else:
+        key = constant(seen, op.index)
+        for root in held.roots:
+            found = found.joined(walker.memory.read((root,), key) if key is not None else walker.memory.of(root).whole)
+    found = found if given is None else found.joined(given)
+    mark = settled(walker, found, seen, body)
+    body.registers[op.dst] = Mark(mark.mask | arising(walker, seen, read=True), mark.roots)
+
+
+def _deref(walker: Walker, op: cpp.Deref, body: Body, seen: Seen) -> None:
+    pointer = body.registers[op.src]
+    given = acts(walker, op, body, seen, [pointer]) if seen.bound else None
+    found = Mark(pointer.mask | body.pc, nameless(pointer) | slots(pointer))
+    if not op.slot:
+        found = value(walker, found)
+        for root in pointer.roots:
+            if (
+                isinstance(root, int) and root not in seen.refs
+            ):  # what is in an optional, or at the beginning of an array
+                found = found.joined(walker.memory.of(root).whole)
+    elif not seen.refs or seen.reasons:
+        found = found.joined(Mark(0, pointer.roots))
+    found = found if given is None else found.joined(given)
+    body.registers[op.dst] = settled(walker, found, seen, body)
+
+
+def _address_of(walker: Walker, op: cpp.AddressOf, body: Body, seen: Seen) -> None:
+    source = body.registers[op.src]
+    for address in seen.made:
+        walker.memory.place(address, Content(0, value(walker, source)))
+    mark = settled(walker, Mark(source.mask, source.roots), seen, body)
+    body.registers[op.dst] = mark
+
+
+def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
+    target, source = body.registers[op.slot], body.registers[op.src]
+    given = acts(walker, op, body, seen, [target, source], certain=True) if is_busy(seen) else None
+    mark = value(walker, source)
+    written = copied(mark, seen).under(under_choice(body, target))
+    if op.operator != "=":
+        written = written.joined(value(walker, target))
+    own = any(b.function.code.name.startswith("operator") and "=" in b.function.code.name for b in seen.bound.values())
+    if given is not None and not own:
+        written = written.under(given.mask)
+    if not own:
+        write(walker, target, written, sure=not seen.reasons)
+    if op.dst != ops.NO_REGISTER:
+        body.registers[op.dst] = settled(walker, Mark(target.mask, target.roots), seen, body)
+
+
+def _step(walker: Walker, op: cpp.Step, body: Body, seen: Seen) -> None:
+    target = body.registers[op.slot]
+    before = value(walker, target)
+    given = acts(walker, op, body, seen, [target], certain=True) if is_busy(seen) else None
+    if not seen.bound:
+        write(walker, target, before.under(under_choice(body, target)))
+    if op.dst != ops.NO_REGISTER:
+        found = Mark(target.mask, target.roots) if op.prefix else before
+        found = found if given is None else found.joined(given)
+        body.registers[op.dst] = settled(walker, found, seen, body)
+
+
+def _narrow(_walker: Walker, _op: cpp.Narrow, _body: Body, _seen: Seen) -> None:
+    """What is known of a value is no other value."""
+
+
+def _lambda(walker: Walker, op: cpp.MakeLambda, body: Body, seen: Seen) -> None:
+    root: Root = ("captured", op.code.key)
+    for number, register in enumerate(op.copies):
+        mark = value(walker, body.registers[register]).under(body.pc)
+        walker.memory.write_any([root], NOTHING, body.pc)
+        old = walker.memory.of(root).slots.get(number, NOTHING)
+        walker.memory.write(frozenset((root,)), number, old.joined(mark))
+    body.registers[op.dst] = Mark(body.pc, frozenset(seen.refs))
+
+
+def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen: Seen) -> None:
+    marks = [body.registers[a.register] for a in op.arguments]
+    pc = 0
+    if isinstance(op, cpp.InvokeMember):
+        walker.run(op.seen, body)
+        function = body.registers[op.obj]
+        marks = [function, *marks]
+        if len({b.function.code.key for b in seen.bound.values()}) > 1:
+            pc = demoted(value(walker, function).mask)
+    else:
+        function = body.registers[op.func]
+        pc = demoted(value(walker, function).mask)
+        if not seen.effects and (nameless(function) or slots(function) or function.mask & ~body.pc):
+            marks = [*marks, Mark(function.mask, nameless(function) | slots(function))]
+    given = acts(walker, op, body, seen, marks, pc=pc)
+    if given is None:
+        given = Mark(walker.memory.deep(value(walker, operands(body, reads(op)))))
+    mark = settled(walker, copied(given, seen), seen, body)
+    mask = mark.mask | pc | arising(walker, seen)
+    body.registers[op.dst] = Mark(mask, mark.roots)
+
+
+def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
+    """`stream << value` among others."""
+    if body.activation.code.language != CPP:
+        straight.plain(walker, op, body, seen)
+        return
+    left, right = body.registers[op.left], body.registers[op.right]
+    held, other = value(walker, left), value(walker, right)
+    kind = _stream(walker, held)
+    mask = walker.memory.deep(other) | body.pc
+    if op.operator == "<<" and kind:
+        if kind != "text":
+            out(walker, kind, mask)
+        if kind != "stdout":
+            walker.memory.write_any([r for r in held.roots if isinstance(r, int)] or slots(left), Mark(mask), mask)
+        body.registers[op.dst] = Mark(left.mask, left.roots)
+        return
+    if is_busy(seen):
+        given = acts(walker, op, body, seen, [left, right], certain=True)
+        mark = Mark(walker.memory.deep(held) | mask) if given is None else given
+        if seen.bound and given is not None:
+            body.registers[op.dst] = settled(walker, given, seen, body)
+            return
+        body.registers[op.dst] = settled(walker, mark.joined(held).joined(other), seen, body)
+        return
+    if seen.wrote:
+        cpp_outside.natives(walker, body, seen, [left, right])
+    if op.operator in ("<<", ">>") and seen.reasons:  # an operator that nobody knows
+        for one, two in ((left, other), (right, held)):
+            walker.memory.write_any(nameless(one) | slots(one), two.under(mask), mask)
+    straight.plain(walker, op, body, seen)
+    body.registers[op.dst] = settled(
+        walker, body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other))), seen, body
+    )
+
+
+_STREAMS: Final = {"std.cout": "stdout", "std.cerr": "stdout", "std.clog": "stdout", "std.wcout": "stdout"}
+
+
+def _stream(walker: Walker, mark: Mark) -> str:
+    """What kind of stream a value is; '' where it is none."""
+    for root in mark.roots:
+        if not isinstance(root, int):
+            if root[0] == "external" and root[1] in _STREAMS:
+                return _STREAMS[str(root[1])]
+            continue
+        record = walker.shape.record(root)
+        name = str(getattr(getattr(record, "cls", None), "name", ""))
+        if name.endswith("stream"):
+            return "file" if "fstream" in name else "text"
+    return ""
+
+
+def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
+    """What is computed: by an operator of a class, too."""
+    if body.activation.code.language != CPP or not is_busy(seen):
+        (straight.TABLE.get(op.__class__) or straight.plain)(walker, op, body, seen)
+        return
+    marks = [body.registers[r] for r in reads(op)]
+    given = acts(walker, op, body, seen, marks, certain=True)
+    mask = body.pc if given is None else given.mask
+    if not seen.bound:
+        for mark in marks:
+            mask |= walker.memory.deep(mark)
+    body.registers[op.dst] = settled(walker, Mark(mask, NOTHING.roots if given is None else given.roots), seen, body)
+
+
+TABLE: Final[dict[type[ops.Op], Any]] = {
+    **cpp_making.TABLE,
+    **dict.fromkeys((cpp.MakeType, cpp.TypeOfValue, cpp.Declared, cpp.LocalSymbol, cpp.UnknownValue), _known),
+    cpp.Name: _name,
+    cpp.CellSlot: _cell_slot,
+    cpp.Read: _read,
+    ops.LoadCell: _load_cell,
+    cpp.Member: _member,
+    cpp.Item: _item,
+    cpp.Deref: _deref,
+    cpp.AddressOf: _address_of,
+    cpp.Assign: _assign,
+    cpp.Step: _step,
+    cpp.Narrow: _narrow,
+    cpp.MakeLambda: _lambda,
+    cpp.Invoke: _invoke,
+    cpp.InvokeMember: _invoke,
+    ops.Binary: _binary,
+    ops.Unary: _computed,
+    ops.Compare: _computed,
+}

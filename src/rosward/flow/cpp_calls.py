@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: Apache-2.0
+"""C++: the bodies that an operation runs, what is sent, which callbacks are registered.
+
+number(front, 4);     the body of `number`, whose parameter is the slot of `front`
+law->law(x);          the bodies of all classes that the object may have, each from the same state
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from rosward.domain.values import Function
+from rosward.effects.sent import SentEffect
+from rosward.engine.seen import Activation, Bound, Seen
+from rosward.flow import library
+from rosward.flow.body import Body
+from rosward.flow.calls import KINDS, send
+from rosward.flow.cpp_values import (
+    nameless,
+    slots,
+    value,
+)
+from rosward.flow.marked_cpp import HOLDS
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.memory import is_slot
+
+if TYPE_CHECKING:
+    from rosward.flow.walker import Walker
+
+
+def named(function: Function) -> str:
+    """The dotted name of a function."""
+    scope = function.module.name.replace("::", ".")
+    return f"{scope}.{function.code.name}" if scope else function.code.name
+
+
+def callees(
+    walker: Walker,
+    body: Body,
+    seen: Seen,
+    everything: Mark,
+    *,
+    registers: dict[int, Mark] | None = None,
+    pc: int = 0,
+    certain: bool = False,
+    only: Callable[[Bound], bool] | None = None,
+    done: set[object] | None = None,
+) -> Mark | None:
+    """Walk through the bodies that an operation runs, in their order; what they return, None where it runs none.
+
+    Functions of one name are alternatives. `certain`: each of the others surely runs. `only` and `done`: some of them now, the rest later.
+    """
+    waiting = walker.bodies_of(seen)
+    groups: dict[object, list[tuple[str, list[Bound]]]] = {}
+    by_code: dict[str, list[Bound]] = {}
+    for key, bound in seen.bound.items():
+        if done is not None and key in done:
+            continue
+        if only is not None and not only(bound):
+            continue
+        if done is not None:
+            done.add(key)
+        by_code.setdefault(bound.function.code.key, []).append(bound)
+    for code_key, several in by_code.items():
+        name: object = "" if seen.several else several[0].function.code.name
+        groups.setdefault(name, []).append((code_key, several))
+    steps: list[list[Callable[[], Mark]]] = []
+    inside = body.pc | pc
+    if only is None:
+        bound_keys = {b.function.code.key for b in seen.bound.values()}
+        for key, activations in waiting.items():
+            if key not in bound_keys:
+                steps.append([partial(_thunk, walker, a, everything, inside) for a in activations])
+    known = registers if registers is not None else dict(enumerate(body.registers))
+    for group in groups.values():
+        ways: list[Callable[[], Mark]] = []
+        for code_key, several in group:
+            ways += _ways(walker, body, several, waiting.get(code_key, ()), known, everything, inside)
+        steps.append(ways)
+    result: Mark | None = None
+    for ways in steps:
+        before = walker.memory.copy() if len(steps) > 1 and not certain else None
+        for_all = _each(walker, ways)
+        result = for_all if result is None else result.joined(for_all)
+        if before is not None:
+            walker.memory.join(before)
+    return result
+
+
+def _each(walker: Walker, ways: list[Callable[[], Mark]]) -> Mark:
+    """Each way from the same state; what comes out is joined."""
+    if len(ways) == 1:
+        return ways[0]()
+    before, after, result = walker.memory, None, NOTHING
+    for way in ways:
+        walker.memory = before.copy()
+        result = result.joined(way())
+        if after is None:
+            after = walker.memory
+        else:
+            after.join(walker.memory)
+    if after is not None:
+        walker.memory = after
+    return result
+
+
+def _ways(
+    walker: Walker,
+    body: Body,
+    several: list[Bound],
+    activations: Iterable[Activation],
+    known: dict[int, Mark],
+    everything: Mark,
+    pc: int,
+) -> list[Callable[[], Mark]]:
+    marks = [given_to(walker, bound, known, everything, pc) for bound in several]
+    function = several[0].function
+    mine = list(activations)
+    found: list[Callable[[], Mark]] = []
+    if not mine and function.code.file.startswith("models:") and (function.code.is_stub or not function.code.ops):
+        found.append(partial(_declared, walker, body, function, _joined(marks)))
+    for number, activation in enumerate(mine):
+        given = marks[number] if len(marks) == len(mine) else _joined(marks)
+        found.append(partial(_enter, walker, activation, function, given, pc))
+    return found
+
+
+def _joined(several: list[list[Mark]]) -> list[Mark]:
+    found = list(several[0])
+    for each in several[1:]:
+        for number, mark in enumerate(each):
+            if number < len(found):
+                found[number] = found[number].joined(mark)
+            else:
+                found.append(mark)
+    return found
+
+
+def _enter(walker: Walker, activation: Activation, function: Function, given: list[Mark], pc: int) -> Mark:
+    """Through a body; where its parameters lead was seen when it began."""
+    marks = []
+    for number, places in enumerate(activation.begun):
+        mark = given[number] if number < len(given) else Mark(pc)
+        marks.append(Mark(mark.mask, frozenset(places) | nameless(mark) if places or not mark.roots else mark.roots))
+    result = walker.enter(activation, marks, pc)
+    if function.code.file.startswith("models:"):
+        result = result.under(_effects(walker, named(function), given, pc))
+        result = _held(walker, function, given, result)
+    return result
+
+
+def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -> Mark:
+    """A model leaves out what a value of the library is made of: it is in it all the same."""
+    name, nodes = named(function), walker.shape.nodes
+    makes = function.code.name == function.module.name.rpartition(".")[2]
+    if not makes and not name.startswith(HOLDS):
+        return result
+    mask = 0
+    for mark in given[1:] if makes else given:
+        held = value(walker, mark)
+        mask |= walker.memory.deep(Mark(held.mask, held.roots - nodes))
+    if makes:
+        walker.memory.write_any([r for r in given[0].roots if r not in nodes], Mark(mask))
+        return result
+    walker.memory.write_any([r for r in result.roots if r not in nodes], Mark(mask))
+    return result.under(mask)
+
+
+def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:
+    """What is known of a function of a library by its name."""
+    if not library.effects_of(name):
+        return 0
+    mask = pc
+    for mark in given[1:]:
+        mask |= walker.memory.deep(mark)
+    return library.perform(walker, name, mask, pc)
+
+
+def _thunk(walker: Walker, activation: Activation, everything: Mark, pc: int) -> Mark:
+    """A body that nothing calls with arguments: the first value of a field stands in it afterwards, a type is a type."""
+    named_so = activation.code.parameters.names[:1] == ("this",)
+    places = [frozenset(p) for p in activation.begun]
+    if activation.code.kind.value == "function" and not named_so and not places:
+        return walker.enter(activation, [], pc)
+    lost = not named_so and any(places)
+    marks = [Mark(pc | (walker.memory.deep(everything) if lost else 0), p) for p in places]
+    result = walker.enter(activation, marks, pc)
+    if named_so and places:
+        for root in places[0]:
+            walker.memory.write(frozenset((root,)), activation.code.name, value(walker, result))
+        return Mark(pc)
+    return result
+
+
+def _declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) -> Mark:
+    """A function of which a model says only that it is there."""
+    mask, nodes = body.pc, walker.shape.nodes
+    for number, mark in enumerate(marks):
+        roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
+        mask |= walker.memory.deep(Mark(mark.mask, roots))
+    return Mark(mask | library.perform(walker, named(function), mask, body.pc))
+
+
+def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:
+    """What is in the parameters of a call."""
+    marks = []
+    captured: Root = ("captured", bound.function.code.key)
+    signature = bound.function.code.signature
+    leading = 0 if signature is None else signature.leading
+    for number, given in enumerate(bound.given):
+        mark = Mark(pc, frozenset(given.places))
+        for register in given.registers:
+            found = known.get(register, NOTHING)
+            mark = (
+                mark.under(found.mask) if given.kind == "place" else mark.joined(_passed(walker, found, given.places))
+            )
+        if not given.registers:
+            kept = walker.memory.of(captured).slots.get(number)
+            if number < leading and kept is not None:
+                mark = mark.joined(Mark(kept.mask, nameless(kept)))
+            elif given.kind == "value":
+                mark = mark.joined(Mark(walker.memory.deep(everything), nameless(everything)))
+            elif given.kind == "place" and number >= leading:
+                mark = mark.under(_shallow(walker, everything))
+        marks.append(mark)
+    return marks
+
+
+def _passed(walker: Walker, mark: Mark, places: frozenset[Root]) -> Mark:
+    """An argument that is more than a place: a slot stays one where the parameter is a reference."""
+    if any(is_slot(p) for p in places):
+        return Mark(mark.mask, nameless(mark) | slots(mark))
+    held = value(walker, mark)
+    return Mark(held.mask, nameless(held) | (slots(mark) if not places else frozenset()))
+
+
+def _shallow(walker: Walker, mark: Mark) -> int:
+    return value(walker, mark).mask
+
+
+def sends(walker: Walker, body: Body, seen: Seen, marks: list[Mark]) -> None:
+    """`rosward::send(kind, node, name, type, message)`."""
+    for _, effect in seen.effects:
+        if isinstance(effect, SentEffect):
+            mask = body.pc
+            if marks:
+                mask |= walker.memory.deep(value(walker, marks[-1]))
+            if len(marks) > 2:
+                mask |= demoted(value(walker, marks[2]).mask)
+            send(walker, effect, mask)
+
+
+def register(walker: Walker, body: Body, seen: Seen, everything: Mark) -> None:
+    """Callbacks that are registered here run only where control is here; what they are bound to is at hand here."""
+    for _, entry in seen.scheduled:
+        given = _shallow(walker, everything) | (0 if entry.event in KINDS_APART else walker.memory.deep(everything))
+        old = walker.registered.get(entry), walker.given.get(entry)
+        walker.registered[entry] = (old[0] or 0) | body.pc
+        walker.given[entry] = (old[1] or 0) | given
+        if old != (walker.registered[entry], walker.given[entry]):
+            walker.changed = True
+
+
+KINDS_APART: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", *KINDS})
+
+
+def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: int, pc: int) -> Mark:
+    """A callback is called: what arrives, what it is bound to, what else it may be given depends on `given`."""
+    body = Body(activation, [], pc)
+    seen = activation.of(0)
+    walker.bodies.append(body)
+    try:
+        everything = Mark(given)
+        for mark in arguments:
+            everything = everything.joined(Mark(mark.mask, frozenset(r for r in mark.roots if not isinstance(r, int))))
+        result = callees(walker, body, seen, everything)
+        return NOTHING if result is None else result.under(pc)
+    finally:
+        walker.bodies.pop()

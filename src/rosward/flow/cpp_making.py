@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: Apache-2.0
+"""C++: copies and construction, the fields of an object, the parts and elements of a value.
+
+Pose p = last;           p is another object that holds the same: what is written to it is not in `last`
+Point{x, y}              the fields in their order
+for (auto & p : path)    the objects or slots that were seen
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.domain.values import Ref
+from rosward.engine.seen import Bound, Seen, refs_of
+from rosward.flow import cpp_calls, cpp_outside
+from rosward.flow.body import Body
+from rosward.flow.content import Content
+from rosward.flow.cpp_acts import acts, is_busy
+from rosward.flow.cpp_values import (
+    copied,
+    copies,
+    elements,
+    field,
+    nameless,
+    operands,
+    settled,
+    slots,
+    value,
+    write,
+)
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.memory import is_slot
+from rosward.ir import cpp, ops
+from rosward.ir.check import reads
+
+if TYPE_CHECKING:
+    from rosward.flow.walker import Walker
+
+
+def _copy(walker: Walker, op: cpp.Copy | cpp.Convert, body: Body, seen: Seen) -> None:
+    source = body.registers[op.src]
+    given = acts(walker, op, body, seen, [source], certain=True) if is_busy(seen) else None
+    found = value(walker, source)
+    if isinstance(op, cpp.Convert) and op.kind == "buffer":
+        found = found.joined(Mark(0, slots(source)))
+    found = found if given is None else found.under(given.mask)
+    body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
+
+
+def _construct(walker: Walker, op: cpp.Construct, body: Body, seen: Seen) -> None:
+    marks = [body.registers[a.register] for a in op.arguments]
+    given = acts(walker, op, body, seen, marks, certain=True) if is_busy(seen) else None
+    places = [r for r in seen.refs if isinstance(r, int) and r in seen.made]
+    found = NOTHING
+    for mark in marks:
+        found = found.joined(value(walker, mark))
+    if not seen.natives:
+        _aggregate(walker, seen, places, marks)
+    if places:
+        mask = body.pc | demoted(given.mask if given is not None else 0)
+        body.registers[op.dst] = Mark(mask, frozenset(seen.refs))
+        return
+    found = found if given is None else found.joined(given)
+    if not marks and seen.reasons and not seen.refs:  # an object of which nobody knows what it is
+        root = walker.shape.made(body.activation, op.number, "object")
+        walker.memory.renew(root)
+        found = found.joined(Mark(0, frozenset((root,))))
+    body.registers[op.dst] = settled(walker, copied(found, seen), seen, body)
+
+
+def _aggregate(walker: Walker, seen: Seen, places: list[int], marks: list[Mark]) -> None:
+    """`Point{x, y}` of a class without a constructor: the fields in their order."""
+    built = {p for b in seen.bound.values() if b.given for p in b.given[0].places if b.function.code.name[:1] != "~"}
+    for place in places:
+        record = walker.shape.record(place)
+        site = seen.made.get(place)
+        if not marks or record is None or place in built or site != "object":
+            continue
+        given = _braced(walker, marks)
+        names = list(record.attrs)
+        if given is None or len(given) > len(names):
+            whole = NOTHING
+            for mark in marks:
+                whole = whole.joined(value(walker, mark))
+            walker.memory.write_any([place], Mark(walker.memory.deep(whole), whole.roots))
+            continue
+        for name, mark in zip(names, given, strict=False):
+            _give_field(walker, seen, place, name, mark)
+
+
+def _braced(walker: Walker, marks: list[Mark]) -> list[Mark] | None:
+    """The arguments, of one pair of braces what is in it; None where the order is not known."""
+    if len(marks) != 1:
+        return marks
+    roots = [r for r in marks[0].roots if not isinstance(r, int) and r[0] == "tuple"]
+    if len(roots) != 1:
+        return marks
+    held = walker.memory.of(roots[0]).slots
+    return [held[n] for n in range(len(held))] if all(n in held for n in range(len(held))) else None
+
+
+def _give_field(walker: Walker, seen: Seen, owner: int, name: str, mark: Mark) -> None:
+    """The first value of a field: an object by value is another one."""
+    found = copied(value(walker, mark), seen)
+    record = walker.shape.record(owner)
+    held = None if record is None else record.attrs.get(name)
+    if held.__class__ is Ref and held is not None:
+        inner = next(iter(refs_of(held)))
+        if inner not in found.roots and inner not in seen.made:
+            write(walker, Mark(0, frozenset((inner,))), found)
+        found = Mark(found.mask, frozenset((inner,)))
+    walker.memory.write(frozenset((owner,)), name, found)
+
+
+def _initialise(walker: Walker, op: cpp.Initialise, body: Body, seen: Seen) -> bool | None:
+    """Bases and fields of `this`: what is written for each, then what nothing is written for."""
+    this, done = body.registers[0], set[object]()
+    everything = NOTHING
+    copied_yet = False
+    for member in op.members:
+        for block in (member.type_body, member.body):
+            if block and block[0].number in body.activation.seen and not walker.run(block, body):
+                return False
+        known = {a.register: body.registers[a.register] for a in member.arguments}
+        marks = list(known.values())
+        for mark in marks:
+            everything = everything.joined(mark)
+        if not copied_yet and len(op.members) == 1:
+            copied_yet = True
+            copies(walker, seen, everything)
+        elif not copied_yet:
+            copied_yet = True
+            copies(walker, seen, Mark(walker.memory.deep(everything)))
+        _one_member(walker, body, seen, member, this, known, done)
+    if not copied_yet:
+        copies(walker, seen, everything)
+    cpp_calls.callees(walker, body, seen, everything, certain=True, done=done)
+    cpp_outside.natives(walker, body, seen, [everything])
+    cpp_outside.strange(walker, op.number, body, seen, [everything])
+    cpp_calls.register(walker, body, seen, everything)
+    return None
+
+
+def _one_member(
+    walker: Walker,
+    body: Body,
+    seen: Seen,
+    member: cpp.MemberInit,
+    this: Mark,
+    known: dict[int, Mark],
+    done: set[object],
+) -> None:
+    fields: set[Root] = set()
+    for root in this.roots:
+        record = walker.shape.record(root) if isinstance(root, int) else None
+        held = None if record is None else record.attrs.get(member.name)
+        if held.__class__ is Ref and held is not None:
+            fields |= set(refs_of(held))
+    records = [walker.shape.record(root) for root in this.roots if isinstance(root, int)]
+    is_field = any(record is not None and member.name in record.attrs for record in records)
+
+    def mine(bound: Bound) -> bool:
+        places = bound.given[0].places if bound.given else frozenset()
+        if is_field:
+            return bool(places & fields)
+        return bool(places & this.roots) and any(g.registers & known.keys() for g in bound.given[1:])
+
+    everything = NOTHING
+    for mark in known.values():
+        everything = everything.joined(mark)
+    given = cpp_calls.callees(walker, body, seen, everything, registers=known, certain=True, only=mine, done=done)
+    if not is_field or (given is not None and fields):
+        return
+    found = NOTHING
+    for mark in known.values():
+        found = found.joined(value(walker, mark) if not any(is_slot(r) for r in mark.roots) else _either(walker, mark))
+    found = copied(found, seen).under(body.pc)
+    for root in this.roots:
+        if isinstance(root, int):
+            if len(known) == 1 or not fields:
+                _give_field(walker, seen, root, member.name, found)
+            else:
+                for inner in fields:
+                    walker.memory.write_any([inner], Mark(walker.memory.deep(found), found.roots))
+
+
+def _either(walker: Walker, mark: Mark) -> Mark:
+    """A field that is a reference leads to the slot, any other holds what stands there."""
+    found = value(walker, mark)
+    return Mark(found.mask, found.roots | slots(mark))
+
+
+def _end_scope(walker: Walker, op: cpp.EndScope, body: Body, seen: Seen) -> None:
+    if seen.bound:
+        acts(walker, op, body, seen, [body.registers[r] for r in op.variables])
+
+
+def _static_local(walker: Walker, op: cpp.StaticLocal, body: Body, seen: Seen) -> None:
+    if op.body and op.body[0].number in body.activation.seen:
+        before = walker.point(body)
+        if walker.run(op.body, body):
+            first = value(walker, body.registers[op.result])
+            for root in seen.refs:
+                if is_slot(root):
+                    walker.memory.write_any([root], first)
+            before.join(walker.point(body))
+        walker.go(body, before)
+    body.registers[op.dst] = Mark(body.pc, frozenset(seen.refs))
+
+
+def _default(walker: Walker, op: cpp.Default, body: Body, _seen: Seen) -> None:
+    if op.body and op.body[0].number in body.activation.seen:
+        before = walker.point(body)
+        if walker.run(op.body, body):
+            before.join(walker.point(body))
+        walker.go(body, before)
+
+
+def _braces(walker: Walker, op: cpp.Braces, body: Body, seen: Seen) -> None:
+    root = walker.shape.made(body.activation, op.number, "", "tuple")
+    marks = [body.registers[a.register].under(body.pc) for a in op.items]
+    if any(op.names) or any(a.kind == "pack" for a in op.items):
+        walker.memory.place(root, Content(0, operands(body, reads(op)), body.pc))
+    else:
+        walker.memory.place(root, Content(0, NOTHING, body.pc, dict(enumerate(marks))))
+    body.registers[op.dst] = Mark(body.pc, frozenset(seen.refs) | {root})
+
+
+def _elements(walker: Walker, op: cpp.Elements, body: Body, seen: Seen) -> None:
+    source = body.registers[op.src]
+    held = value(walker, source)
+    given = acts(walker, op, body, seen, [source]) if seen.bound else None
+    found = elements(walker, held)
+    if given is not None:
+        found = found.joined(given).joined(elements(walker, given))
+    if op.slot:
+        is_known = bool(seen.refs) and not seen.reasons
+        found = Mark(held.mask if is_known else found.mask, found.roots | slots(source))
+    for address in seen.made:  # the pairs of a map
+        walker.memory.place(address, Content(0, elements(walker, held), 0))
+    root = walker.shape.made(body.activation, op.number, "elements", "tuple")
+    walker.memory.place(root, Content(0, found.under(body.pc), walker.memory.size(held.roots) | held.mask))
+    body.registers[op.dst] = Mark(body.pc, frozenset((root,)))
+
+
+def _destructure(walker: Walker, op: cpp.Destructure, body: Body, seen: Seen) -> None:
+    source = body.registers[op.src]
+    held = value(walker, source)
+    for number, register in enumerate(op.dsts):
+        refs = seen.parts.get(number, seen.refs)
+        found = Mark(held.mask | body.pc, nameless(held))
+        for root in held.roots:
+            record = walker.shape.record(root) if isinstance(root, int) else None
+            names = list(record.attrs) if record is not None and record.kind == "instance" else []
+            if op.slot and refs and not seen.reasons:
+                continue
+            part = field(walker, root, names[number]) if number < len(names) else walker.memory.read((root,), number)
+            found = found.joined(part)
+        places = frozenset(refs) | nameless(found)
+        if op.slot and (not refs or seen.reasons):
+            places |= slots(source)
+        body.registers[register] = Mark(found.mask, places)
+
+
+def _spread(walker: Walker, op: cpp.Spread, body: Body, seen: Seen) -> None:
+    found = operands(body, [op.init] if op.init != ops.NO_REGISTER else [])
+    for pack, item in zip(op.packs, op.items, strict=False):
+        mark = body.registers[pack]
+        inside = elements(
+            walker, Mark(0, frozenset(r for r in mark.roots if not isinstance(r, int) and r[0] == "tuple"))
+        )
+        body.registers[item] = mark.joined(inside)
+    if op.body and op.body[0].number in body.activation.seen:
+        before = walker.point(body)
+        if walker.run(op.body, body):
+            found = found.joined(body.registers[op.result])
+            before.join(walker.point(body))
+        walker.go(body, before)
+    given = acts(walker, op, body, seen, [found]) if seen.bound else None
+    found = value(walker, found) if given is None else value(walker, found).joined(given)
+    body.registers[op.dst] = settled(walker, found, seen, body)
+
+
+TABLE: Final[dict[type[ops.Op], Any]] = {
+    cpp.Copy: _copy,
+    cpp.Convert: _copy,
+    cpp.Construct: _construct,
+    cpp.Initialise: _initialise,
+    cpp.EndScope: _end_scope,
+    cpp.StaticLocal: _static_local,
+    cpp.Default: _default,
+    cpp.Braces: _braces,
+    cpp.Elements: _elements,
+    cpp.Destructure: _destructure,
+    cpp.Spread: _spread,
+}

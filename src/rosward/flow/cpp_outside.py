@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""C++: models in code, and code that nobody knows.
+
+values.push_back(x);         the vector that the interpretation saw written holds x among others
+vendor::fill(frame, data);   nobody knows: what is passed may hold any of the arguments afterwards
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rosward.effects.flows import Source
+from rosward.engine.seen import Seen
+from rosward.flow import library
+from rosward.flow.body import Body
+from rosward.flow.content import Content
+from rosward.flow.cpp_values import (
+    nameless,
+    slots,
+    value,
+)
+from rosward.flow.marked_cpp import LOGS, PURE, READS, SIZES, STORES
+from rosward.flow.marks import Mark, Root
+from rosward.flow.memory import is_slot, slot_of
+from rosward.flow.outside import out
+from rosward.flow.reading import arising
+
+if TYPE_CHECKING:
+    from rosward.flow.walker import Walker
+
+
+def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tuple[object, ...] = ()) -> Mark | None:
+    """What models in code give, and what they write; None where none runs."""
+    mine = [m for m in seen.made if not _is_copy(seen.made[m])]
+    wrote = seen.wrote - set(seen.made)
+    if not (seen.natives or wrote):
+        return None
+    memory = walker.memory
+    near, passed = Mark(body.pc), frozenset[Root]()
+    for mark in marks:
+        near = near.joined(value(walker, mark))
+        passed |= slots(mark)
+    names = [n for n in seen.natives if n not in _QUIET]
+    whole = near
+    last = [n.rpartition(".")[2] for n in names]
+    own = bool(names) and all(
+        n.startswith("rosward.") for n in names
+    )  # a node is given for what it is, not for what is in it
+    simple = bool(seen.refs) and not seen.reasons
+    is_size = bool(names) and all(n in SIZES for n in last)
+    if is_size:
+        near = whole = near.under(walker.memory.size(near.roots))
+    elif not own and not (names and all(n in STORES or (simple and n in READS) for n in last)):
+        whole = Mark(walker.memory.deep(near), near.roots | passed)
+    brought = 0
+    for name in names:
+        if name.startswith(LOGS):
+            _log(walker, body, marks)
+        brought |= library.perform(walker, name, whole.mask, body.pc)
+        brought |= _of_library(walker) if name == "rosward.unknown" else 0
+        brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
+    content = near if names and all(n in STORES for n in last) else whole
+    written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
+    if not any(n in _ARRIVING for n in names):
+        for address in mine:
+            if address not in {a for b in seen.bound.values() for g in b.given[:1] for a in g.places}:
+                memory.write_any([address], written, body.pc | near.mask)
+    _written(walker, marks, seen, wrote, written, body)
+    if own:
+        return Mark(
+            body.pc | brought | arising(walker, seen), nameless(whole) if "rosward.either" in names else frozenset()
+        )
+    mask = whole.mask | brought | arising(walker, seen)
+    return Mark(mask, nameless(whole))
+
+
+def _parameter(walker: Walker, seen: Seen, name: str, keys: tuple[object, ...]) -> int:
+    """The parameter that a native of the models gives, or writes to a variable: of one that is not known, any."""
+    if name not in _OF_PARAMETERS:
+        return 0
+    known = keys[1] if len(keys) > 1 else None
+    if not isinstance(known, str) and arising(walker, seen):
+        return 0
+    return walker.sources.data(Source("parameter", known if isinstance(known, str) else "*"))
+
+
+_OF_PARAMETERS: Final = frozenset(
+    f"rosward.{name}"
+    for name in ("declare_parameter", "parameter", "get_parameter", "get_parameters", "given_parameters")
+)
+
+
+def _of_library(walker: Walker) -> int:
+    """`rosward::unknown(…)`: what a library makes of all that it was given."""
+    mask, nodes = 0, walker.shape.nodes
+    for body in reversed(walker.bodies):
+        if not body.activation.code.file.startswith("models:"):
+            break
+        for mark in body.arguments:
+            held = value(walker, mark)
+            mask |= walker.memory.deep(Mark(held.mask, held.roots - nodes))
+    return mask
+
+
+def _is_copy(site: object) -> bool:
+    return isinstance(site, tuple) and site[:1] == ("copy",)
+
+
+def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], written: Mark, body: Body) -> None:
+    """What the interpretation saw written holds more now: the slots that were passed, else any part of the object."""
+    own = bool(seen.natives) and all(n.startswith("rosward.") for n in seen.natives)
+    for address in wrote:
+        passed = {r for mark in marks for r in mark.roots if is_slot(r) and slot_of(r)[0] == address}
+        if own and not passed:  # what the models note in their own objects is no content
+            continue
+        walker.memory.write_any(
+            passed or [address], Mark(written.mask, written.roots - {address}), body.pc | written.mask
+        )
+
+
+_QUIET: Final = frozenset({"rosward.nothing", "rosward.type"})
+
+
+_ARRIVING: Final = frozenset({"rosward.arrived", "rosward.message", "rosward.fill"})
+
+
+def _arrives(walker: Walker, body: Body, seen: Seen, name: str) -> int:
+    """Something that somebody sent arrives here."""
+    if name not in _ARRIVING:
+        return 0
+    mask = body.pc
+    for inner in reversed(walker.bodies):
+        code = inner.activation.code
+        if not code.file.startswith("models:"):
+            break
+        kind = _kind(inner)
+        if kind:
+            mask |= walker.sources.data(walker.source_here(kind))
+            break
+    for address in (*seen.refs, *seen.made, *(seen.wrote if name == "rosward.fill" else ())):
+        if isinstance(address, int):
+            walker.memory.place_again(address, Content(base=mask))
+    return mask
+
+
+_KINDS: Final = {
+    "ServerGoalHandle": "goal",
+    "WrappedResult": "result",
+    "rclcpp_action::Client": "feedback",
+    "rclcpp::Client": "response",
+    "Subscription": "topic",
+}
+
+
+def _kind(body: Body) -> str:
+    """What arrives at an object of the client library, by the function of it that says so."""
+    name = body.activation.code.qualname
+    return next((kind for part, kind in _KINDS.items() if part in name), "")
+
+
+def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
+    """A line of a log: of all arguments but the logger."""
+
+    mask = body.pc
+    for mark in marks[1:]:
+        mask |= walker.memory.deep(value(walker, mark))
+    out(walker, "log", mask)
+
+
+def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[Mark]) -> Mark | None:
+    """Code that nobody knows: it may write to all that it is passed, and give any of it. None where none runs."""
+    names = [n.replace("::", ".") for n in seen.strange]
+    if not names:
+        return None
+    memory = walker.memory
+    mask = body.pc
+    behind: frozenset[Root] = frozenset()
+    reached: set[Root] = set()
+    for mark in marks:
+        held = value(walker, mark)
+        mask |= memory.deep(held)
+        behind |= nameless(held) | frozenset(r for r in held.roots if isinstance(r, int))
+        if mark is marks[0] or mark is marks[-1]:  # what it is called on
+            behind |= slots(mark)
+        reached |= slots(mark)
+        reached.update(memory.reached(held))
+    given = 0
+    for name in names:
+        given |= library.perform(walker, name, mask, body.pc)
+    root = walker.shape.made(body.activation, op_number, names[0])
+    memory.renew(root)
+    if not all(n.startswith(PURE) or library.is_pure(n) for n in names):
+        memory.write_any(reached, Mark(mask, behind), mask)
+    return Mark(mask | given, behind | {root})

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""C++: what stands where a register leads, what a copy holds, what is written through a slot.
+
+A register holds a value or a slot: the root of a slot is ('slot', object, key, how), that of an object its address (`engine.seen.places_of`).
+What an operation gives leads where the interpretation saw it lead; what the value depends on comes from what stands there.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from rosward.domain.values import Ref
+from rosward.engine.seen import refs_of
+from rosward.flow.content import Content
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.memory import is_slot, slot_of
+from rosward.flow.reading import arising
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.body import Body
+    from rosward.flow.walker import Walker
+
+_DEEPEST: Final = 6
+
+
+def nameless(mark: Mark) -> frozenset[Root]:
+    """The objects that the interpretation does not know."""
+    return frozenset(r for r in mark.roots if not isinstance(r, int) and r[0] != "slot")
+
+
+def slots(mark: Mark) -> frozenset[Root]:
+    """The slots that a register leads to."""
+    return frozenset(r for r in mark.roots if is_slot(r))
+
+
+def value(walker: Walker, mark: Mark) -> Mark:
+    """The value of a register: what stands in the slots to which it leads."""
+    found = Mark(mask=mark.mask)
+    roots: set[Root] = set()
+    for root in mark.roots:
+        if is_slot(root):
+            at = walker.memory.at(root)
+            found = found.under(at.mask)
+            roots |= at.roots
+        else:
+            roots.add(root)
+    return Mark(found.mask, frozenset(roots))
+
+
+def settled(walker: Walker, mark: Mark, seen: Seen, body: Body) -> Mark:
+    """The result of an operation: where it leads was seen, but for what nobody knows."""
+    roots = frozenset(seen.refs) | nameless(mark)
+    if seen.reasons or not seen.refs:
+        roots |= mark.roots
+    return Mark(mark.mask | body.pc | arising(walker, seen, read=True), roots)
+
+
+def field(walker: Walker, root: Root, name: str) -> Mark:
+    """What stands in a field; a field that a base has too is told apart by its class."""
+    memory = walker.memory
+    if is_slot(root):
+        return memory.at(root)
+    part = walker.shape.part(root, name)
+    if part is not None:
+        return memory.at(("slot", root, name, "one"))
+    content = memory.of(root)
+    found = content.read(name)
+    for key, mark in content.slots.items():
+        if isinstance(key, str) and key.startswith(f"{name} of "):
+            found = found.joined(mark)
+    return found
+
+
+def elements(walker: Walker, mark: Mark) -> Mark:
+    """All that stands in the containers of a value."""
+    found = Mark(mark.mask)
+    for root in mark.roots:
+        if not is_slot(root):
+            found = found.joined(walker.memory.of(root).whole)
+            if not isinstance(root, int):
+                found = found.joined(Mark(0, frozenset((root,))))
+    return found
+
+
+# Copies
+
+
+def _source(site: object) -> int | None:
+    """Of what an object is a copy."""
+    if isinstance(site, tuple) and len(site) == 2 and site[0] == "copy" and isinstance(site[1], int):
+        return site[1]
+    return None
+
+
+def sources(seen: Seen) -> dict[int, int]:
+    """The copies that an operation makes, by what they are copies of."""
+    if not seen.made:
+        return _NO_COPIES
+    return {source: address for address, site in seen.made.items() if (source := _source(site)) is not None}
+
+
+_NO_COPIES: Final[dict[int, int]] = {}
+
+
+def copies(walker: Walker, seen: Seen, everything: Mark, *, but: frozenset[Root] | None = None) -> None:
+    """New objects stand here: copies with what is in their source, others empty. `but`: of copies those only that are not among these."""
+    memory = walker.memory
+    fresh = sources(seen)
+    for address, site in seen.made.items():
+        source = _source(site)
+        if but is not None and (source is None or address in but):
+            continue
+        if source is not None and source != address:
+            memory.place(address, _renamed(memory.of(source), fresh))
+        elif site in _MERGED:
+            memory.place(address, Content(memory.deep(everything)))
+        elif but is None:
+            memory.place(address, Content())
+
+
+_MERGED: Final = ("copy of several", "opaque")
+"""What objects are made of of which it is not told apart what is in them."""
+
+
+def _renamed(content: Content, fresh: dict[int, int]) -> Content:
+    """The content of a copy: what was copied with it leads to the copies."""
+
+    def one(mark: Mark) -> Mark:
+        if not any(r in fresh for r in mark.roots):
+            return mark
+        return Mark(mark.mask, frozenset(fresh.get(r, r) if isinstance(r, int) else r for r in mark.roots))
+
+    held = {key: one(mark) for key, mark in content.slots.items()}
+    return Content(content.base, one(content.any), content.size, held)
+
+
+def copied(mark: Mark, seen: Seen) -> Mark:
+    """A value of which the objects are the copies that were made."""
+    fresh = sources(seen) if mark.roots else _NO_COPIES
+    if not fresh:
+        return mark
+    return Mark(mark.mask, frozenset(fresh.get(r, r) if isinstance(r, int) else r for r in mark.roots))
+
+
+# Writing
+
+
+def write(walker: Walker, target: Mark, mark: Mark, *, sure: bool = True) -> None:
+    """A value is written where a register leads; objects take it over."""
+    several = len(target.roots) > 1 or not sure
+    for root in target.roots:
+        if is_slot(root):
+            base, key, how = slot_of(root)
+            if how == "one" and not several:
+                walker.memory.write(frozenset((base,)), key, mark)
+            else:
+                walker.memory.write_any([root], mark)
+        elif isinstance(root, int):
+            assign(walker, root, mark, sure=not several)
+        else:
+            walker.memory.write_any([root], mark, mark.mask)
+
+
+def assign(walker: Walker, target: int, mark: Mark, *, sure: bool, depth: int = 0) -> None:
+    """An object stays where it is and takes over what others hold."""
+    memory, shape = walker.memory, walker.shape
+    sources = [r for r in mark.roots if r != target]
+    plain = mark.mask
+    content: Content | None = None
+    if len(sources) == 1 and len(mark.roots) == 1 and depth < _DEEPEST:
+        found = memory.of(sources[0])
+        content = Content(
+            found.base | plain, found.any, found.size | plain, {k: m.under(plain) for k, m in found.slots.items()}
+        )
+    else:
+        content = Content(memory.deep(mark), Mark(0, mark.roots))
+    if sure and target not in shape.many:
+        memory.place_again(target, content)
+    else:
+        memory.cover({target: content})
+    record = shape.record(target)
+    if record is None or record.kind != "instance":
+        return
+    other = shape.record(sources[0]) if len(sources) == 1 and isinstance(sources[0], int) else None
+    for name, held in record.attrs.items():
+        if held.__class__ is not Ref or depth >= _DEEPEST:
+            continue
+        inner = next(iter(refs_of(held)))
+        theirs = None if other is None else other.attrs.get(name)
+        if theirs == held:
+            continue
+        part = Mark(memory.deep(mark))
+        if theirs is not None and theirs.__class__ is Ref:
+            part = Mark(plain, frozenset(refs_of(theirs)))
+        assign(walker, inner, part, sure=sure, depth=depth + 1)
+
+
+def under_choice(body: Body, target: Mark) -> int:
+    """What decides where something is written."""
+    return body.pc | demoted(target.mask)
+
+
+def operands(body: Body, registers: Any) -> Mark:
+    """Of all that an operation reads."""
+    found = NOTHING
+    for register in registers:
+        found = found.joined(body.registers[register])
+    return found
