@@ -127,6 +127,8 @@ def _flows(machine: Interpreter, watch: Watch, entry: Entry, *, net: bool) -> Pr
     except Exception as error:
         machine.log.findings.add(_failed(entry, error, "any output may hold any input", net=net))
         return ProcessFlows(complete=False)
+    finally:
+        watch.close()
 
 
 def _failed(entry: Entry, error: Exception, missing: str, *, net: bool) -> Finding:

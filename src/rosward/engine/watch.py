@@ -73,6 +73,15 @@ class Watch:
         self._remembered: dict[object, tuple[str, int]] = {}
         self._running: list[tuple[Frame, Seen, tuple[int, ...]]] = []  # the operations of C++, with what they read
 
+    def close(self) -> None:
+        """Forget everything: what refers to itself would stay, as nobody collects it while an analysis runs."""
+        for several in self.activations.values():
+            for activation in several:
+                for seen in activation.seen.values():
+                    seen.callees.clear()
+                activation.seen.clear()
+        self.__dict__.clear()
+
     def watching(self, language: Language) -> Language:
         """The language, noting what its operations do."""
         table: dict[type[ops.Op], Handler] = {

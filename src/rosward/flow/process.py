@@ -72,7 +72,8 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         try:
             complete = _settle(walker, machine) and complete
         except MeltedError:
-            walker = Walker(watch, walker.shape.afresh(), table, most, walker.watched)
+            before, walker = walker, Walker(watch, walker.shape.afresh(), table, most, walker.watched)
+            before.close()
             continue
         except TooLongError:
             complete = False
@@ -88,6 +89,7 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
             events |= walker.sources.trigger(event)
         data, control, trigger = walker.sources.apart(mask | events)
         flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control)))
+    walker.close()
     return ProcessFlows(tuple(flows), complete)
 
 

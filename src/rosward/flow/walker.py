@@ -109,6 +109,12 @@ class Walker:
                 self._may_fail()
         return True
 
+    def close(self) -> None:
+        """Forget everything: what refers to itself would stay, as nobody collects it while an analysis runs."""
+        self.shape.__dict__.clear()
+        self.trail.__dict__.clear()
+        self.__dict__.clear()
+
     def _attempted(self, op: ops.Op, body: Body, seen: Seen) -> None:
         """An operation that may fail decides whether what follows in the `try` runs."""
         attempt = self.attempts[-1]
