@@ -144,6 +144,7 @@ class Seen:
         "effects",
         "externals",
         "functions",
+        "gave",
         "keys",
         "last",
         "made",
@@ -162,6 +163,7 @@ class Seen:
     def __init__(self) -> None:
         self.alive = False
         self.last: tuple[Value, ...] = ()
+        self.gave: Value | None = None  # the last one, of an operation that gives one
         self.refs: set[Place] = set()
         self.several = False
         self.parts: dict[int, set[Place]] = {}
@@ -220,6 +222,10 @@ class Seen:
             for number, value in enumerate(values):
                 self.parts.setdefault(number, set()).update(places(value))
         for value in values:
+            if value.__class__ is Const:
+                if value.origins:
+                    self.origins.update(dict.fromkeys(value.origins))
+                continue
             for option in options(value):
                 if option.__class__ is Const or option.__class__ is Text:
                     self.origins.update(dict.fromkeys(option.origins))

@@ -277,6 +277,7 @@ class Watch:
             return structured
 
         keyed = cls in _KEYED
+        given, single = cls not in _UNSEEN, cls not in _SEVERAL and "dst" in cls.__slots__
 
         def straight(machine: Engine, op: Any, frame: Frame) -> bool | None:
             activation = frame.seen or self._activation(machine, frame, len(machine.frames) - 1)
@@ -286,8 +287,15 @@ class Watch:
                     seen.key(register, frame.registers[register])
             result = handler(machine, op, frame)
             if result is not False:
-                registers = frame.registers
-                seen.give(tuple([registers[r] for r in writes(op)]))
+                if single and given:
+                    value = frame.registers[op.dst]
+                    if value is not seen.gave:
+                        seen.gave = value
+                        seen.give((value,))
+                elif given:
+                    registers = frame.registers
+                    seen.give(tuple([registers[r] for r in writes(op)]))
+                seen.alive = True
             return result
 
         return straight
@@ -323,6 +331,9 @@ class Watch:
 
 _KEYED: Final = frozenset({ops.Compare, ops.LoadItem, ops.StoreItem, ops.Build, ops.Intrinsic})
 """Operations of which an operand may name a slot."""
+_UNSEEN: Final = frozenset({ops.Const, ops.Move, ops.Assume})
+"""Operations of which nobody asks what they gave."""
+_SEVERAL: Final = frozenset({ops.Unpack})
 _STRUCTURED: Final = frozenset(
     {ops.If, ops.While, ops.ForEach, ops.Try, ops.With, ops.Return, ops.Break, ops.Continue, ops.Raise}
 )
