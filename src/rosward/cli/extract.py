@@ -24,6 +24,7 @@ from rosward.cli.shared import (
     request_of,
 )
 from rosward.guard import Steps
+from rosward.influence.policy import Policy
 from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS
 
 if TYPE_CHECKING:
@@ -105,7 +106,13 @@ def _run(options: argparse.Namespace) -> int:
     from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
-    result = extracted(options, options.paths, request, shown=not options.quiet)
+    policy: Policy = options.flow or Policy()
+    watched = frozenset(policy.functions)
+    result = extracted(
+        options, options.paths, request, shown=not options.quiet, flow=bool(policy.rules), watched=watched
+    )
+    if policy.rules:
+        result = with_flows_checked(result, policy)
     widened: Widenings = {}
     if options.compact:
         result, widened = compacted(result, options)
@@ -122,6 +129,18 @@ def _run(options: argparse.Namespace) -> int:
     note_failures(options, steps.findings)
     enough = Severity(options.fail_on).rank
     return INCOMPLETE if any(f.rule.severity.rank <= enough for f in found.new) else COMPLETE
+
+
+def with_flows_checked(result: Result, policy: Policy) -> Result:
+    """The same network, with what its flows break of the rules of the project among its findings."""
+    from rosward.influence.check import check
+    from rosward.influence.executed import executed
+    from rosward.influence.graph import graph_of
+    from rosward.network.connect import with_findings
+
+    nodes = result.network.nodes
+    found = [*executed(nodes), *check(graph_of(nodes), policy)]
+    return replace(result, network=with_findings(result.network, found))
 
 
 def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:

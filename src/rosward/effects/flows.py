@@ -33,13 +33,17 @@ class Sink(NamedTuple):
 
 
 class Flow(NamedTuple):
-    """One sink of a process: what is in it, what decides it, what it waits for; and through which lines each comes there."""
+    """One sink of a process: what is in it, what decides it, what it waits for; and through which lines each comes there.
+
+    `assumed`: those of `data` that stand there only because not all is known.
+    """
 
     sink: Sink
     data: frozenset[Source]
     control: frozenset[Source]
     trigger: frozenset[Source]
     paths: Mapping[Source, tuple[Place, ...]] = MappingProxyType({})
+    assumed: frozenset[Source] = frozenset()
 
 
 class ProcessFlows(NamedTuple):

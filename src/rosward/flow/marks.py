@@ -21,6 +21,8 @@ _DATA: Final = sum(1 << 3 * n for n in range(_SOURCES))
 _CONTROL: Final = _DATA << 1
 _TRIGGER: Final = _DATA << 2
 
+_EVENTS: Final = frozenset(("main", "timer", "thread", "parameters"))
+
 Root = int | tuple[object, ...]
 """Where content stands: the address of an object, or a name for what has no address (the result of an unknown call, a tuple)."""
 
@@ -87,8 +89,12 @@ class Sources:
 
     @property
     def all(self) -> int:
-        """Every source as data."""
-        return sum(1 << 3 * n for n in range(len(self._numbers)))
+        """Every source as data, but for events that bring nothing."""
+        found = 0
+        for source, number in self._numbers.items():
+            if source.kind not in _EVENTS:
+                found |= 1 << 3 * min(number, _SOURCES - 1)
+        return found
 
     def apart(self, mask: int) -> tuple[frozenset[Source], frozenset[Source], frozenset[Source]]:
         """The sources of a mask by strength: data, control, trigger; each in the strongest only."""

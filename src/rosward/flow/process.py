@@ -79,16 +79,15 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
             complete = False
         break
     complete = complete and not walker.lost
-    if not complete:
-        for sink in walker.sinks.masks:
-            walker.sinks.masks[sink] |= walker.sources.all
+    more = 0 if complete else walker.sources.all
     flows = []
     for sink, mask in walker.sinks.masks.items():
         events = 0
         for event in walker.sinks.events[sink]:
             events |= walker.sources.trigger(event)
-        data, control, trigger = walker.sources.apart(mask | events)
-        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control)))
+        data, control, trigger = walker.sources.apart(mask | events | more)
+        assumed = data - walker.sources.apart(mask)[0]
+        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed))
     walker.close()
     return ProcessFlows(tuple(flows), complete)
 

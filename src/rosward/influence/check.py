@@ -120,7 +120,7 @@ def _broken(rule: Rule, way: list[Edge], target: Vertex, reached: Reached) -> Fi
     place = path[-1] if path else _NOWHERE
     if reached.assumed:
         unsure = next(edge.node for edge in way if edge.assumed)
-        message = f"{source} may reach {target}, which {rule.name!r} forbids: {unsure} is not analysed"
+        message = f"{source} may reach {target}, which {rule.name!r} forbids: not all is known of {unsure}"
         return Finding("RW604", message, place, nodes=tuple(dict.fromkeys(via)), path=path)
     return Finding("RW601", message, place, nodes=tuple(dict.fromkeys(via)), path=path)
 

@@ -95,7 +95,8 @@ def _sinks(flow: Flow, names: _Names) -> Iterator[NodeSink]:
         for end in names.of(source.kind, source.node, source.given, source.name):
             paths.setdefault(end, path)
     for end in names.of(sink.kind, sink.node, sink.given):
-        yield NodeSink(end, sink.place, data, control, trigger, paths=tuple(sorted(paths.items())))
+        assumed = _ends(flow.assumed, names)
+        yield NodeSink(end, sink.place, data, control, trigger, assumed, tuple(sorted(paths.items())))
 
 
 def _ends(sources: Iterable[Source], names: _Names) -> tuple[End, ...]:
