@@ -157,6 +157,7 @@ def _answer(options: argparse.Namespace, graph: FlowGraph, passing: Passing) -> 
     from rosward.outputs.terminal import flow_text
 
     starts, targets = _meant(graph, options.origin, "--from"), _meant(graph, options.to, "--to")
+    starts = [v for v in starts if v.side == "in" or "*" not in v.end.name] or starts
     if options.origin and options.to:
         found = downstream(graph, starts, passing)
         text = flow_text.ways_text(found, [t for t in targets if t.side == "sent" and t not in starts])

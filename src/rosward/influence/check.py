@@ -15,7 +15,7 @@ from rosward.findings import Finding
 from rosward.influence.graph import Edge, FlowGraph, Vertex
 from rosward.influence.policy import Policy, Release, Rule, is_function
 from rosward.influence.search import Passing, Reached, at_least, downstream, upstream, way_to
-from rosward.influence.select import Selection, meant
+from rosward.influence.select import Selection, meant, origins
 from rosward.ros.flows import STRENGTHS
 from rosward.source.location import Place
 
@@ -66,7 +66,7 @@ def _by_releases(starts: Iterable[Vertex], policy: Policy) -> Iterator[tuple[tup
 
 def _forbidden(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
     vertices = graph.vertices
-    starts = meant(rule.sources, vertices)
+    starts = origins(rule.sources, vertices)
     targets = [v for v in meant(rule.not_to, vertices) if v.side == "sent"]
     best: dict[Vertex, tuple[Reached, list[Edge]]] = {}
     for releases, group in _by_releases(starts, policy):
@@ -145,7 +145,7 @@ def _releases(graph: FlowGraph, release: Release) -> Iterator[Finding]:
     """Whether something is released, and whether what is secret decides that."""
     words = ", ".join(s.word for s in release.through)
     vertices = graph.vertices
-    starts = meant(release.of, vertices)
+    starts = origins(release.of, vertices)
     found = downstream(graph, starts, at_least("control"))
     passing = [
         edge

@@ -87,6 +87,11 @@ def _fits(name: list[str], pattern: list[str]) -> bool:
     return len(name) in reachable
 
 
+def origins(selections: Iterable[Selection], vertices: Iterable[Vertex]) -> list[Vertex]:
+    """The same as beginnings: what is sent under a name of which a part is not known begins where it arrives, under each name by itself."""
+    return [v for v in meant(selections, vertices) if v.side == "in" or "*" not in v.end.name]
+
+
 def meant(selections: Iterable[Selection], vertices: Iterable[Vertex]) -> list[Vertex]:
     """All vertices that one of them means."""
     wanted = list(selections)
