@@ -21,9 +21,9 @@ def system(*lines: str) -> list[Node]:
         for word in filter(None, sources.split(", ")):
             strength, _, source = word.rpartition(" ")
             found[strength or "data"].append(_end(source))
-        listed = {strength: tuple(ends) for strength, ends in found.items()}
-        assumed = listed["data"] if name.endswith("!") else ()
-        made = NodeSink(_end(sink), Place("a.py", number), *listed.values(), assumed)
+        data, control, trigger = (tuple(ends) for ends in found.values())
+        assumed = data if name.endswith("!") else ()
+        made = NodeSink(_end(sink), Place("a.py", number), data, control, trigger, assumed)
         sinks.setdefault(name.rstrip("!"), []).append(made)
     return [_node(name, tuple(made)) for name, made in sinks.items()]
 
