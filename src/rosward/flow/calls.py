@@ -20,6 +20,7 @@ from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.seen import Activation, Called, Handed, Seen, refs_of
 from rosward.flow import library, natives
 from rosward.flow.body import Body
+from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
@@ -67,7 +68,8 @@ def run_callees(
             result = computed if result is None else result.joined(computed)
             continue
         if not mine and code.is_stub:
-            declared = library.declared(walker, body, function, marks[0])
+            declared = natives.by_name(walker, op, body, seen, name, marks[0])
+            declared = library.declared(walker, body, function, marks[0]) if declared is None else declared
             result = declared if result is None else result.joined(declared)
         for number, activation in enumerate(mine):
             given = marks[number] if len(marks) == len(mine) else _joined(marks)
@@ -292,6 +294,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     if len(seen.refs) == 1 and all(isinstance(f, Class) for f in seen.functions):
         for root in seen.refs:
             memory.place(root, Content())
+    construct(walker, op, body, seen, marks)
     given = run_callees(walker, op, body, seen, pc=pc)
     result = NOTHING if given is None else given
     unknown = False

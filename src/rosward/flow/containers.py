@@ -247,7 +247,7 @@ KNOWN: Final[dict[str, Handler]] = {
             *("list", "tuple", "set", "frozenset", "sorted", "reversed", "iter", "zip", "enumerate", "filter", "map"),
             *("itertools.product", "itertools.islice", "itertools.cycle", "itertools.combinations"),
             *("itertools.permutations", "itertools.pairwise", "itertools.repeat", "numpy._elements"),
-            *("_rosward.contents", "collections._items", "collections._fill", "collections._keys", "random.sample"),
+            *("_rosward.contents", "collections._items", "collections._keys", "random.sample"),
         ),
         _all_elements,
     ),

@@ -17,11 +17,13 @@ from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.seen import refs_of
 from rosward.flow import containers, library
+from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
+from rosward.ir.ops import Call
 from rosward.models.ros.interfaces import message_name
 
 if TYPE_CHECKING:
@@ -95,6 +97,14 @@ def _native(call: NativeCall) -> Mark:
         mask | given,
         frozenset(call.walker.shape.made(call.body.activation, call.op.number, r) for r in (_kept(name),) if r),
     )
+
+
+def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks: list[Mark]) -> Mark | None:
+    """What a function does that a model only declares, where more is known of it than that."""
+    done = _KNOWN.get(name)
+    if done is None or not isinstance(op, Call):
+        return None
+    return done(NativeCall(walker, op, body, seen, name, marks, []))
 
 
 def _kept(name: str) -> str:
@@ -214,5 +224,6 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     ),
     "_rosward.unknown": _of_library,
     **dict.fromkeys(("_rosward.declare_parameter", "_rosward.parameter"), _parameter),
+    "collections._fill": fill,
     "_rosward.message": _arrives,
 }

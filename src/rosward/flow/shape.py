@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.certain import text_of
-from rosward.domain.compound import External
+from rosward.domain.compound import External, Tuple
 from rosward.domain.values import NONE, Class, Ref
 from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
@@ -35,6 +35,8 @@ class MeltedError(Exception):
     """Fewer objects are told apart than before."""
 
 
+_FIELDS: Final = ("__match_args__", "_fields")
+"""The attributes in which a class keeps the names of its fields."""
 MELTED: Final[Root] = ("melted",)
 """What stands for all objects that may be views of too many others."""
 _EVERYTHING: Final = ("", 0)
@@ -159,6 +161,20 @@ class Shape:
             mro = cls.mro if isinstance(cls, Class) else ()
             found = self._classes[root] = tuple(c.address for c in mro if isinstance(c, Class) and not c.stub)
         return found
+
+    def fields(self, roots: Iterable[Root]) -> tuple[str, ...]:
+        """The names of what objects are made of, in order, where their classes say so and agree."""
+        found: set[tuple[str, ...]] = set()
+        for root in roots:
+            known: tuple[str, ...] = ()
+            for cls in self.classes(root):
+                record = self.record(cls)
+                values = [] if record is None or known else [record.attrs.get(name) for name in _FIELDS]
+                for value in values:
+                    if isinstance(value, Tuple):
+                        known = tuple(text_of(item) or "" for item in value.items)
+            found.add(known)
+        return found.pop() if len(found) == 1 else ()
 
     def is_native(self, name: str) -> bool:
         """Whether a function of a library has a model in code."""

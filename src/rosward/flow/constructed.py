@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Objects of classes that say nothing of how they are made: their fields hold what they are made of.
+
+@dataclass class Pose: x: float; y: float      Pose(msg.x, y=0.0): the field `x` holds msg.x
+class Refused(Exception): pass                 Refused(text): nobody knows where it stands, so anywhere
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rosward.domain.choice import options
+from rosward.domain.values import Class
+from rosward.flow.marks import Mark, Root
+from rosward.flow.native_call import NativeCall
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Seen
+    from rosward.flow.body import Body
+    from rosward.flow.walker import Walker
+    from rosward.ir import ops
+
+
+def construct(walker: Walker, op: ops.Call, body: Body, seen: Seen, marks: list[Mark]) -> None:
+    """An object of the program's own class is made, and no code of the program takes the arguments."""
+    classes = [o for f in seen.functions for o in options(f)]
+    if not seen.refs or not classes or not all(isinstance(c, Class) and not c.stub for c in classes):
+        return
+    makers = (called.function.code for called in seen.calls.values())
+    if any(code.name in ("__init__", "__new__") for code in makers):
+        return
+    roots = frozenset[Root](seen.refs)
+    names = walker.shape.fields(roots)
+    number = 0
+    for argument, mark in zip(op.arguments, marks, strict=True):
+        written = mark.under(body.pc)
+        if argument.kind == "keyword":
+            walker.memory.write(roots, argument.name, written)
+        elif argument.kind == "positional" and 0 <= number < len(names):
+            walker.memory.write(roots, names[number], written)
+            number += 1
+        else:
+            spread = Mark(walker.memory.deep(written), written.roots | walker.memory.read_all(written.roots).roots)
+            walker.memory.write_any(roots, written if argument.kind == "positional" else spread)
+            number = -1
+
+
+def fill(call: NativeCall) -> Mark:
+    """The fields of a named tuple, from what it is called with: `*args` and `**kwargs`."""
+    memory, roots = call.walker.memory, call.mark(0).roots
+    names = call.walker.shape.fields(roots)
+    for mark in call.marks[1:]:
+        for root in mark.roots:
+            content = memory.of(root)
+            for key, found in content.slots.items():
+                name = names[key] if isinstance(key, int) and key < len(names) else key
+                memory.write(roots, name, found.under(call.pc))
+            memory.write_any(roots, content.any.under(content.base | call.pc | mark.mask))
+    return Mark(call.pc)
