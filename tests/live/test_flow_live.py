@@ -2,7 +2,7 @@
 """Promise: an input that really changes an output is named for it, as data or control; one that only has to arrive, at least as trigger.
 
 Each program runs under the real rclpy, with its real nodes, many times: in a fixed order of callbacks, each time with other contents of one
-input, all else equal. Sixty programs of one kind of flow each, and five hundred random ones, the same each time (`LIVE_FLOWS=5000` for
+input, all else equal. Sixty programs of one kind of flow each, and a hundred random ones, the same each time (`LIVE_FLOWS=500` for
 more, `LIVE_FLOWS_FROM=500` for others).
 """
 
@@ -25,7 +25,7 @@ from .draft import Seeded
 from .flow_generator import write
 from .flow_harness import Change, Observer, denied
 
-COUNT: Final = int(os.environ.get("LIVE_FLOWS", "500"))
+COUNT: Final = int(os.environ.get("LIVE_FLOWS", "100"))
 FIRST: Final = int(os.environ.get("LIVE_FLOWS_FROM", "0"))
 FOLDER: Final = Path(__file__).parents[1] / "flow"
 PROGRAMS: Final = sorted((FOLDER / "programs").glob("*.py"))
