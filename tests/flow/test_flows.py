@@ -106,6 +106,12 @@ CASES: Final = {
     "an attribute of a class": Case("", "Shared.total += msg.data", "Shared.total"),
     "an attribute of one's own class": Case("Robot.bias = 0.0", "type(self).bias = msg.data", "Robot.bias"),
     "the dictionary of an object": Case("self.value = 0.0", "self.__dict__['value'] = msg.data", "self.value"),
+    "a dict made of words": Case("self.value = 0.0", "self.value = msg.data", "dict(a=0.0, b=self.value)['b']"),
+    "a parameter that is a list": Case(
+        "self.declare_parameter('scale', [1.0])\nself.scale = self.get_parameter('scale').value",
+        "self.scale = [msg.data * s for s in self.scale]",
+        "self.scale[0]",
+    ),
     "which of several lists": Case(
         "self.rows = [[], [0.0]]", "self.rows[0 if msg.data > 1.0 else 1].append(1.0)", "sum(self.rows[0])", "control"
     ),

@@ -136,6 +136,29 @@ def _copy(call: NativeCall) -> Mark:
     return call.new(Content(content.base | under, content.any.under(under), content.size | under, slots))
 
 
+def _dict(call: NativeCall) -> Mark:
+    """`dict(mapping, key=value, **more)`."""
+    memory = call.walker.memory
+    positional = [m for a, m in zip(call.op.arguments, call.marks, strict=False) if a.kind != "keyword"]
+    slots: dict[object, Mark] = {}
+    rest, size = NOTHING, call.pc
+    for mark in positional:
+        under = mark.mask | call.pc
+        size |= under | memory.size(mark.roots)
+        for root in mark.roots:
+            content = memory.of(root)
+            rest = rest.joined(content.any).under(content.base | under)
+            for key, found in content.slots.items():
+                if isinstance(key, str):
+                    slots[key] = slots.get(key, NOTHING).joined(found).under(under)
+                else:  # an element of a list of pairs
+                    rest = rest.joined(found)
+    for argument, mark in zip(call.op.arguments, call.marks, strict=False):
+        if argument.kind == "keyword":
+            slots[argument.name] = mark.under(call.pc)
+    return call.new(Content(0, rest, size, slots))
+
+
 def _deep_copy(call: NativeCall) -> Mark:
     """A new object with the same content that shares nothing."""
     memory, owner = call.walker.memory, call.mark(0)
@@ -251,7 +274,7 @@ KNOWN: Final[dict[str, Handler]] = {
         ),
         _all_elements,
     ),
-    "dict": _copy,
+    "dict": _dict,
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
     **dict.fromkeys(("next", "queue._any", "random.choice"), _one_element),
