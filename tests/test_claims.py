@@ -59,6 +59,10 @@ CLAIMS: Final = {
     **dict.fromkeys(("RW403", "RW505"), (M, E)),
     **dict.fromkeys(("RW501", "RW502"), (M, E)),
     **dict.fromkeys(("RW503", "RW504", "RW506"), (L, W)),
+    "RW601": (F, E),
+    **dict.fromkeys(("RW602", "RW603", "RW605", "RW607"), (F, W)),
+    "RW604": (L, W),
+    "RW606": (K, N),
 }
 """Each code, what it says of the result, and how much it weighs."""
 

@@ -74,6 +74,7 @@ ON_DEMAND: Final = {
     ("analysis/read.py", "rosward.analysis.compiled"),
     ("analysis/process.py", "rosward.analysis.linked"),
     ("analysis/process.py", "rosward.flow.process"),
+    ("analysis/process.py", "rosward.engine.watch"),
     ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
 }
 """What is imported in a function because most runs do not need it."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from rosward.domain.compound import External
 from rosward.domain.state import join_states
@@ -29,13 +29,15 @@ from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.reads import Reads
 from rosward.engine.shared import Shared
-from rosward.engine.watch import Watch
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
+
+if TYPE_CHECKING:
+    from rosward.engine.watch import Watch
 
 
 @dataclass(slots=True)
@@ -70,7 +72,7 @@ def run(library: Library, entry: Entry, budget: Budget, configuration: Configura
 
 def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None) -> Run:
     log = EffectLog(configuration)
-    watch = Watch() if budget.flow else None
+    watch = _watch() if budget.flow else None
     machine = Interpreter(library, budget, log, watch)
     imported = _Imported()
     try:
@@ -116,6 +118,13 @@ def _interpret(library: Library, entry: Entry, budget: Budget, configuration: Co
         frozenset(machine.trace.reached),
         frozenset(machine.trace.asked),
     )
+
+
+def _watch() -> Watch:
+    """Who watches where flow is asked for; what most runs do not need is not loaded."""
+    from rosward.engine.watch import Watch
+
+    return Watch()
 
 
 def _flows(machine: Interpreter, watch: Watch, entry: Entry, *, net: bool) -> ProcessFlows:
