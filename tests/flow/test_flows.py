@@ -18,6 +18,9 @@ from rosward.ros.flows import STRENGTHS
 from .reported import reported, said_of
 
 _PROGRAM: Final = """
+from dataclasses import dataclass
+from typing import NamedTuple
+
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import Float64
@@ -25,6 +28,17 @@ from std_msgs.msg import Float64
 
 class Shared:
     total = 0.0
+
+
+class Point(NamedTuple):
+    x: float
+    y: float
+
+
+@dataclass
+class Size:
+    width: float
+    height: float = 0.0
 
 
 def remembered(value, kept=[]):
@@ -106,6 +120,8 @@ CASES: Final = {
     "an attribute of a class": Case("", "Shared.total += msg.data", "Shared.total"),
     "an attribute of one's own class": Case("Robot.bias = 0.0", "type(self).bias = msg.data", "Robot.bias"),
     "the dictionary of an object": Case("self.value = 0.0", "self.__dict__['value'] = msg.data", "self.value"),
+    "a named tuple": Case("self.value = Point(0.0, 0.0)", "self.value = Point(msg.data, y=2.0)", "self.value.x"),
+    "a data class": Case("self.value = Size(0.0)", "self.value = Size(msg.data, height=2.0)", "self.value.width"),
     "a dict made of words": Case("self.value = 0.0", "self.value = msg.data", "dict(a=0.0, b=self.value)['b']"),
     "a parameter that is a list": Case(
         "self.declare_parameter('scale', [1.0])\nself.scale = self.get_parameter('scale').value",

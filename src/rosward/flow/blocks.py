@@ -12,8 +12,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from rosward.flow import cpp_calls
-from rosward.flow.body import Attempt, Body, Point, TooLongError, joined
+from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
+from rosward.flow.content import TooLongError
 from rosward.flow.marks import Mark, demoted
 from rosward.flow.reading import elements, narrowed
 from rosward.ir import ops

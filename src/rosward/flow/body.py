@@ -12,10 +12,6 @@ from rosward.flow.memory import Memory
 from rosward.ir.op import Op
 
 
-class TooLongError(Exception):
-    """The walk takes more steps, or a loop more turns, than it may."""
-
-
 @final
 class Point:
     """Where control is: what the registers and the objects hold."""

@@ -53,7 +53,9 @@ def fill(call: NativeCall) -> Mark:
         for root in mark.roots:
             content = memory.of(root)
             for key, found in content.slots.items():
-                name = names[key] if isinstance(key, int) and key < len(names) else key
-                memory.write(roots, name, found.under(call.pc))
+                if isinstance(key, int) and key >= len(names):  # nobody knows which field that is
+                    memory.write_any(roots, found.under(call.pc))
+                    continue
+                memory.write(roots, names[key] if isinstance(key, int) else key, found.under(call.pc))
             memory.write_any(roots, content.any.under(content.base | call.pc | mark.mask))
     return Mark(call.pc)

@@ -55,3 +55,7 @@ def both(ours: Content, theirs: Content) -> Content:
 
 Layer = dict[Root, Content]
 """What stands in each of several objects."""
+
+
+class TooLongError(Exception):
+    """The walk takes more steps, or a loop more turns, than it may."""

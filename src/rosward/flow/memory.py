@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Final, final
 
-from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, both
+from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, TooLongError, both
 from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.shape import MELTED, Shape
 
@@ -32,7 +32,7 @@ def slot_of(root: Root) -> tuple[Root, object, object]:
 
 
 _MOST: Final = 4_000
-"""So many objects are looked through for what a value leads to."""
+"""So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
 
 
 _MOST_LAYERS: Final = 6
@@ -332,7 +332,9 @@ class Memory:
         work = set(mark.roots)
         known = {id(mark.roots)}
         nodes = self.shape.nodes
-        while work and len(seen) <= _MOST:
+        while work:
+            if len(seen) > _MOST:
+                raise TooLongError
             root = work.pop()
             seen.add(root)
             content = self.of(root)
@@ -352,8 +354,10 @@ class Memory:
         work = list(mark.roots)
         while work:
             root = work.pop()
-            if root in seen or len(seen) > _MOST:
+            if root in seen:
                 continue
+            if len(seen) > _MOST:
+                raise TooLongError
             seen.add(root)
             yield root
             content = self.of(root)

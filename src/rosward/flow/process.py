@@ -18,9 +18,8 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
-from rosward.flow.body import TooLongError
 from rosward.flow.calls import begin, send
-from rosward.flow.content import Content
+from rosward.flow.content import Content, TooLongError
 from rosward.flow.marks import Mark, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.shape import MeltedError, Shape

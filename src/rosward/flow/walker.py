@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
-from rosward.flow.body import Attempt, Body, Point, TooLongError
+from rosward.flow.body import Attempt, Body, Point
+from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
