@@ -113,8 +113,12 @@ def write_batch(folder: Path, batch: list[Changed]) -> None:
     for each in batch:
         if each.seed.startswith(ROBOT):
             package = each.seed[len(ROBOT) :].partition("/")[0]
-            copy = folder / each.path.partition(package)[0] / package
-            shutil.copytree(Path(__file__).parents[2] / ROBOT / package, copy, ignore=_large)
+            copy, whole = (
+                folder / each.path.partition(package)[0] / package,
+                Path(__file__).parents[2] / ROBOT / package,
+            )
+            if whole.is_dir():  # a file of the workspace itself is of no package
+                shutil.copytree(whole, copy, ignore=_large)
         _write(folder / each.path, each.text)
 
 
