@@ -18,6 +18,7 @@ from rosward.ros.flows import STRENGTHS
 from .reported import reported, said_of
 
 _PROGRAM: Final = """
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import NamedTuple
@@ -196,6 +197,12 @@ CASES: Final = {
     ),
     "the default of a callback": Case(
         "", "self.create_subscription(Float64, '/more', lambda m, v=msg.data: self.say(v, m), 10)", "0.0"
+    ),
+    "an exception that a context swallows": Case(
+        "self.value = 0.0",
+        "with suppress(ValueError):\n    float(msg.data)\n    self.value = 1.0",
+        "self.value",
+        "control",
     ),
     "which of several lists": Case(
         "self.rows = [[], [0.0]]", "self.rows[0 if msg.data > 1.0 else 1].append(1.0)", "sum(self.rows[0])", "control"
