@@ -22,7 +22,6 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import HOLDS
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot
 from rosward.flow.ways import Way, each_way, either, joined_marks
@@ -127,7 +126,7 @@ def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -
     """A model leaves out what a value of the library is made of: it is in it all the same."""
     name, nodes = named(function), walker.shape.nodes
     makes = function.code.name == function.module.name.rpartition(".")[2]
-    if not makes and not name.startswith(HOLDS):
+    if not makes and not walker.shape.said(name).holds:
         return result
     mask = 0
     for mark in given[1:] if makes else given:
@@ -142,7 +141,8 @@ def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -
 
 def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:
     """What is known of a function of a library by its name."""
-    if not library.effects_of(name):
+    said = walker.shape.said(name)
+    if not (said.sinks or said.sources):
         return 0
     mask = pc
     for mark in given[1:]:

@@ -19,7 +19,7 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import LOGS, PURE, READS, SIZES, STORES
+from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES
 from rosward.flow.marks import Mark, Root
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import out
@@ -189,6 +189,6 @@ def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[
         given |= library.perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op_number, names[0])
     memory.renew(root)
-    if not all(n.startswith(PURE) or library.is_pure(n) for n in names):
+    if not all(walker.shape.said(n).is_known for n in names):
         memory.write_any(reached, Mark(mask, behind), mask)
     return Mark(mask | given, behind | {root})
