@@ -25,6 +25,7 @@ from rosward.flow.cpp_values import (
     value,
     write,
 )
+from rosward.flow.library import stop
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import out
@@ -167,8 +168,13 @@ def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
     given = acts(walker, op, body, seen, [target, source], certain=True) if is_busy(seen) else None
     mark = value(walker, source)
     written = copied(mark, seen).under(under_choice(body, target))
+    before = value(walker, target)
     if op.operator != "=":
-        written = written.joined(value(walker, target))
+        written = written.joined(before)
+    elif body.pc:  # a timer that nobody holds any more runs no more
+        for root in before.roots:
+            if isinstance(root, int) and walker.shape.class_name(root):
+                stop(walker, root, body.pc)
     own = any(b.function.code.name.startswith("operator") and "=" in b.function.code.name for b in seen.bound.values())
     if given is not None and not own:
         written = written.under(given.mask)

@@ -140,8 +140,10 @@ def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -
 
 
 def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:
-    """What is known of a function of a library by its name."""
+    """What marks say of a function of a library."""
     said = walker.shape.said(name)
+    for root in given[0].roots if said.stops and given else ():
+        library.stop(walker, root, pc | demoted(given[0].mask))
     if not (said.sinks or said.sources):
         return 0
     mask = pc
@@ -172,7 +174,7 @@ def _declared(walker: Walker, body: Body, function: Function, marks: list[Mark])
     for number, mark in enumerate(marks):
         roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
         mask |= walker.memory.deep(Mark(mark.mask, roots))
-    return Mark(mask | library.perform(walker, named(function), mask, body.pc))
+    return Mark(mask | _effects(walker, named(function), marks, body.pc))
 
 
 def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:

@@ -20,7 +20,7 @@ from rosward.flow.cpp_values import (
     value,
 )
 from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES
-from rosward.flow.marks import Mark, Root
+from rosward.flow.marks import Mark, Root, demoted
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import out
 from rosward.flow.reading import arising
@@ -57,6 +57,9 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
         if name.startswith(LOGS):
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
+        if name.endswith(".reset"):  # what nobody holds any more runs no more
+            for root in near.roots:
+                library.stop(walker, root, body.pc | demoted(near.mask))
         brought |= _of_library(walker) if name == "rosward.unknown" else 0
         brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
     content = near if names and all(n in STORES for n in last) else whole
@@ -189,6 +192,9 @@ def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[
         given |= library.perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op_number, names[0])
     memory.renew(root)
-    if not all(walker.shape.said(n).is_known for n in names):
+    known = [walker.shape.said(n) for n in names]
+    if all(said.releases for said in known):
+        return Mark(body.pc | given, frozenset((root,)))
+    if not all(said.is_known for said in known):
         memory.write_any(reached, Mark(mask, behind), mask)
     return Mark(mask | given, behind | {root})

@@ -7,12 +7,13 @@ rclcpp.Time.seconds   [[rosward::holds]] on the class; so it is with a namespace
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, final
 
 from rosward.engine.cpp.linked import Linked
+from rosward.findings import Finding
 from rosward.flow.marked_cpp import NATIVES
-from rosward.models.flow_marks import NO_MARK, FlowMark, mark_of
+from rosward.models.flow_marks import NO_MARK, FlowMark, mark_of, wrong
 
 if TYPE_CHECKING:
     from rosward.engine.interpreter import Interpreter
@@ -23,6 +24,15 @@ def marks_of(machine: Interpreter) -> Callable[[str], FlowMark]:
     """The marks of all functions that a process may call, by dotted names."""
     linked = machine.linked
     return InHeaders(linked.symbols.marked).of if isinstance(linked, Linked) else machine.library.marks.of
+
+
+def wrong_marks(machine: Interpreter) -> Iterator[Finding]:
+    """What is wrong with the attributes of the declarations of a program."""
+    linked = machine.linked
+    for said in linked.symbols.marked.values() if isinstance(linked, Linked) else ():
+        for mark, words in said.words.items():
+            for message in wrong(mark, words, None if said.is_scope else ("self", *said.parameters)):
+                yield Finding("RW214", message, said.place)
 
 
 @final

@@ -183,6 +183,12 @@ class Shape:
         """Whether a function of a library has a model in code."""
         return self._machine.library.native(name) is not None
 
+    def class_name(self, address: int) -> str:
+        """The dotted name of the class of an object, where that is one of a model; else ''."""
+        obj = self.record(address)
+        cls = None if obj is None else obj.cls
+        return f"{cls.module}.{cls.qualname}" if isinstance(cls, Class) and cls.stub else ""
+
     def said(self, name: str) -> FlowMark:
         """What marks say of a function of a library, by its dotted name."""
         return self._said(name)

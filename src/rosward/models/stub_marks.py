@@ -63,18 +63,20 @@ class StubMarks:
         if not depth or len(parts) > _LONGEST or not all(part.isidentifier() for part in parts):
             return _NOTHING
         whole: FlowMark | None = None
-        is_module = False
+        deepest = 0
         for folder in self._folders:
             for length in range(len(parts), 0, -1):
                 module = self._module(folder, "/".join(parts[:length]))
                 if module is None:
                     continue
-                is_module = True
                 said = self._in_module(module, parts[length:], depth)
                 if said.own is not None:
                     return said
-                whole = whole or said.whole
-        if not is_module and parts[0] != _BUILTINS:
+                if length > deepest:  # what is said of a package is not said of a module in it that is described itself
+                    whole, deepest = said.whole, length
+                elif length == deepest:
+                    whole = whole or said.whole
+        if not deepest and parts[0] != _BUILTINS:
             return self._said((_BUILTINS, *parts), depth - 1)
         return _Said(None, whole)
 
