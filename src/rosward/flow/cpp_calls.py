@@ -117,7 +117,7 @@ def _enter(walker: Walker, activation: Activation, function: Function, given: li
         marks.append(Mark(mark.mask, frozenset(places) | nameless(mark) if places or not mark.roots else mark.roots))
     result = walker.enter(activation, marks, pc)
     if function.code.file.startswith("models:"):
-        result = result.under(_effects(walker, named(function), given, pc))
+        result = result.under(_effects(walker, function, given, pc))
         result = _held(walker, function, given, result)
     return result
 
@@ -139,17 +139,22 @@ def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -
     return result.under(mask)
 
 
-def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:
+def _effects(walker: Walker, function: Function, given: list[Mark], pc: int) -> int:
     """What marks say of a function of a library."""
+    name = named(function)
     said = walker.shape.said(name)
     for root in given[0].roots if said.stops and given else ():
         library.stop(walker, root, pc | demoted(given[0].mask))
-    if not (said.sinks or said.sources):
+    if not (said.sinks or said.sources or said.changes):
         return 0
     mask = pc
     for mark in given[1:]:
         mask |= walker.memory.deep(mark)
-    return library.perform(walker, name, mask, pc)
+    brought = library.perform(walker, name, mask, pc)
+    for parameter, mark in zip(function.code.parameters.names, given, strict=False):
+        if parameter in said.changes or "*" in said.changes:
+            walker.memory.write_any(mark.roots, Mark(mask | brought), mask)
+    return brought
 
 
 def _thunk(walker: Walker, activation: Activation, everything: Mark, pc: int) -> Mark:
@@ -174,7 +179,7 @@ def _declared(walker: Walker, body: Body, function: Function, marks: list[Mark])
     for number, mark in enumerate(marks):
         roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
         mask |= walker.memory.deep(Mark(mark.mask, roots))
-    return Mark(mask | _effects(walker, named(function), marks, body.pc))
+    return Mark(mask | _effects(walker, function, marks, body.pc))
 
 
 def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:

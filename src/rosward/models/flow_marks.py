@@ -4,7 +4,7 @@
 @sink("network")                 [[rosward::sink("network")]]      what it gets leaves ROS
 @source("file")                  [[rosward::source("file")]]       what it gives comes from outside
 @pure                            [[rosward::pure]]                 it only computes: it keeps nothing, and writes to nothing that it gets
-@changes("out")                                                    it writes to what it gets
+@changes("out")                  [[rosward::changes]]              it writes to what it gets
 @stops, @stops("timer")          [[rosward::stops]]                what it is called on, or gets, runs no more, or again
 @releases("why")                 [[rosward::releases("why")]]      what it gives tells nothing of what it gets
                                  [[rosward::holds]]                what it makes, or is called on, holds all that it gets
@@ -24,7 +24,7 @@ _KINDS: Final = {"sink": SINKS, "source": SOURCES}
 
 
 class FlowMark(NamedTuple):
-    """All marks of one function. `stops` and `changes` are its parameters; `self` is what it is called on."""
+    """All marks of one function. `stops` and `changes` are its parameters; `self` is what it is called on, `*` any of them."""
 
     sinks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
@@ -54,7 +54,7 @@ def mark_of(said: Mapping[str, tuple[str, ...]]) -> FlowMark | None:
         "releases" in said,
         "holds" in said,
         said["stops"] or ("self",) if "stops" in said else (),
-        said.get("changes", ()),
+        said["changes"] or ("*",) if "changes" in said else (),
     )
 
 
@@ -74,8 +74,6 @@ def wrong(mark: str, words: Iterable[str | None], parameters: Iterable[str] | No
     elif mark in ("stops", "changes"):
         if parameters is None:
             yield f"{mark} marks a function"
-        elif mark == "changes" and not given:
-            yield "changes names no parameter"
         known = set(parameters or ())
         for word in given if parameters is not None else ():
             if word not in known:

@@ -131,6 +131,8 @@ class _Reader:
                 self._tell(each.lineno, ("pure takes no words",))
             elif not is_call and name in _NEEDING_WORDS:
                 self._tell(each.lineno, (f"{name} needs words: @{name}(…)",))
+            elif name == "changes" and not words:
+                self._tell(each.lineno, ("changes names no parameter",))
             else:
                 self._tell(each.lineno, wrong(name, words, parameters))
             said[name] = (*said.get(name, ()), *(w for w in words if w is not None))

@@ -3,6 +3,21 @@
 
 namespace [[rosward::pure]] std
 {
+class ofstream
+{
+  [[rosward::sink("file")]] auto write();
+  [[rosward::sink("file")]] auto put();
+};
+class ifstream
+{
+  [[rosward::source("file"), rosward::changes]] auto read();
+  [[rosward::source("file"), rosward::changes]] auto readsome();
+  [[rosward::source("file"), rosward::changes]] auto get();
+  [[rosward::source("file"), rosward::changes]] auto getline();
+};
+[[rosward::source("stdin"), rosward::changes]] int scanf();
+[[rosward::source("file"), rosward::changes]] int fscanf();
+[[rosward::sink("file")]] int fputc();
 [[rosward::sink("stdout")]] int printf();
 [[rosward::sink("stdout")]] int puts();
 [[rosward::sink("stdout")]] int putchar();
@@ -12,10 +27,10 @@ namespace [[rosward::pure]] std
 [[rosward::sink("file")]] int remove();
 [[rosward::sink("file")]] int rename();
 namespace [[rosward::sink("file")]] filesystem {}
-[[rosward::source("file")]] size_t fread();
-[[rosward::source("file")]] char * fgets();
-[[rosward::sink("process")]] [[rosward::source("process")]] int system();
-[[rosward::sink("process")]] [[rosward::source("process")]] FILE * popen();
+[[rosward::source("file"), rosward::changes]] size_t fread();
+[[rosward::source("file"), rosward::changes]] char * fgets();
+[[rosward::sink("process"), rosward::source("process")]] int system();
+[[rosward::sink("process"), rosward::source("process")]] FILE * popen();
 [[rosward::sink("process")]] int execl();
 [[rosward::sink("process")]] int execlp();
 [[rosward::source("clock")]] time_t time();
