@@ -184,10 +184,14 @@ def test_a_wrong_attribute_is_told(tmp_path: Path) -> None:
 
 def test_a_wrong_mark_is_told_without_flow(tmp_path: Path) -> None:
     (tmp_path / "models").mkdir()
-    (tmp_path / "models" / "acme.pyi").write_text(STUB.replace('"device"', '"devices"', 1).replace("pure,", "pure, snik,"))
+    (tmp_path / "models" / "acme.pyi").write_text(
+        STUB.replace('"device"', '"devices"', 1).replace("pure,", "pure, snik,")
+    )
     (tmp_path / "a.py").write_text("import rclpy\n")
     result = rosward.extract(tmp_path / "a.py", models=[tmp_path / "models"])
-    told = [(f.message.partition(";")[0], f.place.file, f.place.line) for f in result.network.findings if f.code == "RW214"]
+    told = [
+        (f.message.partition(";")[0], f.place.file, f.place.line) for f in result.network.findings if f.code == "RW214"
+    ]
     assert told == [
         ("_rosward has no snik", "models:acme.pyi", 3),
         ("'devices' is no kind of sink", "models:acme.pyi", 7),
