@@ -204,6 +204,18 @@ CASES: Final = {
         "self.value",
         "control",
     ),
+    "a list that is extended where it stands": Case(
+        "self.items = [0.0]\nself.same = self.items", "self.items += [msg.data]", "self.same[-1]"
+    ),
+    "a view of an array": Case(
+        "self.grid = np.zeros(4)", "self.grid.reshape(2, 2)[0, 0] = msg.data", "self.grid.sum()"
+    ),
+    "a transposed view that is kept": Case(
+        "self.grid = np.zeros((2, 2)) * 2.0\nself.view = self.grid.T", "self.view[0] = msg.data", "self.grid[0][0]"
+    ),
+    "an array from memory": Case(
+        "self.grid = np.zeros(4)\nself.same = np.asarray(self.grid)", "self.same[0] = msg.data", "self.grid[0]"
+    ),
     "which of several lists": Case(
         "self.rows = [[], [0.0]]", "self.rows[0 if msg.data > 1.0 else 1].append(1.0)", "sum(self.rows[0])", "control"
     ),

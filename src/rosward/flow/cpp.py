@@ -33,7 +33,6 @@ from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops
 from rosward.ir.check import reads
-from rosward.ir.program import CPP
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -88,7 +87,7 @@ def _cell_slot(walker: Walker, op: cpp.CellSlot, body: Body, seen: Seen) -> None
 def _load_cell(walker: Walker, op: ops.LoadCell, body: Body, seen: Seen) -> None:
     """The value of a variable; of one that holds something that nobody knows, where it stands, for what is called on it."""
     straight.TABLE[ops.LoadCell](walker, op, body, seen)
-    if body.activation.code.language == CPP and seen.reasons and not seen.refs:
+    if seen.reasons and not seen.refs:
         places = frozenset[Root](("slot", cell, "value", "one") for cell in seen.cells)
         body.registers[op.dst] = body.registers[op.dst].joined(Mark(0, places))
 
@@ -244,9 +243,6 @@ def _methods(walker: Walker, owner: Mark, method: str, seen: Seen) -> tuple[str,
 
 def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     """`stream << value` among others."""
-    if body.activation.code.language != CPP:
-        straight.plain(walker, op, body, seen)
-        return
     left, right = body.registers[op.left], body.registers[op.right]
     held, other = value(walker, left), value(walker, right)
     kind = cpp_outside.stream(walker, held)
@@ -284,7 +280,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
 
 def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """What is computed: by an operator of a class, too."""
-    if body.activation.code.language != CPP or not is_busy(seen):
+    if not is_busy(seen):
         (straight.TABLE.get(op.__class__) or straight.plain)(walker, op, body, seen)
         return
     marks = [body.registers[r] for r in reads(op)]

@@ -27,7 +27,7 @@ from rosward.flow.said import wrong_marks
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
-from rosward.ir.program import CPP
+from rosward.ir.program import CPP, PYTHON
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
@@ -65,15 +65,16 @@ class Table(dict[type[ops.Op], Handler]):
 
 def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
     """Walk through a process that was interpreted while somebody watched."""
-    table = Table({**straight.TABLE, **blocks.TABLE, **cpp.TABLE})
+    both = {**straight.TABLE, **blocks.TABLE}
+    tables = {PYTHON: Table(both), CPP: Table({**both, **cpp.TABLE})}
     most = max(_LEAST, machine.precision.steps * _STEPS_EACH)
-    walker = Walker(watch, Shape(machine), table, most, machine.budget.watched)
+    walker = Walker(watch, Shape(machine), tables, most, machine.budget.watched)
     complete = not any(f.code == "RW201" for f in machine.log.findings)
     while True:
         try:
             complete = _settle(walker, machine) and complete
         except MeltedError:
-            before, walker = walker, Walker(watch, walker.shape.afresh(), table, most, walker.watched)
+            before, walker = walker, Walker(watch, walker.shape.afresh(), tables, most, walker.watched)
             before.close()
             continue
         except TooLongError:

@@ -53,11 +53,16 @@ class Walker:
     """Walks through one process. `memory` is where it is; `beside`: what all callbacks may have written."""
 
     def __init__(
-        self, watch: Watch, shape: Shape, table: Mapping[type[ops.Op], Handler], most: int, watched: frozenset[str]
+        self,
+        watch: Watch,
+        shape: Shape,
+        tables: Mapping[str, Mapping[type[ops.Op], Handler]],
+        most: int,
+        watched: frozenset[str],
     ) -> None:
         self.watch = watch
         self.shape = shape
-        self.table = table
+        self.tables = tables  # by language
         self.sources = Sources()
         self.sinks = Sinks()
         self.trail = shape.trail = Trail(self.place)
@@ -87,7 +92,8 @@ class Walker:
 
     def run(self, block: ops.Block, body: Body) -> bool:
         """Walk through a block; False where control does not come out at its end."""
-        table, shape, seen = self.table, self.shape, body.activation.seen
+        activation = body.activation
+        table, shape, seen = self.tables[activation.code.language], self.shape, activation.seen
         for op in block:
             known = seen.get(op.number)
             if known is None:
