@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.values import Function
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.outside import comes_in, out
-from rosward.flow.reading import owners_of
+from rosward.flow.reading import opaque, owners_of
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
@@ -123,7 +123,8 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
     if known and all(said.releases for said in known):
         return Mark(body.pc | given, frozenset((root,)))
     if known and all(said.is_known and not said.changes for said in known):
-        return Mark(mask | given, frozenset((root,)))
+        views = frozenset(r for m in everything for r in opaque(m) if r[0] == "made")  # `grid.reshape(2, 2)`
+        return Mark(mask | given, views | {root})
     reached: set[Root] = set()
     for mark in everything:
         reached.update(walker.memory.reached(mark))
