@@ -107,8 +107,7 @@ def raise_(walker: Walker, op: ops.Raise, body: Body, seen: Seen) -> bool:
         body.leaves += 1
         if op.src != ops.NO_REGISTER:
             raised = body.registers[op.src].under(body.pc)
-            attempt.raised = attempt.raised.joined(raised)
-            attempt.mask |= walker.memory.deep(raised)
+            attempt.raises(raised, walker.memory.deep(raised))
         attempt.mask |= body.pc
     run_callees(walker, op, body, seen)
     return False
@@ -276,7 +275,8 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
         if not seen.alive:
             return False
         walker.go(body, tried.point)
-    run_callees(walker, op, body, seen, ("__exit__", "__aexit__"))
+    raised = tried.raised.under(demoted(tried.mask))
+    run_callees(walker, op, body, seen, ("__exit__", "__aexit__"), told=raised)
     return seen.alive
 
 

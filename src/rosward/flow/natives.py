@@ -187,6 +187,14 @@ def _send_into(call: NativeCall) -> Mark:
     return Mark(call.pc | call.mark(0).mask)
 
 
+def _throw_into(call: NativeCall) -> Mark:
+    """`generator.throw(error)`, and `contextlib._end(generator, error)`."""
+    for activation in call.seen.callees:
+        for raised in call.marks[1:]:
+            call.walker.memory.write_any([("thrown", activation.code.key)], raised.under(call.pc))
+    return Mark(call.pc | call.mark(0).mask)
+
+
 def _arrives(call: NativeCall) -> Mark:
     """`_rosward.message(type, kind)`: something that somebody sent arrives here, to the object whose method this is."""
     kind = str(call.key(1) or "message")
@@ -219,6 +227,7 @@ def _identity(call: NativeCall) -> Mark:
 _METHODS: Final[dict[str, containers.Handler]] = {
     **containers.METHODS,
     "send": _send_into,
+    "throw": _throw_into,
     "close": _nothing,
 }
 _KNOWN: Final[dict[str, containers.Handler]] = {
@@ -243,5 +252,6 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
     "collections._fill": fill,
+    "contextlib._end": _throw_into,
     "_rosward.message": _arrives,
 }

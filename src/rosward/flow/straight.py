@@ -16,7 +16,7 @@ from rosward.flow.calls import call, run_callees
 from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
+from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
 from rosward.ir import ops
 from rosward.ir.check import reads, writes
 
@@ -38,7 +38,7 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
         mask |= given.mask
-        roots |= opaque(given)
+        roots |= leads(seen, given)
     for register in writes(op):
         body.registers[register] = Mark(mask, roots)
 
@@ -72,7 +72,7 @@ def _assume(_walker: Walker, op: ops.Assume, body: Body, _seen: Seen) -> None:
 
 def _load_cell(walker: Walker, op: ops.LoadCell, body: Body, seen: Seen) -> None:
     found = walker.memory.read(seen.cells, "value")
-    body.registers[op.dst] = Mark(found.mask | body.pc, frozenset(seen.refs) | opaque(found))
+    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found))
 
 
 def _store_cell(walker: Walker, op: ops.StoreCell, body: Body, seen: Seen) -> None:
@@ -82,7 +82,7 @@ def _store_cell(walker: Walker, op: ops.StoreCell, body: Body, seen: Seen) -> No
 def _load_global(walker: Walker, op: ops.LoadGlobal, body: Body, seen: Seen) -> None:
     found = walker.memory.read((body.activation.module,), op.name)
     named = external(walker, seen)
-    body.registers[op.dst] = Mark(found.mask | body.pc, frozenset(seen.refs) | opaque(found) | named)
+    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found) | named)
 
 
 def _store_global(walker: Walker, op: ops.StoreGlobal, body: Body, _seen: Seen) -> None:
@@ -123,9 +123,9 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         else:
             found = Mark(found.mask, found.roots | {part_of(root, op.name)})
         mask |= found.mask
-        roots |= opaque(found)
+        roots |= leads(seen, found)
     if given is not None:
-        mask, roots = mask | given.mask, roots | opaque(given)
+        mask, roots = mask | given.mask, roots | leads(seen, given)
     if not owner.roots or any(op.name not in memory.of(r).slots for r in owner.roots):
         mask |= arising(walker, seen, read=True)  # what was written here, is known
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
@@ -155,13 +155,13 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
     given = run_callees(walker, op, body, seen)
     key = constant(seen, op.index)
     found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
-    roots = frozenset(seen.refs) | opaque(found)
+    roots = leads(seen, found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
     mask = owner.mask | index.mask | found.mask | body.pc
     if _SLICE in index.roots:
         mask |= walker.memory.size(owner.roots)
     if given is not None:
-        mask, roots = mask | given.mask, roots | opaque(given)
+        mask, roots = mask | given.mask, roots | leads(seen, given)
     body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
 
 
@@ -249,7 +249,8 @@ def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
             found = walker.memory.read_all(source.roots)
         if given is not None:
             found = found.joined(given)
-        roots = opaque(found) | frozenset(seen.parts.get(number, seen.refs))
+        roots = found.roots if seen.opaque else opaque(found)
+        roots |= frozenset(seen.parts.get(number, seen.refs))
         roots |= frozenset(r for r in source.roots if not isinstance(r, int) and r[0] != "tuple")
         body.registers[register] = Mark(found.mask | source.mask | body.pc, roots)
 
@@ -269,10 +270,13 @@ def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
         value = elements(walker, value).under(body.pc)
         given = run_callees(walker, op, body, seen)
         value = value if given is None else value.joined(given)
-    generator: Root = ("generator", body.activation.code.key)
-    walker.memory.write_any([generator], value)
-    sent = walker.memory.of(("sent", body.activation.code.key)).any
-    body.registers[op.dst] = sent.under(body.pc)
+    key = body.activation.code.key
+    walker.memory.write_any([("generator", key)], value)
+    thrown = walker.memory.of(("thrown", key)).any
+    if walker.attempts and thrown != NOTHING:
+        walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))
+    given = walker.memory.of(("sent", key)).any.under(body.pc)
+    body.registers[op.dst] = given.joined(value) if op.many else given  # `yield from` gives what the other one returns
 
 
 def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
@@ -284,7 +288,7 @@ def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
             given = found if given is None else given.joined(found)
     if given is None:
         given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
-    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, frozenset(seen.refs) | opaque(given))
+    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
 
 
 def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> None:
@@ -297,7 +301,7 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         )
     elif op.name == "getattr":
         found = walker.memory.read_all(registers[0].roots)
-        body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, frozenset(seen.refs) | opaque(found))
+        body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, leads(seen, found))
         return
     elif op.name in ("isinstance", "hasattr", "is_sequence", "is_mapping", "length_is", "length_at_least"):
         mask = body.pc | registers[0].mask | walker.memory.size(registers[0].roots)
