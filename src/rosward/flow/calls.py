@@ -290,7 +290,9 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         result = result.joined(computed)
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
-    roots = leads(seen, result) | frozenset(("external", name) for name in seen.externals)
+    roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(
+        ("external", name) for name in seen.externals
+    )
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))

@@ -229,7 +229,7 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
 def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     """`stream << value` among others."""
     if body.activation.code.language != CPP:
-        straight.plain(walker, op, body, seen)
+        straight.TABLE[ops.Binary](walker, op, body, seen)
         return
     left, right = body.registers[op.left], body.registers[op.right]
     held, other = value(walker, left), value(walker, right)

@@ -39,8 +39,11 @@ def owners_of(mark: Mark) -> frozenset[Root]:
 
 
 def elements(walker: Walker, mark: Mark) -> Mark:
-    """What iterating over a value gives."""
+    """What iterating over a value gives; of an iterator, it is used up."""
     found = NOTHING
+    used = [r for r in mark.roots if walker.shape.is_iterator(r)]
+    if used:
+        walker.memory.take_out(used, walker.bodies[-1].pc)
     for root in mark.roots:
         if not isinstance(root, int) and root[0] == "generator":
             found = found.joined(run(walker, root, mark.mask))

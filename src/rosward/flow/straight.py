@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.unknown import Cause
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
-from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
@@ -45,12 +44,12 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
 
 def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
-    operands = [body.registers[register] for register in reads(op)]
+    operands = [body.registers[register] for register in reads(op)]  # one of them may be where the result stands
     plain(walker, op, body, seen)
     found = body.registers[op.dst]
     if getattr(op, "inplace", False):
-        left = body.registers[op.left]
-        walker.memory.write_any(left.roots, found, found.mask)
+        left = operands[0]
+        walker.memory.write_any(left.roots, Mark(found.mask, found.roots - left.roots), found.mask)
         body.registers[op.dst] = Mark(found.mask, found.roots | left.roots)
     elif any(opaque(mark) for mark in operands):
         root = walker.shape.made(body.activation, op.number)
@@ -110,7 +109,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
     for root in owner.roots:
         content = memory.of(root)
-        found = content.read(op.name)
+        found = content.read(op.name).under(content.slots.get("__class__", NOTHING).mask)
         if op.name not in content.slots and any(shape.part(root, op.name) == r for r in seen.refs):
             found = content.any  # which part of a message it is, the message does not say
         if isinstance(root, int):
@@ -157,7 +156,7 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
     found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
     roots = leads(seen, found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
-    mask = owner.mask | index.mask | found.mask | body.pc
+    mask = owner.mask | walker.memory.deep(index) | found.mask | body.pc
     if _SLICE in index.roots:
         mask |= walker.memory.size(owner.roots)
     if given is not None:
@@ -170,12 +169,13 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
         return
     owner, index, value = (body.registers[r] for r in (op.obj, op.index, op.src))
     run_callees(walker, op, body, seen)
+    index = index.under(walker.memory.deep(index))
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
     key = constant(seen, op.index)
     if _SLICE in index.roots:
         mask = body.pc | demoted(owner.mask) | index.mask
         size = mask | value.mask | walker.memory.size(value.roots)
-        taken_out(walker.memory, owner.roots, mask)
+        walker.memory.take_out(owner.roots, mask)
         walker.memory.write_any(owner.roots, elements(walker, written), size)
     elif key is None:
         walker.memory.write_any(owner.roots, written, index.mask | body.pc | demoted(owner.mask))
@@ -200,7 +200,7 @@ def _delete(walker: Walker, op: ops.Delete, body: Body, seen: Seen) -> None:
         walker.memory.write(owner.roots, key, Mark(mask))
         walker.memory.write_any(owner.roots, NOTHING, mask)
     else:
-        taken_out(walker.memory, owner.roots, mask)
+        walker.memory.take_out(owner.roots, mask)
 
 
 def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
