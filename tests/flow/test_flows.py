@@ -18,6 +18,7 @@ from rosward.ros.flows import STRENGTHS
 from .reported import reported, said_of
 
 _PROGRAM: Final = """
+import contextlib
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
@@ -26,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 import rclpy
 from rclpy.node import Node
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.parameter import Parameter
 from std_msgs.msg import Float64
 
@@ -57,6 +59,35 @@ def masked(limit):
     return values.sum()
 
 
+class Swallows:
+    def __init__(self, robot):
+        self.robot = robot
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        self.robot.value = error.args[0]
+        return True
+
+
+class Switch:
+    on = False
+
+    def __bool__(self):
+        return self.on
+
+
+class Index:
+    at = 0
+
+    def __index__(self):
+        return self.at
+
+
+LEVEL = 0.0
+
+
 class Robot(Node):
     def __init__(self):
         super().__init__('robot')
@@ -76,6 +107,34 @@ class Robot(Node):
 
     def say2(self, value, other, arrived):
         self.out.publish(Float64(data=value + other))
+
+    def judge(self, parameters):
+        return SetParametersResult(successful=self.value)
+
+    def take(self, parameters):
+        self.value = parameters[0].value
+
+    def errors(self):
+        last = 0.0
+        while True:
+            try:
+                yield last
+            except ValueError as error:
+                last = error.args[0]
+
+    def inner(self, value):
+        yield 1.0
+        return value
+
+    def outer(self, value):
+        self.value = yield from self.inner(value)
+
+    @contextlib.contextmanager
+    def caught(self):
+        try:
+            yield
+        except ValueError as error:
+            self.value = error.args[0]
 
     def on_in(self, msg):
 {does}
@@ -223,6 +282,103 @@ CASES: Final = {
         "self.tables = [{'a': 0.0}, {'a': 1.0}]",
         "self.tables[0 if msg.data > 1.0 else 1]['a'] = 5.0",
         "self.tables[0]['a']",
+        "control",
+    ),
+    "an error that is thrown into a generator": Case(
+        "self.steps = self.errors()\nnext(self.steps)",
+        "self.steps.throw(ValueError(msg.data))",
+        "next(self.steps)",
+    ),
+    "what a generator returns to another one": Case(
+        "self.value = 0.0", "for _ in self.outer(msg.data):\n    pass", "self.value"
+    ),
+    "an error that a context swallows": Case(
+        "self.value = 0.0", "with Swallows(self):\n    raise ValueError(msg.data)", "self.value"
+    ),
+    "an error that the generator of a context catches": Case(
+        "self.value = 0.0", "with self.caught():\n    raise ValueError(msg.data)", "self.value"
+    ),
+    "an iterator that is advanced at times": Case(
+        "self.steps = iter(range(100))", "if msg.data > 1.0:\n    next(self.steps)", "next(self.steps)", "control"
+    ),
+    "an iterator that a loop leaves": Case(
+        "self.steps = iter(range(100))",
+        "for step in self.steps:\n    if step > msg.data:\n        break",
+        "next(self.steps, 0)",
+        "control",
+    ),
+    "a cycle that is advanced at times": Case(
+        "self.steps = itertools.cycle([1.0, 2.0])",
+        "if msg.data > 1.0:\n    next(self.steps)",
+        "next(self.steps)",
+        "control",
+    ),
+    "an attribute set past the class": Case(
+        "self.value = Shared()", "object.__setattr__(self.value, 'total', msg.data)", "self.value.total"
+    ),
+    "an attribute set by its own method": Case(
+        "self.value = Shared()", "self.value.__setattr__('total', msg.data)", "self.value.total"
+    ),
+    "an attribute that is deleted at times": Case(
+        "self.value = Shared()",
+        "self.value.total = 1.0\nif msg.data > 1.0:\n    delattr(self.value, 'total')",
+        "self.value.total",
+        "control",
+    ),
+    "attributes of a thread": Case(
+        "self.value = threading.local()\nself.value.total = 0.0", "self.value.total = msg.data", "self.value.total"
+    ),
+    "the attributes of an object, updated": Case("self.value = 0.0", "vars(self).update(value=msg.data)", "self.value"),
+    "the dictionary of an object, updated": Case(
+        "self.value = 0.0", "self.__dict__.update({'value': msg.data})", "self.value"
+    ),
+    "the variables of a module": Case("", "globals()['LEVEL'] = msg.data", "LEVEL"),
+    "an element set by its method": Case("self.items = [0.0]", "self.items.__setitem__(0, msg.data)", "self.items[0]"),
+    "an element deleted by its method": Case(
+        "self.items = [0.0, 1.0]", "if msg.data > 1.0:\n    self.items.__delitem__(0)", "len(self.items)", "control"
+    ),
+    "a set that is changed by another one": Case(
+        "self.items = {0.0}", "self.items.symmetric_difference_update({msg.data})", "len(self.items)"
+    ),
+    "a set of what is in both": Case(
+        "self.items = {0.0}", "self.items.intersection_update({msg.data})", "len(self.items)"
+    ),
+    "what += changes by another name": Case(
+        "self.items = [0.0]", "items = self.items\nitems += [msg.data]", "self.items[-1]"
+    ),
+    "what += changes in a function": Case(
+        "self.items = [0.0]", "operator.iadd(self.items, [msg.data])", "self.items[-1]"
+    ),
+    "bytes in a slice": Case("self.raw = bytearray(b'a')", "self.raw[0:1] = bytes([int(msg.data)])", "self.raw[0]"),
+    "an object that says whether it is true": Case(
+        "self.value = Switch()", "self.value.on = msg.data > 1.0", "1.0 if self.value else 2.0", "control"
+    ),
+    "an object that is an index": Case(
+        "self.value = Index()", "self.value.at = int(msg.data)", "[1.0, 2.0][self.value]"
+    ),
+    "a list of indices": Case("", _SEND.format("numpy.arange(9.0)[[int(msg.data)]][0]"), "0.0"),
+    "what a library gives that nobody knows": Case(
+        "self.value = Shared()", "wrapping.wrap(self.value).total = msg.data", "self.value.total"
+    ),
+    "an element of what a library gives": Case(
+        "self.items = [Shared()]",
+        "for each in wrapping.wrap(self.items):\n    each.total = msg.data",
+        "self.items[0].total",
+    ),
+    "what decides whether a parameter is set": Case(
+        "self.value = True\nself.declare_parameter('gain', 1.0)\nself.add_on_set_parameters_callback(self.judge)",
+        "self.value = msg.data > 1.0",
+        "self.set_parameters([Parameter('gain', value=2.0)])[0].successful",
+    ),
+    "a callback behind the setting of a parameter": Case(
+        "self.value = 0.0\nself.declare_parameter('gain', 1.0)\nself.add_post_set_parameters_callback(self.take)",
+        "self.set_parameters([Parameter('gain', value=msg.data)])",
+        "self.value",
+    ),
+    "whether a timer goes on": Case(
+        "self.other = self.create_timer(1.0, self.tick)",
+        "if msg.data > 1.0:\n    self.other.cancel()",
+        "self.other.is_canceled()",
         "control",
     ),
 }

@@ -228,6 +228,7 @@ class Robot(Node):
         self.hidden = 0.0
         self.cell, self.change_cell = cell(0.0)
         self.jobs = queue.Queue()
+        self.steps = iter([1.0, 2.0])
         self.declare_parameter('gain', 2.0)
         self.declare_parameter('mode', False)
         self.f0 = self.create_publisher(Float64, '/f0', 10)
@@ -305,6 +306,27 @@ class Robot(Node):
             yield self.n2
         finally:
             self.n2 = before
+
+    @contextlib.contextmanager
+    def caught(self, name):
+        try:
+            yield
+        except Refused as refused:
+            setattr(self, name, refused.value)
+
+    def keeping(self):
+        try:
+            yield 0.0
+        except Refused as refused:
+            self.n1 = refused.value
+            yield 1.0
+
+    def halved(self, p):
+        yield p
+        return p * 0.5
+
+    def passing(self, p):
+        self.n0 = yield from self.halved(p)
 
     def risky(self, p):
         if p > 1.0:

@@ -35,11 +35,12 @@ def _runs(block: ops.Block, body: Body) -> bool:
     return not block or block[0].number in body.activation.seen
 
 
-def _asked(walker: Walker, test: int, body: Body, seen: Seen) -> int:
-    """What an object of C++ says of itself that is a condition (`operator bool`)."""
-    if not seen.bound:
-        return 0
-    given = cpp_calls.callees(walker, body, seen, body.registers[test])
+def _asked(walker: Walker, op: ops.If | ops.While, body: Body, seen: Seen) -> int:
+    """What an object says of itself that is a condition (`__bool__`, `operator bool`)."""
+    if seen.bound:
+        given = cpp_calls.callees(walker, body, seen, body.registers[op.test])
+    else:
+        given = run_callees(walker, op, body, seen)
     return 0 if given is None else demoted(given.mask)
 
 
@@ -49,7 +50,7 @@ def branch(walker: Walker, op: ops.If, body: Body, seen: Seen) -> bool:
     if then != other:
         return walker.run(op.then if then else op.orelse, body)
     outside, leaves, turns = body.pc, body.leaves, body.turns
-    inside = outside | decides(walker, body.registers[op.test]) | _asked(walker, op.test, body, seen)
+    inside = outside | decides(walker, body.registers[op.test]) | _asked(walker, op, body, seen)
     before = walker.point(body)
     name = body.tests.get(op.test, "")
     about = name in walker.shape.parameters
@@ -107,8 +108,7 @@ def raise_(walker: Walker, op: ops.Raise, body: Body, seen: Seen) -> bool:
         body.leaves += 1
         if op.src != ops.NO_REGISTER:
             raised = body.registers[op.src].under(body.pc)
-            attempt.raised = attempt.raised.joined(raised)
-            attempt.mask |= walker.memory.deep(raised)
+            attempt.raises(raised, walker.memory.deep(raised))
         attempt.mask |= body.pc
     run_callees(walker, op, body, seen)
     return False
@@ -125,7 +125,7 @@ def loop(walker: Walker, op: ops.While, body: Body, seen: Seen) -> bool:
         return walker.run(op.condition, body)
 
     def test() -> int:
-        return decides(walker, body.registers[op.test]) | _asked(walker, op.test, body, seen)
+        return decides(walker, body.registers[op.test]) | _asked(walker, op, body, seen)
 
     return _turns(walker, op, body, begin, test)
 
@@ -282,7 +282,8 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
         if not seen.alive:
             return False
         walker.go(body, tried.point)
-    run_callees(walker, op, body, seen, ("__exit__", "__aexit__"))
+    raised = tried.raised.under(demoted(tried.mask))
+    run_callees(walker, op, body, seen, ("__exit__", "__aexit__"), told=raised)
     return seen.alive
 
 

@@ -64,6 +64,11 @@ class Attempt:
         self.mask = 0  # of all that the body reads
         self.raised = NOTHING  # what it raises itself
 
+    def raises(self, raised: Mark, mask: int) -> None:
+        """The body raises this itself; `mask`: with all that it leads to."""
+        self.raised = self.raised.joined(raised)
+        self.mask |= mask
+
     def end(self, memory: Memory) -> None:
         """The body has come to its end, or left: a handler may find whatever was written in it."""
         memory.log = self.outer

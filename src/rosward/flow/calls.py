@@ -25,7 +25,7 @@ from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.partials import bound_in
-from rosward.flow.reading import arising
+from rosward.flow.reading import arising, leads
 from rosward.flow.released import callees, released
 from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
@@ -39,9 +39,12 @@ if TYPE_CHECKING:
 
 
 def run_callees(
-    walker: Walker, op: ops.Op, body: Body, seen: Seen, names: tuple[str, ...] = (), pc: int = 0
+    walker: Walker, op: ops.Op, body: Body, seen: Seen, names: tuple[str, ...] = (), pc: int = 0, told: Mark = NOTHING
 ) -> Mark | None:
-    """Walk through the bodies that an operation runs; what they return, None where it runs none. `names`: those of that name only."""
+    """Walk through the bodies that an operation runs; what they return, None where it runs none.
+
+    `names`: those of that name only; `told`: what stands in no register and each of their arguments behind the receiver may be.
+    """
     if not (seen.callees or seen.summaries or seen.calls):
         return None
     waiting = walker.bodies_of(seen)
@@ -55,6 +58,8 @@ def run_callees(
         if names and code.name not in names:
             continue
         marks = _all_bound(walker, op, body, several)
+        if told != NOTHING:
+            marks = [[*m[:1], *(each.joined(told) for each in m[1:])] for m in marks]
         if code.is_generator or code.is_coroutine:
             keep_arguments(walker, key, marks[0])
             made = Mark(inside, frozenset((("generator", key),)))
@@ -257,8 +262,9 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         result = result.joined(computed)
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
-    roots = frozenset(seen.refs) | frozenset(r for r in result.roots if not isinstance(r, int))
-    roots |= frozenset(("external", name) for name in seen.externals)
+    roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(
+        ("external", name) for name in seen.externals
+    )
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))

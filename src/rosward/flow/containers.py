@@ -8,7 +8,7 @@ copy.deepcopy(state)         a new object that holds the same; changing it chang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 from rosward.flow.content import Content
@@ -17,7 +17,7 @@ from rosward.flow.native_call import NativeCall
 from rosward.flow.reading import elements, opaque
 
 if TYPE_CHECKING:
-    from rosward.flow.memory import Memory
+    pass
 
 Handler = Callable[[NativeCall], Mark]
 """What a native gives, and what it writes."""
@@ -61,17 +61,11 @@ def _is_keyed(call: NativeCall, mark: Mark) -> bool:
     )
 
 
-def taken_out(memory: Memory, roots: Iterable[Root], mask: int) -> None:
-    """An element is gone: what stands where, and how many there are, depends on this."""
-    memory.collapse(roots)
-    memory.write_any(roots, Mark(mask), mask)
-
-
 def _take(call: NativeCall) -> Mark:
     """An element is taken out."""
     memory, owner = call.walker.memory, call.mark(0)
     found = memory.read_all(owner.roots)
-    taken_out(memory, owner.roots, call.pc | call.mark(1).mask)
+    memory.take_out(owner.roots, call.pc | call.mark(1).mask)
     for each in call.marks[1:]:
         found = found.joined(each)
     return found.under(call.pc | owner.mask | memory.size(owner.roots))
@@ -110,7 +104,7 @@ def _clear(call: NativeCall) -> Mark:
 def _remove(call: NativeCall) -> Mark:
     """Which one is removed depends on all, and on what is looked for."""
     memory, owner = call.walker.memory, call.mark(0)
-    taken_out(memory, owner.roots, call.pc | memory.deep(owner) | memory.deep(call.mark(1)))
+    memory.take_out(owner.roots, call.pc | memory.deep(owner) | memory.deep(call.mark(1)))
     return Mark(call.pc)
 
 
@@ -227,6 +221,14 @@ def _one_element(call: NativeCall) -> Mark:
     return found.under(call.pc | call.walker.memory.size(call.mark(0).roots))
 
 
+def _next(call: NativeCall) -> Mark:
+    """The next element, which is used up: what comes next depends on what decides that control is here."""
+    shape, found = call.walker.shape, _one_element(call)
+    kept = [r for r in call.mark(0).roots if not isinstance(r, int) or ((o := shape.record(r)) and o.kind == "list")]
+    call.walker.memory.take_out(kept, call.pc)
+    return found
+
+
 def _extreme(call: NativeCall) -> Mark:
     """The largest of them depends on all."""
     mask, roots = call.pc, frozenset[Root]()
@@ -247,6 +249,31 @@ def _size(call: NativeCall) -> Mark:
     return Mark(mask)
 
 
+def change(call: NativeCall) -> Mark:
+    """Any other method: what it is given may be anywhere in the container, and what stands there may have gone, or be given."""
+    memory, owner, mask = call.walker.memory, call.mark(0), call.pc
+    roots = frozenset[Root]()
+    for mark in call.marks:
+        mask |= memory.deep(mark)
+        roots |= elements(call.walker, mark).roots
+    for mark in call.marks[1:]:
+        roots |= mark.roots
+    memory.take_out(owner.roots, mask)
+    memory.write_any(owner.roots, Mark(mask, roots), mask)
+    return Mark(mask, roots | owner.roots)
+
+
+READING: Final = frozenset(
+    (
+        *("__contains__", "__eq__", "__ne__", "__lt__", "__le__", "__gt__", "__ge__", "__add__", "__radd__", "__mul__"),
+        *("__rmul__", "__and__", "__or__", "__xor__", "__sub__", "__rand__", "__ror__", "__rxor__", "__rsub__"),
+        *("__iter__", "__reversed__", "__str__", "__repr__", "__format__", "__hash__", "__bool__", "__class_getitem__"),
+        *("__sizeof__", "count", "index", "isdisjoint", "issubset", "issuperset", "symmetric_difference", "fromkeys"),
+        *("__new__", "__copy__", "send", "throw", "close"),
+    )
+)
+"""The methods of containers that write nothing, and are none of `METHODS`."""
+
 METHODS: Final[dict[str, Handler]] = {
     **dict.fromkeys(("append", "add", "appendleft"), _add),
     "insert": _insert,
@@ -259,7 +286,7 @@ METHODS: Final[dict[str, Handler]] = {
     **dict.fromkeys(("remove", "discard"), _remove),
     "copy": _copy,
     **dict.fromkeys(("values", "items", "keys", "union", "intersection", "difference"), _all_elements),
-    **dict.fromkeys(("__next__",), _one_element),
+    **dict.fromkeys(("__next__",), _next),
     "__len__": _size,
 }
 """The methods of containers."""
@@ -277,7 +304,8 @@ KNOWN: Final[dict[str, Handler]] = {
     "dict": _dict,
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
-    **dict.fromkeys(("next", "queue._any", "random.choice"), _one_element),
+    **dict.fromkeys(("queue._any", "random.choice"), _one_element),
+    "next": _next,
     **dict.fromkeys(("max", "min", "sum"), _extreme),
     "len": _size,
 }

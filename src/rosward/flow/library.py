@@ -60,6 +60,8 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
     for number, mark in enumerate(marks):
         roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
         mask |= walker.memory.deep(Mark(mark.mask, roots))
+    for root in marks[0].roots if marks else ():
+        mask |= walker.stopped.get(root, 0)  # whether it goes on
     given = perform(walker, name, mask, body.pc)
     said = walker.shape.said(name)
     for parameter in said.stops:

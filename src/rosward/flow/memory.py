@@ -10,7 +10,7 @@ another object (`msg.header`) has the base of that attribute until it is written
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Final, final
 
 from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, TooLongError, both
@@ -269,6 +269,11 @@ class Memory:
             content = self.of(root) if not is_slot(root) else EMPTY
             if content.slots:
                 self._put(root, content._replace(any=content.whole, slots=NO_SLOTS))
+
+    def take_out(self, roots: Collection[Root], mask: int) -> None:
+        """An element is gone: what stands where, and how many there are, depends on this."""
+        self.collapse(roots)
+        self.write_any(roots, Mark(mask), mask)
 
     def place(self, root: Root, content: Content) -> None:
         """A new object stands here; beside an older one, where there may be several."""

@@ -49,16 +49,17 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
     if isinstance(callee, BoundMethod):
         assert isinstance(callee.function, Native)
         name = callee.function.name
-        receiver = _receiver(seen, callee, function)
+        receiver = _receiver(walker, seen, callee, function)
         return _native(NativeCall(walker, op, body, seen, name, [receiver, *marks], registers, receiver))
     assert isinstance(callee, Native)
     return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
 
 
-def _receiver(seen: Seen, callee: BoundMethod, function: Mark) -> Mark:
+def _receiver(walker: Walker, seen: Seen, callee: BoundMethod, function: Mark) -> Mark:
     """What a method is bound to: one of several objects, where it was seen to be bound to several."""
     roots = {r for f in seen.functions for r in receivers_of(f, callee.function)}
-    return Mark(function.mask, frozenset(roots) | frozenset(refs_of(callee.receiver)) | owners_of(function))
+    roots.update(refs_of(callee.receiver))
+    return Mark(function.mask, frozenset(map(walker.shape.owner, roots)) | owners_of(function))
 
 
 def receivers_of(value: Value, function: Value) -> Iterator[int]:
@@ -86,7 +87,8 @@ def _native(call: NativeCall) -> Mark:
     done = _KNOWN.get(name)
     if done is None:
         kind, _, method = name.rpartition(".")
-        done = _METHODS.get(method) if kind in containers.CONTAINERS else None
+        if kind in containers.CONTAINERS:
+            done = _METHODS.get(method) or (None if method in containers.READING else containers.change)
     mask = call.pc
     for mark in call.marks:
         mask |= call.walker.memory.deep(mark)
@@ -130,6 +132,22 @@ def _set_attribute(call: NativeCall) -> Mark:
         memory.write(owner.roots, key, written)
     else:
         memory.write_any(owner.roots, written, call.pc)
+    return Mark(call.pc)
+
+
+def _object_attribute(call: NativeCall) -> Mark:
+    """`object.__getattribute__(self, name)`, `object.__setattr__(self, name, value)` and the like, bound or not."""
+    memory, owner, (name, *value) = call.walker.memory, call.mark(0), call.marks[1:] or [NOTHING]
+    key = call.key(len(call.registers) - len(value) - 1)
+    mask = call.pc | name.mask | demoted(owner.mask)
+    if call.name.endswith("__getattribute__"):
+        found = memory.read(owner.roots, key) if isinstance(key, str) else memory.read_all(owner.roots)
+        return found.under(mask | owner.mask)
+    written = value[0].under(mask) if value else Mark(mask)
+    if isinstance(key, str):
+        memory.write(owner.roots, key, written)
+    else:
+        memory.write_any(owner.roots, written, mask)
     return Mark(call.pc)
 
 
@@ -187,6 +205,14 @@ def _send_into(call: NativeCall) -> Mark:
     return Mark(call.pc | call.mark(0).mask)
 
 
+def _throw_into(call: NativeCall) -> Mark:
+    """`generator.throw(error)`, and `contextlib._end(generator, error)`."""
+    for activation in call.seen.callees:
+        for raised in call.marks[1:]:
+            call.walker.memory.write_any([("thrown", activation.code.key)], raised.under(call.pc))
+    return Mark(call.pc | call.mark(0).mask)
+
+
 def _arrives(call: NativeCall) -> Mark:
     """`_rosward.message(type, kind)`: something that somebody sent arrives here, to the object whose method this is."""
     kind = str(call.key(1) or "message")
@@ -219,6 +245,7 @@ def _identity(call: NativeCall) -> Mark:
 _METHODS: Final[dict[str, containers.Handler]] = {
     **containers.METHODS,
     "send": _send_into,
+    "throw": _throw_into,
     "close": _nothing,
 }
 _KNOWN: Final[dict[str, containers.Handler]] = {
@@ -226,6 +253,9 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(("isinstance", "issubclass", "type", "id", "callable", "hasattr", "super", "object"), _identity),
     "getattr": _get_attribute,
     "setattr": _set_attribute,
+    **dict.fromkeys(
+        ("delattr", "object.__getattribute__", "object.__setattr__", "object.__delattr__"), _object_attribute
+    ),
     **dict.fromkeys(("_rosward.either", "_rosward.default", "_rosward.awaited", "vars"), _pass),
     **dict.fromkeys(
         (
@@ -244,5 +274,6 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
     "functools.partial": partials.make,
     "collections._fill": fill,
+    "contextlib._end": _throw_into,
     "_rosward.message": _arrives,
 }

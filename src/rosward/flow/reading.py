@@ -20,6 +20,11 @@ def opaque(mark: Mark) -> frozenset[tuple[object, ...]]:
     return frozenset(r for r in mark.roots if not isinstance(r, int))
 
 
+def leads(seen: Seen, mark: Mark) -> frozenset[Root]:
+    """Where a result leads: to the objects that it was seen to be; where nobody knows what it is, to any that flows there."""
+    return frozenset(seen.refs) | (mark.roots if seen.opaque else opaque(mark))
+
+
 def owners_of(mark: Mark) -> frozenset[Root]:
     """The objects without address that a method belongs to: whose attribute it is, or which its attributes are not told apart from."""
     found: set[Root] = set()
@@ -34,8 +39,11 @@ def owners_of(mark: Mark) -> frozenset[Root]:
 
 
 def elements(walker: Walker, mark: Mark) -> Mark:
-    """What iterating over a value gives."""
+    """What iterating over a value gives; of an iterator, it is used up."""
     found = NOTHING
+    used = [r for r in mark.roots if walker.shape.is_iterator(r)]
+    if used:
+        walker.memory.take_out(used, walker.bodies[-1].pc)
     for root in mark.roots:
         if not isinstance(root, int) and root[0] == "generator":
             found = found.joined(run(walker, root, mark.mask))

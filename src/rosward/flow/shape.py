@@ -15,6 +15,7 @@ from rosward.flow.marks import Root
 from rosward.flow.remembered import Tracker
 from rosward.flow.said import marks_of
 from rosward.flow.trail import Trail
+from rosward.models.python.containers.lists import ITERATOR
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
@@ -106,6 +107,18 @@ class Shape:
     def record(self, address: int) -> Obj | None:
         """What stands at an address at the end."""
         return self._machine.state.heap.stands(address)
+
+    def is_iterator(self, root: Root) -> bool:
+        """Whether elements are used up where somebody goes through it."""
+        record = self.record(root) if isinstance(root, int) else None
+        return record is not None and record.kind == "list" and record.payload == ITERATOR
+
+    def owner(self, root: Root) -> Root:
+        """The object whose attributes a dict is (`vars(self)`, `globals()`); of all else, the object itself."""
+        record = self.record(root) if isinstance(root, int) else None
+        if record is None or record.kind != "dict" or not isinstance(record.payload, Ref):
+            return root
+        return record.payload.address
 
     def parts(self, address: int) -> Iterator[int]:
         """The objects that belong to an object, and to these."""

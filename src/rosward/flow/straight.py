@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING, Any, Final
 from rosward.domain.unknown import Cause
 from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
-from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
 from rosward.flow.library import name_of
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
+from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
 from rosward.ir import ops
 from rosward.ir.check import reads, writes
 
@@ -39,19 +38,19 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
         mask |= given.mask
-        roots |= opaque(given)
+        roots |= leads(seen, given)
     for register in writes(op):
         body.registers[register] = Mark(mask, roots)
 
 
 def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     """Arithmetic and comparisons: of objects of a library (arrays), they give a new one; `+=` may write to the one that is there."""
-    operands = [body.registers[register] for register in reads(op)]
+    operands = [body.registers[register] for register in reads(op)]  # one of them may be where the result stands
     plain(walker, op, body, seen)
     found = body.registers[op.dst]
     if getattr(op, "inplace", False):
-        left = body.registers[op.left]
-        walker.memory.write_any(left.roots, found, found.mask)
+        left = operands[0]
+        walker.memory.write_any(left.roots, Mark(found.mask, found.roots - left.roots), found.mask)
         body.registers[op.dst] = Mark(found.mask, found.roots | left.roots)
     elif any(opaque(mark) for mark in operands):
         root = walker.shape.made(body.activation, op.number)
@@ -73,7 +72,7 @@ def _assume(_walker: Walker, op: ops.Assume, body: Body, _seen: Seen) -> None:
 
 def _load_cell(walker: Walker, op: ops.LoadCell, body: Body, seen: Seen) -> None:
     found = walker.memory.read(seen.cells, "value")
-    body.registers[op.dst] = Mark(found.mask | body.pc, frozenset(seen.refs) | opaque(found))
+    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found))
 
 
 def _store_cell(walker: Walker, op: ops.StoreCell, body: Body, seen: Seen) -> None:
@@ -83,7 +82,7 @@ def _store_cell(walker: Walker, op: ops.StoreCell, body: Body, seen: Seen) -> No
 def _load_global(walker: Walker, op: ops.LoadGlobal, body: Body, seen: Seen) -> None:
     found = walker.memory.read((body.activation.module,), op.name)
     named = external(walker, seen)
-    body.registers[op.dst] = Mark(found.mask | body.pc, frozenset(seen.refs) | opaque(found) | named)
+    body.registers[op.dst] = Mark(found.mask | body.pc, leads(seen, found) | named)
 
 
 def _store_global(walker: Walker, op: ops.StoreGlobal, body: Body, _seen: Seen) -> None:
@@ -119,7 +118,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
     mask, roots = owner.mask | body.pc, set[Root](seen.refs)
     for root in owner.roots:
         content = memory.of(root)
-        found = content.read(op.name)
+        found = content.read(op.name).under(content.slots.get("__class__", NOTHING).mask)
         if op.name not in content.slots and any(shape.part(root, op.name) == r for r in seen.refs):
             found = content.any  # which part of a message it is, the message does not say
         if isinstance(root, int):
@@ -134,9 +133,9 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
         else:
             found = Mark(found.mask, found.roots | {part_of(root, op.name)})
         mask |= found.mask
-        roots |= opaque(found)
+        roots |= leads(seen, found)
     if given is not None:
-        mask, roots = mask | given.mask, roots | opaque(given)
+        mask, roots = mask | given.mask, roots | leads(seen, given)
     if not owner.roots or any(op.name not in memory.of(r).slots for r in owner.roots):
         mask |= arising(walker, seen, read=True)  # what was written here, is known
     if walker.narrowed:  # of the one parameter, what its value leads to is of no interest
@@ -166,13 +165,13 @@ def _load_item(walker: Walker, op: ops.LoadItem, body: Body, seen: Seen) -> None
     given = run_callees(walker, op, body, seen)
     key = constant(seen, op.index)
     found = walker.memory.read(owner.roots, key) if key is not None else walker.memory.read_all(owner.roots)
-    roots = frozenset(seen.refs) | opaque(found)
+    roots = leads(seen, found)
     roots |= frozenset(r for r in owner.roots if not isinstance(r, int) and r[0] != "tuple")  # a view of it
-    mask = owner.mask | index.mask | found.mask | body.pc
+    mask = owner.mask | walker.memory.deep(index) | found.mask | body.pc
     if _SLICE in index.roots:
         mask |= walker.memory.size(owner.roots)
     if given is not None:
-        mask, roots = mask | given.mask, roots | opaque(given)
+        mask, roots = mask | given.mask, roots | leads(seen, given)
     body.registers[op.dst] = Mark(mask | arising(walker, seen, read=True), roots)
 
 
@@ -181,12 +180,13 @@ def _store_item(walker: Walker, op: ops.StoreItem, body: Body, seen: Seen) -> No
         return
     owner, index, value = (body.registers[r] for r in (op.obj, op.index, op.src))
     run_callees(walker, op, body, seen)
+    index = index.under(walker.memory.deep(index))
     written = value.under(body.pc | demoted(owner.mask) | index.mask)
     key = constant(seen, op.index)
     if _SLICE in index.roots:
         mask = body.pc | demoted(owner.mask) | index.mask
         size = mask | value.mask | walker.memory.size(value.roots)
-        taken_out(walker.memory, owner.roots, mask)
+        walker.memory.take_out(owner.roots, mask)
         walker.memory.write_any(owner.roots, elements(walker, written), size)
     elif key is None:
         walker.memory.write_any(owner.roots, written, index.mask | body.pc | demoted(owner.mask))
@@ -211,7 +211,7 @@ def _delete(walker: Walker, op: ops.Delete, body: Body, seen: Seen) -> None:
         walker.memory.write(owner.roots, key, Mark(mask))
         walker.memory.write_any(owner.roots, NOTHING, mask)
     else:
-        taken_out(walker.memory, owner.roots, mask)
+        walker.memory.take_out(owner.roots, mask)
 
 
 def _build(walker: Walker, op: ops.Build, body: Body, seen: Seen) -> None:
@@ -260,7 +260,8 @@ def _unpack(walker: Walker, op: ops.Unpack, body: Body, seen: Seen) -> None:
             found = walker.memory.read_all(source.roots)
         if given is not None:
             found = found.joined(given)
-        roots = opaque(found) | frozenset(seen.parts.get(number, seen.refs))
+        roots = found.roots if seen.opaque else opaque(found)
+        roots |= frozenset(seen.parts.get(number, seen.refs))
         roots |= frozenset(r for r in source.roots if not isinstance(r, int) and r[0] != "tuple")
         body.registers[register] = Mark(found.mask | source.mask | body.pc, roots)
 
@@ -280,10 +281,13 @@ def _yield(walker: Walker, op: ops.Yield, body: Body, seen: Seen) -> None:
         value = elements(walker, value).under(body.pc)
         given = run_callees(walker, op, body, seen)
         value = value if given is None else value.joined(given)
-    generator: Root = ("generator", body.activation.code.key)
-    walker.memory.write_any([generator], value)
-    sent = walker.memory.of(("sent", body.activation.code.key)).any
-    body.registers[op.dst] = sent.under(body.pc)
+    key = body.activation.code.key
+    walker.memory.write_any([("generator", key)], value)
+    thrown = walker.memory.of(("thrown", key)).any
+    if walker.attempts and thrown != NOTHING:
+        walker.attempts[-1].raises(thrown, walker.memory.deep(thrown))
+    given = walker.memory.of(("sent", key)).any.under(body.pc)
+    body.registers[op.dst] = given.joined(value) if op.many else given  # `yield from` gives what the other one returns
 
 
 def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
@@ -295,7 +299,7 @@ def _await(walker: Walker, op: ops.Await, body: Body, seen: Seen) -> None:
             given = found if given is None else given.joined(found)
     if given is None:
         given = Mark(walker.memory.deep(awaited), frozenset(seen.refs))
-    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, frozenset(seen.refs) | opaque(given))
+    body.registers[op.dst] = Mark(given.mask | awaited.mask | body.pc, leads(seen, given))
 
 
 def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> None:
@@ -308,7 +312,7 @@ def _intrinsic(walker: Walker, op: ops.Intrinsic, body: Body, seen: Seen) -> Non
         )
     elif op.name == "getattr":
         found = walker.memory.read_all(registers[0].roots)
-        body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, frozenset(seen.refs) | opaque(found))
+        body.registers[op.dst] = Mark(found.mask | registers[0].mask | body.pc, leads(seen, found))
         return
     elif op.name in ("isinstance", "hasattr", "is_sequence", "is_mapping", "length_is", "length_at_least"):
         mask = body.pc | registers[0].mask | walker.memory.size(registers[0].roots)

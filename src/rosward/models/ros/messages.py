@@ -34,7 +34,7 @@ def message_of(machine: Machine, type_: Value, kind: str = "message", *, many: b
     return arrived(machine, External(f"{type_.name}.{part.capitalize()}") if part else type_, unknown, kind, many=many)
 
 
-_ONCE: Final = frozenset({"response", "result", "serialized message"})
+_ONCE: Final = frozenset({"response", "result", "outcome", "serialized message"})
 """What comes once for each call that asks for it; all else may come any number of times."""
 
 

@@ -117,6 +117,8 @@ class Node:
         "_waitables", "_wake_executor", "ParameterInput",
     )
     _rosward_pre = ()
+    _rosward_on = ()
+    _rosward_post = ()
     _rosward_lifecycle = False
     _rosward_lifecycle_services = True
 
@@ -326,17 +328,22 @@ class Node:
     def get_parameters_by_prefix(self, prefix) -> dict: ...
 
     def set_parameters(self, parameter_list):
-        results = []
-        for parameter in parameter_list:
-            for new in self._modified([parameter]):
-                self._set(new)
-            results.append(message(SetParametersResult, "result"))
-        return results
+        return [self._rosward_set_all([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list):
-        for new in self._modified(parameter_list):
+        return self._rosward_set_all(parameter_list)
+
+    def _rosward_set_all(self, parameters):
+        modified = self._modified(parameters)
+        for callback in self._rosward_on:
+            result = callback(modified)
+            if not result.successful:
+                return result
+        for new in modified:
             self._set(new)
-        return message(SetParametersResult, "result")
+        for callback in self._rosward_post:
+            callback(modified)
+        return message(SetParametersResult, "outcome")
 
     def _modified(self, parameters):
         if not self._rosward_pre:
@@ -363,9 +370,11 @@ class Node:
 
     def add_on_set_parameters_callback(self, callback):
         may_refuse(self)
+        self._rosward_on = (callback, *self._rosward_on)
         schedule(callback, _new_parameters(), event="parameters")
 
     def add_post_set_parameters_callback(self, callback):
+        self._rosward_post = (*self._rosward_post, callback)
         schedule(callback, _new_parameters(), event="parameters")
 
     @reads_only
