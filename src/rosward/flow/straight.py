@@ -15,6 +15,7 @@ from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
 from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
+from rosward.flow.library import name_of
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
 from rosward.ir import ops
@@ -124,7 +125,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
                 found = found.joined(memory.of(cls).read(op.name))
             if op.name not in content.slots and _of_base(seen):
                 found = Mark(found.mask, found.roots | {("of", root, op.name)})
-            if not found.roots and seen.reasons and not seen.refs:
+            if seen.reasons and not seen.refs and not any(map(name_of, found.roots)):
                 found = found.joined(_of_model(walker, op, body, root))
         elif root[0] == "external":
             found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))
