@@ -31,7 +31,9 @@ def wrong_marks(machine: Interpreter) -> Iterator[Finding]:
     linked = machine.linked
     for said in linked.symbols.marked.values() if isinstance(linked, Linked) else ():
         for mark, words in said.words.items():
-            for message in wrong(mark, words, None if said.is_scope and mark == "stops" else ("self", *said.parameters)):
+            for message in wrong(
+                mark, words, None if said.is_scope and mark == "stops" else ("self", *said.parameters)
+            ):
                 yield Finding("RW214", message, said.place)
 
 

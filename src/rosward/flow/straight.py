@@ -104,7 +104,9 @@ def _of_base(seen: Seen) -> bool:
 def _of_model(walker: Walker, op: ops.LoadAttr, body: Body, root: int) -> Mark:
     """What an object of a library has under a name, and its model does not know: `program.stdin`."""
     name = walker.shape.class_name(root)
-    return Mark(0, frozenset((walker.shape.made(body.activation, op.number, f"{name}.{op.name}"),))) if name else NOTHING
+    return (
+        Mark(0, frozenset((walker.shape.made(body.activation, op.number, f"{name}.{op.name}"),))) if name else NOTHING
+    )
 
 
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
