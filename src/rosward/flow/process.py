@@ -21,7 +21,7 @@ from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send
 from rosward.flow.content import Content, TooLongError
-from rosward.flow.marks import NOTHING, Mark, demoted, triggering
+from rosward.flow.marks import Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
 from rosward.flow.shape import MeltedError, Shape
@@ -237,7 +237,7 @@ def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
         yield from _arriving(walker, entry) or arriving or [Source("thread")]
 
 
-def _owners(entry: Scheduled, registered: Registered | None) -> Iterator[int]:
+def _owners(entry: Scheduled, registered: Registered | None) -> Iterator[Root]:
     """The objects that stop a callback where they are stopped: its timer, its subscription."""
     if registered is None:
         return
