@@ -21,7 +21,7 @@ from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send
 from rosward.flow.content import Content, TooLongError
-from rosward.flow.marks import Mark, Root, demoted, triggering
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.said import wrong_marks
 from rosward.flow.shape import MeltedError, Shape
