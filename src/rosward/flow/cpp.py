@@ -267,14 +267,15 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
         return
     if seen.wrote:
         cpp_outside.natives(walker, body, seen, [left, right])
-    if op.operator in ("<<", ">>") and seen.reasons:  # an operator that nobody knows
+    if op.operator in ("<<", ">>", ",") and seen.reasons:  # an operator that nobody knows
         for name in _methods(walker, left, f"operator{op.operator}", seen):
             mask |= perform(walker, name, mask, body.pc)
         for one, two in ((left, other), (right, held)):
             walker.memory.write_any(nameless(one) | slots(one), two.under(mask), mask)
+    places = slots(left) if op.operator in ("<<", ",") and seen.reasons else frozenset()  # `matrix << 1, 2`
     straight.plain(walker, op, body, seen)
     body.registers[op.dst] = settled(
-        walker, body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other))), seen, body
+        walker, body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other) | places)), seen, body
     )
 
 

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from rosward.domain.values import Const
+from rosward.effects.flows import Sink
 from rosward.flow.marks import Mark, Root
 
 if TYPE_CHECKING:
@@ -18,13 +20,24 @@ if TYPE_CHECKING:
 
 def keep(walker: Walker, nodes: Iterable[Root], name: object, value: Mark, pc: int) -> None:
     """A parameter of these nodes gets a value, or loses it; `name` is no text where it is not known."""
+    nodes = frozenset(nodes)
     held = _held(nodes)
     mark = Mark(walker.memory.deep(value) | pc)
+    if any(source.kind != "parameter" for source in walker.sources.apart(mark.mask)[0]):
+        _told(walker, nodes, mark.mask)
     if isinstance(name, str):
         walker.memory.write(held, name, mark)
         walker.memory.write_any(held, Mark(), pc)
     else:
         walker.memory.write_any(held, mark, mark.mask)
+
+
+def _told(walker: Walker, nodes: Iterable[Root], mask: int) -> None:
+    """The client library publishes what parameters become, and answers who asks for them."""
+    for node in nodes:
+        if isinstance(node, int):
+            for kind, name in (("topic", "/parameter_events"), ("response", "~/get_parameters")):
+                walker.send(Sink(kind, node, Const(name), walker.place()), mask)
 
 
 def kept(walker: Walker, nodes: Iterable[Root], name: object) -> int:

@@ -126,7 +126,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
                 found = found.joined(memory.of(cls).read(op.name))
             if op.name not in content.slots and _of_base(seen):
                 found = Mark(found.mask, found.roots | {("of", root, op.name)})
-            if seen.reasons and not seen.refs and not any(name_of(r) for r in found.roots):
+            if seen.reasons and not seen.refs and not any(map(name_of, found.roots)):
                 found = found.joined(_of_model(walker, op, body, root))
         elif root[0] == "external":
             found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))

@@ -22,6 +22,7 @@ SHARED: Final = ("topic", "request", "response", "goal", "feedback", "result", "
 """Kinds of content that nodes share by its name."""
 _ROSOUT: Final = "/rosout"
 _TF: Final = ("/tf", "/tf_static")
+_PARAMETER_EVENTS: Final = "/parameter_events"
 _SETTERS: Final = ("set_parameters", "set_parameters_atomically")
 
 
@@ -65,7 +66,9 @@ def graph_of(nodes: Iterable[Node]) -> FlowGraph:
     """The graph of these nodes; of one whose flows are not known, each output may hold each input."""
     edges = dict.fromkeys(edge for node in nodes for edge in _inside(node))
     vertices = dict.fromkeys(v for e in edges for v in (e.source, e.target))
-    return FlowGraph([*edges, *_meetings(list(vertices))])
+    told = dict.fromkeys(edge for vertex in vertices for edge in _told(vertex))
+    vertices |= dict.fromkeys(edge.target for edge in told)
+    return FlowGraph([*edges, *told, *_meetings(list(vertices))])
 
 
 def _inside(node: Node) -> Iterator[Edge]:
@@ -91,6 +94,13 @@ def arrived(end: End, node: str) -> Vertex:
     if end.kind == "service":
         return Vertex(End("request", end.name))
     return Vertex(end, "" if end.kind in SHARED else node)
+
+
+def _told(vertex: Vertex) -> Iterator[Edge]:
+    """The client library publishes the parameters of a node when they change, and answers who asks for them."""
+    if vertex.end.kind == "parameter" and vertex.side == "in":
+        for end in (End("topic", _PARAMETER_EVENTS), End("response", f"{vertex.node}/get_parameters")):
+            yield Edge(vertex, Vertex(end, "", "sent"), "data", vertex.node)
 
 
 def _meetings(vertices: list[Vertex]) -> Iterator[Edge]:

@@ -15,7 +15,7 @@ from rosward.ir import cpp, cpp_registers, ops
 from rosward.ir.ops import NO_REGISTER, Argument, Block, Op
 from rosward.ir.program import Code, CodeKind
 
-_BINARY: Final = frozenset({"+", "-", "*", "@", "/", "%", "**", "<<", ">>", "|", "^", "&", "//"})
+_BINARY: Final = frozenset({"+", "-", "*", "@", "/", "%", "**", "<<", ">>", "|", "^", "&", "//", ","})
 _COMPARE: Final = frozenset({"==", "!=", "<", "<=", ">", ">=", "is", "is-not", "in", "not-in"})
 _WORDS: Final[Mapping[type, tuple[str, frozenset[str]]]] = {
     ops.Unary: ("operator", frozenset({"not", "-", "+", "~"})),

@@ -56,6 +56,10 @@ def binary(machine: Machine, op: str, left: Value, right: Value) -> Value:
         return streams.insert(machine, left, right)
     if op == ">>" and streams.is_input(machine, read(machine, left)):
         return extract(machine, left, right)
+    if op == ",":  # the second, unless the first may be of a class that nobody knows
+        firsts = options(read(machine, left))
+        strange = [o for o in firsts if isinstance(o, (Unknown, External)) and not kind_of(machine, o)]
+        return unknown_from(machine, ",", "", *strange) if strange else read(machine, right)
     return _computed(machine, op, read(machine, left), read(machine, right))
 
 

@@ -155,8 +155,18 @@ def _conditional(body: Body, node: Node, want: Want) -> int:
 
 
 def _comma(body: Body, node: Node, want: Want) -> int:
-    body.expression(node.child_by_field_name("left"), "effect")
-    return body.expression(node.child_by_field_name("right"), want)
+    """`a = 1, f()`; in `matrix << 1, 2, 3` it is an operator of the matrix, where that is one."""
+    left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+    if left is None or left.type != "binary_expression" or operator_of(left) != "<<":
+        body.expression(left, "effect")
+        return body.expression(right, want)
+    value = body.value(left)
+    while right is not None:
+        is_last = right.type != "comma_expression"
+        dst, item = body.register(), body.value(right if is_last else right.child_by_field_name("left"))
+        body.emit(Binary(*body.place(node), dst, ",", value, item))
+        value, right = dst, None if is_last else right.child_by_field_name("right")
+    return value
 
 
 def _parenthesized(body: Body, node: Node, want: Want) -> int:
