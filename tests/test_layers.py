@@ -54,7 +54,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "audit": frozenset({"audit"}) | _POLICIES,
     "influence": frozenset({"influence"}) | _NETWORK,
     "diff": frozenset({"diff"}) | _POLICIES,
-    "explanation": frozenset({"explanation", "enclaves", "suppression"}) | _POLICIES,
+    "explanation": frozenset({"explanation", "enclaves", "influence", "suppression"}) | _POLICIES,
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
     "git": frozenset({"git"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
