@@ -52,10 +52,16 @@ def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool
 
 
 def _doubt(node: Node) -> str:
-    if node.flows is None:
+    flows = node.flows
+    if flows is None or (node.interface is Interface.DECLARED and not flows.complete):
         known = "declared" if node.interface is Interface.DECLARED else "unknown"
         return f"  ({known}: each output may hold each input)"
-    return "" if node.flows.complete else "  (not wholly known: outputs may hold every input)"
+    if not flows.complete:
+        return "  (not wholly known: outputs may hold every input)"
+    if node.interface is Interface.DECLARED:
+        assumed = [shown(sink.sink) for sink in flows.sinks if sink.assumed]
+        return f"  (declared{'; each input is assumed for ' if assumed else ''}{', '.join(assumed)})"
+    return ""
 
 
 def _columns(
