@@ -50,7 +50,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "analysis": frozenset({"analysis", "deployment", "flow", "network"}) | _ENGINE,
     "policies": _POLICIES,
     "suppression": frozenset({"suppression"}) | _TEXT,
-    "enclaves": frozenset({"enclaves"}) | _POLICIES,
+    "enclaves": frozenset({"enclaves", "influence"}) | _POLICIES,
     "audit": frozenset({"audit"}) | _POLICIES,
     "influence": frozenset({"influence"}) | _NETWORK,
     "diff": frozenset({"diff"}) | _POLICIES,

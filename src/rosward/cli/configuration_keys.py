@@ -198,6 +198,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "max": Key(_number, "number", command="enclaves"),
     "price": Key(_number, "number", command="enclaves"),
     "ignore-given": Key(_flag, "true, false", command="enclaves"),
+    "influence": Key(_flag, "true, false", command="enclaves"),
     "git": Key(_text, "`REV..REV` or `REV`", command="diff"),
 }
 """The keys, in the order of the documentation."""

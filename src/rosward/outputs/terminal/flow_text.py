@@ -15,6 +15,7 @@ from rosward.influence.declared import flows_of
 from rosward.influence.graph import FlowGraph, Vertex
 from rosward.influence.private import Leaving, Privacy
 from rosward.influence.search import Passing, Reached, in_order, way_to
+from rosward.influence.senders import Influencing
 from rosward.influence.tree import Step, Tree
 from rosward.network.counts import several
 from rosward.ros.entities import Interface, Node
@@ -23,6 +24,7 @@ from rosward.safe import printable
 from rosward.source.location import Place
 
 __all__ = [
+    "enclaves_text",
     "findings_text",
     "nodes_text",
     "path_text",
@@ -118,6 +120,17 @@ def tree_text(graph: FlowGraph, targets: Sequence[Vertex], found: dict[Vertex, R
     if outside:
         lines.append(f"from outside: {', '.join(outside)}")
     return "\n".join(printable(line) for line in lines) + "\n"
+
+
+def enclaves_text(found: Iterable[Influencing]) -> str:
+    """The enclaves that can influence something, those that put data into it first."""
+    known = list(found)
+    parts = []
+    for word, strength in (("", "data"), ("by deciding alone: ", "control"), ("by triggering alone: ", "trigger")):
+        named = [f"{e.enclave}{' (assumed)' * e.assumed}" for e in known if e.strength == strength]
+        if named:
+            parts.append(f"{word}{', '.join(named)}")
+    return printable(f"enclaves that can influence it: {'; '.join(parts)}") + "\n" if parts else ""
 
 
 def _branches(steps: Iterable[Step]) -> Iterator[str]:
