@@ -21,6 +21,7 @@ _PROGRAM: Final = """
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import numpy as np
 import rclpy
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -45,6 +46,13 @@ class Size:
 def remembered(value, kept=[]):
     kept.append(value)
     return sum(kept)
+
+
+def masked(limit):
+    values = np.array([1.0, 2.0])
+    values = values * 2.0
+    values[values <= limit] = 0.0
+    return values.sum()
 
 
 class Robot(Node):
@@ -150,6 +158,22 @@ CASES: Final = {
         "if msg.data > 1.0:\n    self.undeclare_parameter('gain')",
         "float(self.has_parameter('gain'))",
         "control",
+    ),
+    "an array is written where a mask says so": Case(
+        "self.limit = 0.0",
+        "self.limit = msg.data",
+        "float(masked(self.limit))",
+    ),
+    "how much there is in lists of a list": Case(
+        "self.rows = [[], [0.0]]",
+        "if msg.data > 1.0:\n    self.rows[0].append(1.0)",
+        "float(len([v for row in self.rows for v in row]))",
+        "control",
+    ),
+    "the elements of objects of a list": Case(
+        "self.points = [Size(0.0), Size(1.0)]",
+        "self.points[0].width = msg.data",
+        "sum(p.width for p in self.points)",
     ),
     "which of several lists": Case(
         "self.rows = [[], [0.0]]", "self.rows[0 if msg.data > 1.0 else 1].append(1.0)", "sum(self.rows[0])", "control"

@@ -16,7 +16,7 @@ from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
 from rosward.flow.marks import Mark, demoted
-from rosward.flow.reading import elements, narrowed
+from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
 if TYPE_CHECKING:
@@ -139,8 +139,9 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
         item = item if given is None else item.joined(given)
-        refs = frozenset(seen.refs) | frozenset(r for r in item.roots if not isinstance(r, int))
-        body.registers[op.item] = Mark(item.mask | body.pc, refs)
+        if seen.refs:  # C++: the interpretation has seen which
+            item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
+        body.registers[op.item] = item.under(body.pc)
         return True
 
     def test() -> int:
