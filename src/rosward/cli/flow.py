@@ -31,8 +31,14 @@ if TYPE_CHECKING:
     from rosward.ros.entities import Node
     from rosward.suppression.judge import Reviewed
 
-_FORMATS: Final = ("text", "json", "dot", "sarif", "github", "junit")
-_FILES: Final = {"json": "flow.json", "dot": "flow.dot", "sarif": "flow.sarif", "junit": "flow.junit.xml"}
+_FORMATS: Final = ("text", "json", "dot", "caret", "sarif", "github", "junit")
+_FILES: Final = {
+    "json": "flow.json",
+    "dot": "flow.dot",
+    "caret": "architecture.yaml",
+    "sarif": "flow.sarif",
+    "junit": "flow.junit.xml",
+}
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -125,6 +131,10 @@ def _text(options: argparse.Namespace, nodes: Sequence[Node], graph: FlowGraph, 
         from rosward.outputs.graphs.flow_dot import flow_dot
 
         return flow_dot(graph, _passing(options))
+    if options.format == "caret":
+        from rosward.outputs.documents.caret_yaml import caret_yaml
+
+        return caret_yaml(nodes)
     if options.format != "text":
         return findings_text(options.format, judged.shown, options)
     from rosward.outputs.terminal import flow_text

@@ -18,6 +18,7 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
+from rosward.flow.callbacks import callbacks_of
 from rosward.flow.calls import begin, send
 from rosward.flow.content import Content, TooLongError
 from rosward.flow.marks import Mark, demoted, triggering
@@ -87,8 +88,9 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         data, control, trigger = walker.sources.apart(mask | events | more)
         assumed = data - walker.sources.apart(mask)[0]
         flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed))
+    callbacks = callbacks_of(walker, machine.schedule_book.entries.values(), _node)
     walker.close()
-    return ProcessFlows(tuple(flows), complete)
+    return ProcessFlows(tuple(flows), complete, callbacks)
 
 
 def _paths(walker: Walker, sink: Sink, sources: Iterable[Source]) -> dict[Source, tuple[Place, ...]]:
