@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
+from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
 from rosward.ir import cpp, ops
 from rosward.ir.check import reads, writes
@@ -32,31 +33,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Watch"]
 
-_SECONDS: Final = "timer_period_sec"
-_PERIODS: Final = (_SECONDS, "period")
-"""What models of client libraries call the period of a timer."""
-_LONGEST: Final = 1e9
-
-
-class Registered(NamedTuple):
-    """Where a callback was registered: by methods of which objects, innermost first, by which operation, in which turn of its loops.
-
-    `period`: of a timer of the client library, in nanoseconds; 0 where it is not known.
-    """
-
-    receivers: tuple[int, ...]
-    by: Seen
-    turn: int
-    among: Activation | None = None
-    period: int | None = None
-
-    def effects(self) -> Iterator[tuple[int, EntityEffect | SentEffect]]:
-        """What is created where the callback is registered: by the same operation, else in the same body."""
-        yield from self.by.effects
-        if self.among is not None:
-            for seen in self.among.seen.values():
-                yield from seen.effects
-
 
 def _receivers(machine: Engine) -> Iterator[int]:
     for frame in reversed(machine.frames):
@@ -64,22 +40,6 @@ def _receivers(machine: Engine) -> Iterator[int]:
             yield from refs_of(frame.registers[0])
         if not frame.stub:
             return
-
-
-def _period(machine: Engine) -> int | None:
-    """What the model of a client library that makes a timer is given as its period: 0 where it is not known; None where it makes none."""
-    for frame in reversed(machine.frames):
-        if not frame.stub:
-            return None
-        given = frame.code.parameters.names
-        name = next((name for name in _PERIODS if name in given), None)
-        if name is not None:
-            value = frame.registers[given.index(name)]
-            number = value.value if isinstance(value, Const) else None
-            if name == _SECONDS and isinstance(number, (int, float)) and 0 < number < _LONGEST:
-                return round(number * 1_000_000_000)
-            return 0
-    return None
 
 
 def _turn(machine: Engine) -> int:
@@ -142,7 +102,7 @@ class Watch:
         """A callback is registered here."""
         self.at(machine).scheduled[_turn(machine), entry] = None
         among = machine.frames[-1].seen if machine.frames and self._running else None
-        period = _period(machine) if entry.event == "timer" else None
+        period = period_of(machine) if entry.event == "timer" else None
         registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among, period)
         self.entries.setdefault(entry, registered)
 
