@@ -128,7 +128,7 @@ class Seen:
 
     `refs`: the objects that its results are,
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
-    `opaque`: something that nobody knows, and that may change.
+    `swallows`: a `with` that may swallow an exception. `opaque`: something that nobody knows, and that may change.
     `effects`: the entities that it creates and what it sends, `scheduled`: the callbacks that it registers, each with the context of the turn.
     `alive`: control came out behind it. `callees`: the functions that it ran, `summaries`: those of which it took a summary.
     Of an operation of C++: `bound` are its calls, `made` the objects that it makes, each with what it is made of,
@@ -158,6 +158,7 @@ class Seen:
         "several",
         "strange",
         "summaries",
+        "swallows",
         "wrote",
     )
 
@@ -167,6 +168,7 @@ class Seen:
         self.gave: Value | None = None  # the last one, of an operation that gives one
         self.refs: set[Place] = set()
         self.several = False
+        self.swallows = False
         self.opaque = False
         self.parts: dict[int, set[Place]] = {}
         self.reasons: dict[Reason, None] = {}
@@ -190,6 +192,7 @@ class Seen:
         """What was seen of the same operation in another activation counts too."""
         self.alive = self.alive or other.alive
         self.several = self.several or other.several
+        self.swallows = self.swallows or other.swallows
         self.opaque = self.opaque or other.opaque
         self.refs |= other.refs
         self.cells |= other.cells

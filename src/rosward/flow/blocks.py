@@ -271,8 +271,14 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     if op.bind != ops.NO_REGISTER:
         given = context if entered is None else entered
         body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
-    alive, tried = _try(walker, op.body, body)
-    if not alive:
+    outside = body.pc
+    alive, tried = _try(walker, op.body, body, handles=seen.swallows)
+    if seen.swallows:
+        body.pc = outside | body.left
+        after = joined(tried.point, walker.point(body) if alive else None)
+        assert after is not None
+        walker.go(body, after)
+    elif not alive:
         if not seen.alive:
             return False
         walker.go(body, tried.point)

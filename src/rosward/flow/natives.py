@@ -16,7 +16,7 @@ from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, library, parameters
+from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
@@ -242,6 +242,7 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     "_rosward.parameter": _parameter,
     **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
+    "functools.partial": partials.make,
     "collections._fill": fill,
     "_rosward.message": _arrives,
 }
