@@ -103,8 +103,19 @@ def test_what_is_sent_the_same_each_time(capsys: pytest.CaptureFixture[str]) -> 
 
 
 def test_what_nothing_sends(capsys: pytest.CaptureFixture[str]) -> None:
-    assert "topic /silent: nothing that is read sends it\n" in text(capsys, "/silent")
+    assert "topic /silent: no statement of the sources sends it\n" in text(capsys, "/silent")
     assert content(capsys, "/silent") == []
+
+
+def test_what_client_libraries_send(capsys: pytest.CaptureFixture[str]) -> None:
+    """Log calls go to /rosout, transforms to /tf."""
+    more = "        self.get_logger().info(msg.data)\n"
+    Path("relay.py").write_text(
+        PROGRAM.replace("        if self.loud:\n", more + "        if self.loud:\n"), encoding="utf-8"
+    )
+    (told,) = content(capsys, "/rosout")
+    assert told["of"] == "log"
+    assert [step["source"] for step in told["steps"]] == ["topic:/in"]
 
 
 def test_a_service_has_an_answer(capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, final
+from typing import Final, NamedTuple, final
 
 from rosward.explanation.excerpts import Excerpt, Excerpts
 from rosward.influence.declared import flows_of
@@ -19,6 +19,9 @@ from rosward.ros.entities import Node
 from rosward.ros.flows import End
 
 __all__ = ["ConstantTold", "ContentTold", "Contents", "StepTold"]
+
+_ALSO: Final = {"/tf": "tf", "/tf_static": "tf", "/rosout": "log"}
+"""Topics on which client libraries send what is no publication of the program."""
 
 
 class StepTold(NamedTuple):
@@ -64,18 +67,20 @@ class Contents:
 
     def of(self, word: str, name: str, excerpts: Excerpts) -> tuple[ContentTold, ...]:
         """What a topic, service or action of that name holds, also where it is sent under a name that may be this one."""
-        selection = Selection(f"{word}:{name}")
+        selections = [Selection(f"{word}:{name}")]
+        if word == "topic" and name in _ALSO:
+            selections.append(Selection(_ALSO[name]))
         senders: dict[Vertex, list[tuple[str, ConstantTold | None]]] = {}
         for node, flows in self._flows:
             for sink in flows.sinks:
                 vertex = sent(sink.sink, node)
-                if selection.means(vertex):
+                if any(selection.means(vertex) for selection in selections):
                     plain = not (sink.data or sink.control)
                     told = ConstantTold(node, excerpts.around(sink.at, 0)) if plain else None
                     senders.setdefault(vertex, []).append((node, told))
         tree = Tree(self._graph, at_least("control"))
         found = []
-        for target in tree.roots({*senders, *meant([selection], self._graph.vertices)}):
+        for target in tree.roots({*senders, *meant(selections, self._graph.vertices)}):
             steps = list(tree.steps(target))
             sending = senders.get(target._replace(side="sent"), [])
             nodes = {node for node, _ in sending} | {step.edge.node for step in steps}

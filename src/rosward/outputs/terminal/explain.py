@@ -116,7 +116,7 @@ def _meeting(meeting: MeetingTold) -> Iterator[str]:
 def _contents(meeting: MeetingTold, content: Sequence[ContentTold]) -> Iterator[str]:
     """What it is made of: directly with the source, and what that is made of by the lines alone."""
     if not content:
-        yield f"{meeting.word} {meeting.name}: nothing that is read sends it"
+        yield f"{meeting.word} {meeting.name}: no statement of the sources sends it"
         yield ""
     for each in content:
         yield f"{shown(each.of)} is made of"
