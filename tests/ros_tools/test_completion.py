@@ -77,6 +77,42 @@ def test_names_of_the_last_result_are_offered_to_explain(workspace: Path, monkey
     assert offered("rosward explain /b", workspace) == [""]
 
 
+def test_names_of_the_last_result_are_offered_to_flow(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is analysed: without a result there are the kinds alone."""
+    monkeypatch.chdir(workspace)
+    assert offered("rosward flow --to net", workspace) == ["network"]
+    assert offered("rosward flow --to par", workspace) == ["parameter:"]
+    assert offered("rosward flow --from /p", workspace) == [""]
+    assert main(["extract", "-q", "--format", "json"]) == 0
+    assert offered("rosward flow --from /building/doors/o", workspace) == ["/building/doors/open"]
+    assert offered("rosward flow --from /x --to /porter/cmd", workspace) == ["/porter/cmd_vel"]
+    assert offered("rosward flow --to node:/fleet/m", workspace) == ["node:/fleet/monitor"]
+    assert offered("rosward flow --to request:/building/doors/o", workspace) == ["request:/building/doors/open"]
+    assert offered("rosward flow --to parameter:diagnostic_updater.p", workspace) == [
+        "parameter:diagnostic_updater.period"
+    ]
+    assert offered("rosward flow --to topic:/building/doors/o", workspace) == [""]
+
+
+def test_names_of_the_last_flows_are_offered(tmp_path: Path) -> None:
+    (tmp_path / "rosward-out").mkdir()
+    flows = tmp_path / "rosward-out" / "flow.json"
+    sink = '{"sink": "topic:/out", "data": ["topic:/in", "parameter:gain", "file:/etc/x"], "control": [], "trigger": ["timer"]}'
+    flows.write_text(f'{{"nodes": [{{"node": "/a", "sinks": [{sink}]}}]}}', encoding="utf-8")
+    assert offered("rosward flow --to /", tmp_path) == ["/in", "/out"]
+    assert offered("rosward flow --to file:", tmp_path) == ["file:/etc/x"]
+    assert offered("rosward flow --from parameter:", tmp_path) == ["parameter:gain"]
+    for broken in (
+        "",
+        "[",
+        "[1]",
+        '{"nodes": [{"sinks": [{"sink": 1, "data": "x", "control": [2, null]}, 3]}, 4]}',
+        "[" * 9999,
+    ):
+        flows.write_text(broken, encoding="utf-8")
+        assert offered("rosward flow --to /", tmp_path) == [""]
+
+
 def test_two_launch_files_of_one_name_are_told_apart(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text("<package><name>demo</name></package>", encoding="utf-8")
     for folder in ("launch/sim", "launch/real"):

@@ -3,6 +3,7 @@
 
     rosward extract --launch deli<Tab>           delivery_bringup:building.launch.xml  delivery_bringup:fleet.launch.py  …
     rosward explain /por<Tab>                    the names in rosward-out/network.json, and codes of findings
+    rosward flow --to /cmd<Tab>                  the same names, those in rosward-out/flow.json, and kinds such as network
     rosward extract --format json,ht<Tab>        json,html
 
 argcomplete knows commands, options and choices from the parser by itself; here stands the rest. The sources are listed, not analysed.
@@ -27,6 +28,12 @@ from rosward.source.workspace import SourceFile, Workspace
 __all__ = ["complete", "offer"]
 
 _NETWORK: Final = Path("rosward-out", "network.json")
+_FLOWS: Final = Path("rosward-out", "flow.json")
+_SERVICES: Final = ("service", "request", "response")
+_ACTIONS: Final = ("action", "goal", "feedback", "result")
+_PLAIN: Final = ("topic", *_SERVICES, *_ACTIONS)
+"""Kinds whose names stand for themselves."""
+_MEANT: Final = {**dict.fromkeys(_SERVICES, _SERVICES), **dict.fromkeys(_ACTIONS, _ACTIONS)}
 
 Completer = Callable[..., Iterable[str]]
 
@@ -52,7 +59,9 @@ def offer(parser: argparse.ArgumentParser) -> None:
         "node": _executables,
         "executable": _executables,
         "name": _names,
+        "origin": _ends,
         "params": FilesCompleter(("yaml", "yml")),
+        "to": _ends,
         "POLICY_FILE_PATH": FilesCompleter(("xml",)),
     }
     for action in _actions(parser):
@@ -112,21 +121,59 @@ def _sources(parsed_args: argparse.Namespace) -> Workspace:
 
 def _names(**_: object) -> list[str]:
     """What `explain` can be asked for: what the last result has in it, and codes of findings."""
-    return sorted({*_names_of_the_last_result(), *RULES})
+    return sorted({*(name for kind, name in _last_result() if kind != "parameter"), *RULES})
 
 
-def _names_of_the_last_result() -> Iterator[str]:
-    data = read_bytes(os.fspath(_NETWORK), os.fspath(_NETWORK), limits.COMPLETED_FILE)
-    try:
-        network = json.loads(data) if isinstance(data, bytes) else {}
-    except (ValueError, RecursionError):
-        return
+def _ends(prefix: str, **_: object) -> list[str]:
+    """What `flow` can be asked for: names, kinds that have none, and behind `KIND:` what is of that kind."""
+    from rosward.influence.select import KINDS, OUTSIDE
+
+    found = [*_last_result(), *_last_flows()]
+    kind, colon, _name = prefix.partition(":")
+    if not colon:
+        names = {name for each, name in found if each in _PLAIN}
+        return sorted(names | set(OUTSIDE)) + [f"{each}:" for each in KINDS if each not in OUTSIDE]
+    return sorted({f"{kind}:{name}" for each, name in found if each in _MEANT.get(kind, (kind,)) and name})
+
+
+def _last_result() -> Iterator[tuple[str, str]]:
+    """Kind and name of what stands in network.json."""
+    network = _document(_NETWORK)
     for part, key in (("nodes", "fqn"), ("topics", "name"), ("services", "name"), ("actions", "name")):
-        members = network.get(part) if isinstance(network, dict) else None
-        for member in members if isinstance(members, list) else ():
-            name = member.get(key) if isinstance(member, dict) else None
-            if isinstance(name, str):
-                yield name
+        yield from ((part[:-1], name) for name in _texts(network, part, key))
+    for node in _objects(network, "nodes"):
+        yield from (("parameter", name) for name in _texts(node, "parameters", "name"))
+
+
+def _last_flows() -> Iterator[tuple[str, str]]:
+    """The same of flow.json, as it has kinds: each output, and what it is made of."""
+    for node in _objects(_document(_FLOWS), "nodes"):
+        for sink in _objects(node, "sinks"):
+            lists = [sink.get(strength) for strength in ("data", "control", "trigger")]
+            for end in (sink.get("sink"), *(end for each in lists if isinstance(each, list) for end in each)):
+                kind, _, name = end.partition(":") if isinstance(end, str) else ("", "", "")
+                yield kind, name
+
+
+def _document(path: Path) -> object:
+    data = read_bytes(os.fspath(path), os.fspath(path), limits.COMPLETED_FILE)
+    try:
+        return json.loads(data) if isinstance(data, bytes) else {}
+    except (ValueError, RecursionError):
+        return {}
+
+
+def _objects(document: object, key: str) -> Iterator[dict[str, object]]:
+    """The objects of a list of a document, which anybody may have written."""
+    members = document.get(key) if isinstance(document, dict) else None
+    yield from (member for member in (members if isinstance(members, list) else ()) if isinstance(member, dict))
+
+
+def _texts(document: object, part: str, key: str) -> Iterator[str]:
+    for member in _objects(document, part):
+        name = member.get(key)
+        if isinstance(name, str):
+            yield name
 
 
 def _formats(prefix: str, **_: object) -> list[str]:

@@ -198,6 +198,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "max": Key(_number, "number", command="enclaves"),
     "price": Key(_number, "number", command="enclaves"),
     "ignore-given": Key(_flag, "true, false", command="enclaves"),
+    "influence": Key(_flag, "true, false", command="enclaves"),
     "git": Key(_text, "`REV..REV` or `REV`", command="diff"),
 }
 """The keys, in the order of the documentation."""
@@ -210,7 +211,7 @@ NEVER: Final[Mapping[str, str]] = {
     "json": "it is `format`",
     "follow-links": "the file is part of the sources, and only the person running rosward decides where links may lead",
     "env-from-shell": "the file is part of the sources, and only the person running rosward decides what they learn about the shell",
-    **dict.fromkeys(("to", "from", "check", "suggest-private", "data-only"), "it is what one run asks"),
+    **dict.fromkeys(("to", "from", "check", "suggest-private", "data-only", "made-of"), "it is what one run asks"),
     **dict.fromkeys(
         ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it refers to what runs at the moment"
     ),

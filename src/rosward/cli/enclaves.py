@@ -60,6 +60,11 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         "--ignore-given", action="store_true", help="also regroup processes whose enclave is set by a launch file"
     )
     suggest.add_argument(
+        "--influence",
+        action="store_true",
+        help="also count what a process could influence with the permissions of the others, by what the nodes make of their inputs",
+    )
+    suggest.add_argument(
         "--write", metavar="FILE.toml", help="write the suggestion to this file, for `--enclaves FILE.toml`"
     )
     suggest.add_argument("-v", "--verbose", action="store_true", help="list every permission that is not needed")
@@ -90,10 +95,17 @@ def _run(options: argparse.Namespace) -> int:
     elif options.price is not None:
         wish, limit = Wish.BUDGET, options.price
     options.enclaves = "process"
-    result = extracted(options, options.paths, request_of(options))
+    result = extracted(options, options.paths, request_of(options), flow=options.influence)
     if not result.network.nodes:
         raise WrongUseError("no node was found, so there is nothing to group")
-    found = suggest(result.network.nodes, wish, limit, unknown=options.unknown, ignore_given=options.ignore_given)
+    found = suggest(
+        result.network.nodes,
+        wish,
+        limit,
+        unknown=options.unknown,
+        ignore_given=options.ignore_given,
+        influence=options.influence,
+    )
     if options.write is not None:
         _write(found, options.write)
     sys.stdout.write(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from rosward.cli.shared import (
     COMPLETE,
     INCOMPLETE,
+    WrongUseError,
     add_deployment,
     add_enclaves,
     add_format,
@@ -22,6 +23,8 @@ from rosward.cli.shared import (
 
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
+    from rosward.deployment.request import Request
+    from rosward.explanation.answers import Answer
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -38,6 +41,11 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
         metavar="NAME",
         help="a full name (/robot/scan), the end of one (scan), a finding (RW101) or a place (talker.py:12)",
     )
+    parser.add_argument(
+        "--made-of",
+        action="store_true",
+        help="of a topic, service or action: also what its content is made of, step by step through the nodes",
+    )
     add_sources(parser)
     add_deployment(parser)
     add_enclaves(parser)
@@ -46,16 +54,23 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.explanation.answers import explained, rule_alone
+    from rosward.explanation.answers import rule_alone
     from rosward.outputs.documents.explain_json import explain_json
     from rosward.outputs.terminal.explain import explain_text
 
     request = request_of(options)
     alone = rule_alone(options.name) if not (options.paths or request.deploys) else None
-    if alone is not None:
-        sys.stdout.write(explain_json(alone) if options.format == "json" else explain_text(alone))
-        return COMPLETE
-    result = extracted(options, options.paths, request)
-    answer = explained(result.network, options.name, result.root, result.systems, options.unknown)
+    answer = alone or _answer(options, request)
+    if options.made_of and not (answer.empty or answer.meetings):
+        raise WrongUseError(f"--made-of: {options.name} is no topic, service or action")
     sys.stdout.write(explain_json(answer) if options.format == "json" else explain_text(answer))
     return INCOMPLETE if answer.empty else COMPLETE
+
+
+def _answer(options: argparse.Namespace, request: Request) -> Answer:
+    from rosward.explanation.answers import explained
+    from rosward.explanation.content import Contents
+
+    result = extracted(options, options.paths, request, flow=options.made_of)
+    contents = Contents(result.network.nodes) if options.made_of else None
+    return explained(result.network, options.name, result.root, result.systems, options.unknown, contents)

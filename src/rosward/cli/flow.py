@@ -13,6 +13,7 @@ from rosward.cli.shared import (
     INCOMPLETE,
     WrongUseError,
     add_deployment,
+    add_enclaves,
     add_sources,
     extracted,
     refusing,
@@ -30,8 +31,14 @@ if TYPE_CHECKING:
     from rosward.ros.entities import Node
     from rosward.suppression.judge import Reviewed
 
-_FORMATS: Final = ("text", "json", "dot", "sarif", "github", "junit")
-_FILES: Final = {"json": "flow.json", "dot": "flow.dot", "sarif": "flow.sarif", "junit": "flow.junit.xml"}
+_FORMATS: Final = ("text", "json", "dot", "caret", "sarif", "github", "junit")
+_FILES: Final = {
+    "json": "flow.json",
+    "dot": "flow.dot",
+    "caret": "architecture.yaml",
+    "sarif": "flow.sarif",
+    "junit": "flow.junit.xml",
+}
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -46,6 +53,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
     add_deployment(parser)
+    add_enclaves(parser)
     question = parser.add_argument_group("question (default: all outputs of all nodes)")
     question.add_argument(
         "--to",
@@ -123,6 +131,10 @@ def _text(options: argparse.Namespace, nodes: Sequence[Node], graph: FlowGraph, 
         from rosward.outputs.graphs.flow_dot import flow_dot
 
         return flow_dot(graph, _passing(options))
+    if options.format == "caret":
+        from rosward.outputs.documents.caret_yaml import caret_yaml
+
+        return caret_yaml(nodes)
     if options.format != "text":
         return findings_text(options.format, judged.shown, options)
     from rosward.outputs.terminal import flow_text
@@ -135,7 +147,7 @@ def _text(options: argparse.Namespace, nodes: Sequence[Node], graph: FlowGraph, 
         return flow_text.privacy_text(privacy(nodes, graph))
     passing = _passing(options)
     if options.to or options.origin:
-        return _answer(options, graph, passing)
+        return _answer(options, nodes, graph, passing)
     return flow_text.nodes_text(nodes, data_only=options.data_only, triggers=options.verbose)
 
 
@@ -145,9 +157,10 @@ def _passing(options: argparse.Namespace) -> Passing:
     return at_least("data" if options.data_only else "trigger" if options.verbose else "control")
 
 
-def _answer(options: argparse.Namespace, graph: FlowGraph, passing: Passing) -> str:
+def _answer(options: argparse.Namespace, nodes: Sequence[Node], graph: FlowGraph, passing: Passing) -> str:
     from rosward.influence.search import downstream, upstream
     from rosward.influence.select import beginnings
+    from rosward.influence.senders import influencing
     from rosward.outputs.terminal import flow_text
 
     starts, targets = _meant(graph, options.origin, "--from"), _meant(graph, options.to, "--to")
@@ -158,7 +171,9 @@ def _answer(options: argparse.Namespace, graph: FlowGraph, passing: Passing) -> 
         return text or f"{' '.join(options.origin)} does not reach {' '.join(options.to)}.\n"
     if options.origin:
         return flow_text.reaching_text(starts, downstream(graph, starts, passing))
-    return flow_text.tree_text(graph, targets, upstream(graph, targets, passing), passing)
+    found = upstream(graph, targets, passing)
+    enclaves = flow_text.enclaves_text(influencing(nodes, graph, found))
+    return flow_text.tree_text(graph, targets, found, passing) + enclaves
 
 
 def _meant(graph: FlowGraph, words: Sequence[str], option: str) -> list[Vertex]:

@@ -32,6 +32,8 @@ _EXAMPLES: Final = (
     "  - {name: cmd_vel, type: geometry_msgs/msg/Twist, qos: 10}",
     "service_servers:",
     "  - {name: '~/reset', type: std_srvs/srv/Trigger}",
+    "flows:  # what each output is made of; without it, each may hold every input",
+    "  - {to: scan, data: [device], control: [cmd_vel]}",
 )
 _DELETE: Final = "  # delete this line when the declaration is complete"
 

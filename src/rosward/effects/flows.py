@@ -46,8 +46,25 @@ class Flow(NamedTuple):
     assumed: frozenset[Source] = frozenset()
 
 
+class Callback(NamedTuple):
+    """A callback of a process: the node on whose behalf it runs, what wakes it, its function, where its code begins.
+
+    `sinks`: where it sends, and what that depends on when this callback sends it.
+
+    `period`: of a timer of the client library, in nanoseconds; 0 where it is not known.
+    """
+
+    node: int | None
+    events: tuple[Source, ...]
+    function: str
+    place: Place
+    sinks: tuple[tuple[Sink, frozenset[Source]], ...]
+    period: int | None = None
+
+
 class ProcessFlows(NamedTuple):
-    """All sinks of a process; `complete`: no limit was reached."""
+    """All sinks of a process, and its callbacks; `complete`: no limit was reached."""
 
     flows: tuple[Flow, ...] = ()
     complete: bool = True
+    callbacks: tuple[Callback, ...] = ()

@@ -8,6 +8,8 @@ A right that acts on others counts 2: to publish, to ask for a service or an act
 client library alone needs (parameter services under each node's own name) is counted apart, as `system`: with it, one process can pose as
 another towards who reads its parameters, but not command it. A right that a process needs under a pattern covers each name of the pattern; a
 pattern that it does not need is one right.
+
+Where it is known what each process can influence, each name that only the others' rights let it influence counts 1 more.
 """
 
 from __future__ import annotations
@@ -19,10 +21,11 @@ from rosward.enclaves.privileges import Privilege
 from rosward.policies.match import Pattern
 from rosward.ros.entities import EntityKind
 
-__all__ = ["ACTS", "LISTENS", "NOTHING", "Price", "Tariff"]
+__all__ = ["ACTS", "INFLUENCES", "LISTENS", "NOTHING", "Price", "Tariff"]
 
 ACTS: Final = 2
 LISTENS: Final = 1
+INFLUENCES: Final = 1
 
 
 class Price(NamedTuple):
@@ -47,8 +50,10 @@ NOTHING: Final = Price(0, 0)
 class Tariff:
     """The rights of all processes of a network, ready to be compared. A set of rights is an integer, one bit for each."""
 
-    def __init__(self, needed: Mapping[str, Mapping[Privilege, bool]]) -> None:
-        """`needed`: by process, its rights, and whether the client library alone needs each."""
+    def __init__(
+        self, needed: Mapping[str, Mapping[Privilege, bool]], influence: Mapping[str, frozenset[str]] | None = None
+    ) -> None:
+        """`needed`: by process, its rights, and whether the client library alone needs each. `influence`: names that each can influence."""
         everything: dict[Privilege, bool] = {}
         for rights in needed.values():
             for right, system in rights.items():
@@ -64,6 +69,12 @@ class Tariff:
             process: self._own[process] | sum(bits[r] for r in self._under_patterns(rights))
             for process, rights in needed.items()
         }
+
+        self._names = sorted({name for names in influence.values() for name in names}) if influence is not None else []
+        number = {name: 1 << index for index, name in enumerate(self._names)}
+        self._influence = (
+            None if influence is None else {p: sum(number[each] for each in n) for p, n in influence.items()}
+        )
 
     def _under_patterns(self, own: Iterable[Privilege]) -> Iterator[Privilege]:
         wild = [(right, Pattern(right.name)) for right in own if "*" in right.name]
@@ -91,7 +102,25 @@ class Tariff:
             surplus = held & ~self._covered[process]
             application += ACTS * (surplus & self._acts).bit_count() + LISTENS * (surplus & self._listens).bit_count()
             system += (surplus & self._system).bit_count()
+        if self._influence is not None:
+            application += INFLUENCES * sum(self._more(process, members).bit_count() for process in members)
         return Price(application, system)
+
+    def _more(self, process: str, members: Iterable[str]) -> int:
+        """The names that a process can influence with the rights of the others alone."""
+        reached = 0
+        if self._influence is None:
+            return reached
+        for member in members:
+            reached |= self._influence[member]
+        return reached & ~self._influence[process]
+
+    def influenced(self, process: str, processes: Iterable[str]) -> tuple[str, ...] | None:
+        """What a process can influence in an enclave with others, and could not alone; None where nobody asked."""
+        if self._influence is None:
+            return None
+        more = self._more(process, processes)
+        return tuple(name for index, name in enumerate(self._names) if more >> index & 1)
 
     def surplus(self, process: str, processes: Iterable[str]) -> tuple[tuple[Privilege, bool], ...]:
         """What a process holds in an enclave with others and does not need; with each right, whether it is of the system."""

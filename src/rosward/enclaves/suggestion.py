@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from rosward.enclaves.grouping import Cut, Ladder, Unit, cut_at, knee, ladder, most, within
+from rosward.enclaves.influence import influence_of
 from rosward.enclaves.price import Price, Tariff
 from rosward.enclaves.privileges import Privilege, on_dds, privileges
 from rosward.enclaves.size import LARGEST, signed_size
@@ -37,12 +38,16 @@ class Wish(enum.Enum):
 
 
 class Surplus(NamedTuple):
-    """A process in an enclave, its nodes, and the rights that it holds there and does not need."""
+    """A process in an enclave, its nodes, and the rights that it holds there and does not need.
+
+    `influenced`: what these let it influence and it could not before; None where that was not asked for.
+    """
 
     process: str
     nodes: tuple[str, ...]
     application: tuple[Privilege, ...]
     system: tuple[Privilege, ...]
+    influenced: tuple[str, ...] | None = None
 
 
 class JointEnclave(NamedTuple):
@@ -84,17 +89,18 @@ def suggest(
     *,
     unknown: UnknownNames = "deny",
     ignore_given: bool = False,
+    influence: bool = False,
 ) -> Suggestion:
     """The enclaves for the processes of these nodes, which are in one enclave for each process, or in the one that its start names.
 
-    `ignore_given`: as if no start named one.
+    `ignore_given`: as if no start named one. `influence`: what a process can then influence counts, too, by the flows of the nodes.
     """
     placed = list(nodes)
     if ignore_given and any(node.given_enclave is not None for node in nodes):
         placed, _ = with_enclaves([replace(node, given_enclave=None) for node in nodes], EnclaveMode.PROCESS)
     by_process = _by_process(placed)
     rights = {process: privileges(members, unknown) for process, members in by_process.items()}
-    tariff = Tariff(rights)
+    tariff = Tariff(rights, influence_of(by_process) if influence else None)
     made = ladder(_units(placed), tariff)
     found = (
         most(made, limit)
@@ -161,6 +167,7 @@ def _surplus(process: str, members: tuple[str, ...], tariff: Tariff, by_process:
         tuple(sorted({node.fqn for node in by_process[process]})),
         tuple(right for right, system in more if not system),
         tuple(right for right, system in more if system),
+        tariff.influenced(process, members),
     )
 
 

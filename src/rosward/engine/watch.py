@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import NONE, UNBOUND, Const, Function, Ref, Value
+from rosward.engine.registered import Registered, period_of
 from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, places_of, refs_of
 from rosward.ir import cpp, ops
 from rosward.ir.check import reads, writes
@@ -31,22 +32,6 @@ if TYPE_CHECKING:
     from rosward.ir.symbols import Signature
 
 __all__ = ["Watch"]
-
-
-class Registered(NamedTuple):
-    """Where a callback was registered: by methods of which objects, innermost first, by which operation, in which turn of its loops."""
-
-    receivers: tuple[int, ...]
-    by: Seen
-    turn: int
-    among: Activation | None = None
-
-    def effects(self) -> Iterator[tuple[int, EntityEffect | SentEffect]]:
-        """What is created where the callback is registered: by the same operation, else in the same body."""
-        yield from self.by.effects
-        if self.among is not None:
-            for seen in self.among.seen.values():
-                yield from seen.effects
 
 
 def _receivers(machine: Engine) -> Iterator[int]:
@@ -117,7 +102,8 @@ class Watch:
         """A callback is registered here."""
         self.at(machine).scheduled[_turn(machine), entry] = None
         among = machine.frames[-1].seen if machine.frames and self._running else None
-        registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among)
+        period = period_of(machine) if entry.event == "timer" else None
+        registered = Registered(tuple(_receivers(machine)), self.at(machine), _turn(machine), among, period)
         self.entries.setdefault(entry, registered)
 
     def effect(self, machine: Engine, effect: EntityEffect | SentEffect) -> None:

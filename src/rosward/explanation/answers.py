@@ -9,6 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final, NamedTuple, final
 
+from rosward.explanation.content import Contents, ContentTold
 from rosward.explanation.excerpts import Excerpt, Excerpts
 from rosward.explanation.provenance import (
     EntityRules,
@@ -78,12 +79,13 @@ class EndTold(NamedTuple):
 
 
 class MeetingTold(NamedTuple):
-    """A topic, service or action."""
+    """A topic, service or action; `content`: what it is made of, where that is asked for."""
 
     word: str
     name: str
     types: tuple[str, ...]
     ends: tuple[EndTold, ...]
+    content: tuple[ContentTold, ...] | None = None
 
 
 class ParameterTold(NamedTuple):
@@ -164,11 +166,20 @@ class Answer(NamedTuple):
 
 
 def explained(
-    network: Network, query: str, root: Path, systems: tuple[LaunchSystem, ...] = (), unknown: UnknownNames = "deny"
+    network: Network,
+    query: str,
+    root: Path,
+    systems: tuple[LaunchSystem, ...] = (),
+    unknown: UnknownNames = "deny",
+    contents: Contents | None = None,
 ) -> Answer:
-    """What `query` means in a network whose places are relative to `root`; `systems` are the launched systems, if any."""
+    """What `query` means in a network whose places are relative to `root`; `systems` are the launched systems, if any.
+
+    With the `contents` of the network, also what topics, services and actions are made of.
+    """
     meant = subjects(network, query)
-    answer = _Teller(network, Excerpts(root), EntityRules(network, unknown), Starts(systems)).answer(query, meant)
+    rights, starts = EntityRules(network, unknown), Starts(systems)
+    answer = _Teller(network, Excerpts(root), rights, starts, contents).answer(query, meant)
     return answer._replace(close=close_matches(network, query)) if answer.empty else answer
 
 
@@ -187,11 +198,14 @@ def _rule(code: str, *, searched: bool) -> RuleTold:
 class _Teller:
     """Turns the records of a network into those of an answer."""
 
-    def __init__(self, network: Network, excerpts: Excerpts, rights: EntityRules, starts: Starts) -> None:
+    def __init__(
+        self, network: Network, excerpts: Excerpts, rights: EntityRules, starts: Starts, contents: Contents | None
+    ) -> None:
         self._network = network
         self._excerpts = excerpts
         self._rights = rights
         self._starts = starts
+        self._contents = contents
 
     def answer(self, query: str, meant: Subjects) -> Answer:
         if meant.code is not None:
@@ -227,7 +241,10 @@ class _Teller:
     def _meeting(self, meeting: MeetingPoint) -> MeetingTold:
         ends = tuple(self._end(node, entity) for node, entity in meeting.ends)
         types = tuple(sorted({end.type for end in ends if end.type}))
-        return MeetingTold(meeting.word, meeting.name, types, ends)
+        content = None
+        if self._contents is not None:
+            content = self._contents.of(meeting.word, meeting.name, self._excerpts)
+        return MeetingTold(meeting.word, meeting.name, types, ends, content)
 
     def _end(self, node: Node, entity: Entity) -> EndTold:
         missing = () if _whole(entity.resolution) and entity.type is not None else entity.reasons

@@ -18,6 +18,7 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
+from rosward.flow.awoken import callbacks_of
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send
 from rosward.flow.content import Content, TooLongError
@@ -34,8 +35,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from rosward.engine.interpreter import Interpreter
+    from rosward.engine.registered import Registered
     from rosward.engine.scheduled import Scheduled
-    from rosward.engine.watch import Registered, Watch
+    from rosward.engine.watch import Watch
 
 _ROUNDS: Final = 40
 _STEPS_EACH: Final = 2
@@ -90,9 +92,10 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         data, control, trigger = walker.sources.apart(mask | events | more)
         assumed = data - walker.sources.apart(mask)[0]
         flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed))
+    callbacks = callbacks_of(walker, machine.schedule_book.entries.values(), _node)
     walker.close()
     machine.log.findings.update(wrong_marks(machine))
-    return ProcessFlows(tuple(flows), complete)
+    return ProcessFlows(tuple(flows), complete, callbacks)
 
 
 def _paths(walker: Walker, sink: Sink, sources: Iterable[Source]) -> dict[Source, tuple[Place, ...]]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 if TYPE_CHECKING:
+    from rosward.effects.flows import Sink
     from rosward.flow.content import Content, Layer
     from rosward.flow.marks import Mark, Root
 
@@ -21,12 +22,13 @@ MOST: Final = 6
 class Tracker:
     """What a walk reads and writes. `open`: it depends on more than that, so that it can't be remembered; `beside`: on what callbacks write."""
 
-    __slots__ = ("beside", "open", "placed", "reads", "writes")
+    __slots__ = ("beside", "open", "placed", "reads", "sent", "writes")
 
     def __init__(self) -> None:
         self.reads: Layer = {}
         self.writes: set[Root] = set()
         self.placed: set[int] = set()
+        self.sent: dict[Sink, int] = {}
         self.open = False
         self.beside = False
 
@@ -35,12 +37,18 @@ class Tracker:
         if root not in self.writes:
             self.reads.setdefault(root, content)
 
+    def send(self, sink: Sink, mask: int) -> None:
+        """Something that depends on these sources was sent."""
+        self.sent[sink] = self.sent.get(sink, 0) | mask
+
     def absorb(self, inner: Tracker) -> None:
         """What a body inside read and wrote."""
         for root, content in inner.reads.items():
             self.read(root, content)
         self.writes |= inner.writes
         self.placed |= inner.placed
+        for sink, mask in inner.sent.items():
+            self.send(sink, mask)
         self.open = self.open or inner.open
         self.beside = self.beside or inner.beside
 

@@ -12,7 +12,7 @@ For each callback it is noted where each source is met first, and where it is ke
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final, NamedTuple, final
 
 from rosward.flow.marks import numbers
@@ -43,7 +43,7 @@ class Trail:
         self._had: dict[object, int] = {}
         self._first: dict[tuple[object, int], _Met] = {}
         self._kept: dict[int, list[tuple[object, _Met]]] = {}
-        self._sent: dict[Sink, list[object]] = {}
+        self._sent: dict[Sink, dict[object, int]] = {}
         self._keeping: dict[tuple[object, object], int] = {}
 
     def begin(self, event: object, place: Place | None) -> None:
@@ -70,11 +70,14 @@ class Trail:
             for number in numbers(mask & ~known):
                 self._kept.setdefault(number, []).append((self.event, _Met(place, key)))
 
-    def send(self, sink: Sink) -> None:
-        """Something is sent in this callback."""
-        events = self._sent.setdefault(sink, [])
-        if self.event not in events:
-            events.append(self.event)
+    def send(self, sink: Sink, mask: int) -> None:
+        """Something that depends on these sources is sent in this callback."""
+        events = self._sent.setdefault(sink, {})
+        events[self.event] = events.get(self.event, 0) | mask
+
+    def sent_in(self, event: object) -> Iterator[tuple[Sink, int]]:
+        """What is sent in a callback, and what it depends on there."""
+        yield from ((sink, events[event]) for sink, events in self._sent.items() if event in events)
 
     def way(
         self, sink: Sink, number: int, source: Source, arriving: dict[object, tuple[Source, ...]]

@@ -165,7 +165,9 @@ class Walker:
 
     def send(self, sink: Sink, mask: int) -> None:
         """Something leaves the process."""
-        self.trail.send(sink)
+        self.trail.send(sink, mask)
+        if self.shape.tracker is not None:
+            self.shape.tracker.send(sink, mask)
         self.changed |= self.sinks.add(sink, mask, self.event)
 
     def place(self) -> Place:
@@ -241,6 +243,8 @@ class Walker:
             current = not each.tracker.beside or each.beside == self._beside
             if current and each.given == given and self.memory.finds(each.tracker.reads):
                 self.memory.replay(each.writes, each.tracker.placed)
+                for sink, mask in each.tracker.sent.items():
+                    self.trail.send(sink, mask)
                 if self.attempts:
                     self.attempts[-1].mask |= each.raising
                 if outer is not None:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Nodes that were not analysed: each output may hold each input; of one of which nothing is known, any topic may hold any other."""
+"""Nodes that were not analysed: each output may hold each input, unless its declaration says better (deployment/declared/flows.py).
+
+Of a node of which nothing is known, any topic may hold any other.
+"""
 
 from __future__ import annotations
 

@@ -103,17 +103,28 @@ def _told(vertex: Vertex) -> Iterator[Edge]:
             yield Edge(vertex, Vertex(end, "", "sent"), "data", vertex.node)
 
 
+@final
+class Arrivals:
+    """Where content arrives, by its kind and name."""
+
+    def __init__(self, vertices: Iterable[Vertex]) -> None:
+        self._arriving: dict[str, dict[str, Vertex]] = {}
+        for vertex in vertices:
+            if vertex.side == "in" and vertex.end.kind in SHARED:
+                self._arriving.setdefault(vertex.end.kind, {})[vertex.end.name] = vertex
+
+    def of(self, end: End) -> Iterator[Vertex]:
+        """What is sent arrives under each name that may be the same; log calls at /rosout."""
+        for kind, name in _as(end):
+            yield from _meeting(name, self._arriving.get(kind, {}))
+
+
 def _meetings(vertices: list[Vertex]) -> Iterator[Edge]:
-    """What is sent arrives under each name that may be the same; log calls at /rosout, parameters where somebody may set them."""
-    arriving: dict[str, dict[str, Vertex]] = {}
-    for vertex in vertices:
-        if vertex.side == "in" and vertex.end.kind in SHARED:
-            arriving.setdefault(vertex.end.kind, {})[vertex.end.name] = vertex
+    """What is sent arrives; parameters where somebody may set them."""
+    arrivals = Arrivals(vertices)
     for vertex in vertices:
         if vertex.side == "sent":
-            for kind, name in _as(vertex.end):
-                for other in _meeting(name, arriving.get(kind, {})):
-                    yield Edge(vertex, other, "data")
+            yield from (Edge(vertex, other, "data") for other in arrivals.of(vertex.end))
         elif vertex.end.kind == "parameter":
             for setter in _SETTERS:
                 request = Vertex(End("request", f"{vertex.node}/{setter}"), "", "sent")

@@ -9,14 +9,14 @@ from typing import Final
 
 from rosward.domain.certain import text_of
 from rosward.domain.values import Value
-from rosward.effects.flows import RELEASED, Flow, ProcessFlows, Source
+from rosward.effects.flows import RELEASED, Callback, Flow, ProcessFlows, Source
 from rosward.findings import Findings
 from rosward.naming.implicit import Identity
 from rosward.naming.options import name_options
 from rosward.naming.resolved import resolved
 from rosward.ros.distro import Distro
 from rosward.ros.entities import EntityKind, Node
-from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeFlows, NodeSink
+from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeCallback, NodeFlows, NodeSink
 from rosward.ros.roles import all_to_all
 from rosward.source.location import Place
 
@@ -50,8 +50,25 @@ def with_flows(nodes: list[Node], identities: Identities, flows: ProcessFlows, d
         ]
         if not flows.complete:
             sinks += all_to_all(node, nodes)
-        result.append(replace(node, flows=_flows(sinks, complete=flows.complete)))
+        callbacks = tuple(
+            _callback(each, names) for each in flows.callbacks if each.node == address or each.node not in addresses
+        )
+        result.append(replace(node, flows=replace(_flows(sinks, complete=flows.complete), callbacks=callbacks)))
     return result
+
+
+def _callback(callback: Callback, names: _Names) -> NodeCallback:
+    sends: dict[End, set[End]] = {}
+    for sink, sources in callback.sinks:
+        for end in names.of(sink.kind, sink.node, sink.given):
+            sends.setdefault(end, set()).update(_ends(sources, names))
+    return NodeCallback(
+        _ends(callback.events, names),
+        callback.function,
+        callback.place,
+        tuple((end, tuple(sorted(sources))) for end, sources in sends.items()),
+        callback.period,
+    )
 
 
 def _flows(sinks: Iterable[NodeSink], *, complete: bool) -> NodeFlows:
@@ -137,4 +154,5 @@ def both(ours: NodeFlows | None, theirs: NodeFlows | None) -> NodeFlows | None:
     if ours is None or theirs is None:
         return ours or theirs
     sinks = (*ours.sinks, *theirs.sinks, *ours.executed, *theirs.executed, *ours.released, *theirs.released)
-    return _flows(sinks, complete=ours.complete and theirs.complete)
+    callbacks = tuple(dict.fromkeys((*ours.callbacks, *theirs.callbacks)))
+    return replace(_flows(sinks, complete=ours.complete and theirs.complete), callbacks=callbacks)

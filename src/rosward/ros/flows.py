@@ -48,6 +48,22 @@ class NodeSink:
 
 
 @dataclass(frozen=True, slots=True)
+class NodeCallback:
+    """A callback of a node: what wakes it (a source, or `timer`, `thread`), its function, where that begins.
+
+    `sends`: the outputs that it sends, and what each depends on, in any strength, when this callback sends it.
+
+    `period`: of a timer of the client library, in nanoseconds; 0 where it is not known.
+    """
+
+    events: tuple[End, ...]
+    function: str
+    at: Place
+    sends: tuple[tuple[End, tuple[End, ...]], ...] = ()
+    period: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class NodeFlows:
     """All outputs of a node; `complete`: no limit was reached, so that nothing had to be assumed.
 
@@ -59,3 +75,4 @@ class NodeFlows:
     complete: bool = True
     executed: tuple[NodeSink, ...] = ()
     released: tuple[NodeSink, ...] = ()
+    callbacks: tuple[NodeCallback, ...] = ()

@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from typing import Final, final
 
 from rosward.deployment.declared.declarations import Declarations
+from rosward.deployment.declared.flows import FoundEnd, FoundFlow, process_flows
 from rosward.deployment.declared.found import FoundEndpoint, Open, ReadFile
 from rosward.deployment.declared.items import ItemLimit, expansions, type_value
 from rosward.deployment.declared.programs import READERS
@@ -23,6 +24,7 @@ from rosward.deployment.declared.shapes import (
     DeclaredParameter,
     EndpointGroup,
     EndpointTemplate,
+    FlowTemplate,
     NodeShape,
     PluginNode,
     Program,
@@ -110,6 +112,7 @@ class _DeclaredProcess:
         self._take = take
         self._configuration = configuration
         self._via = f"the declared interface of {program.package}/{program.name}"
+        self._flows: list[FoundFlow] = []
         self._log = EffectLog()
         self._log.configuration = configuration
         self._done: set[tuple[object, ...]] = set()
@@ -137,6 +140,9 @@ class _DeclaredProcess:
             self._read(scope, None, certain=False)
         if self._steps.left < 0:
             self._limit(f"requests more than {_MOST_STEPS} groups and items")
+        self._log.flows = process_flows(
+            self._log, self._flows, self._program, self._declarations.interface, self._place
+        )
         self._log.ends.append(frozenset(self._done))
         return self._log
 
@@ -226,6 +232,8 @@ class _DeclaredProcess:
         if pass_ is _Pass.ENDPOINTS:
             for endpoint in group.endpoints:
                 self._endpoint(endpoint, scope, address, certain=certain)
+            for flow in group.flows:
+                self._flow(flow, scope, address)
             if group.open is not None:
                 self._open(group.open, address, scope)
         here = way[-1]
@@ -289,6 +297,17 @@ class _DeclaredProcess:
                 ),
                 address,
             )
+
+    def _flow(self, flow: FlowTemplate, scope: TemplateScope, address: int) -> None:
+        if not flow.window.has(self._distro):
+            return
+        for bound, _ in expansions(EndpointGroup(when=flow.when), scope, self._distro, self._steps):
+            sources = tuple(
+                (strength, FoundEnd(end, expand(end.name, bound)))
+                for strength, end in flow.sources
+                if self._steps.take()
+            )
+            self._flows.append(FoundFlow(address, FoundEnd(flow.to, expand(flow.to.name, bound)), sources))
 
     def _read(self, scope: TemplateScope, address: int | None, *, certain: bool) -> None:
         """What the program's reader finds in its arguments and files."""

@@ -13,11 +13,13 @@ import re
 from collections.abc import Mapping
 from typing import Final
 
+from rosward.deployment.declared.read_flows import read_flow
 from rosward.deployment.declared.shapes import (
     DeclaredCondition,
     DeclaredParameter,
     EndpointGroup,
     EndpointTemplate,
+    FlowTemplate,
     IncludedDeclaration,
     Loop,
     NodeShape,
@@ -52,7 +54,9 @@ OPTIONS: Final = (
 _FILE: Final = frozenset(
     ("nodl_version", "description", "package", "source", "client_library", "executables", "components", "interfaces")
 )
-_CONTENT: Final = frozenset(("parameters", "include", "groups", "switch", "cases", "otherwise", "open", *KINDS))
+_CONTENT: Final = frozenset(
+    ("parameters", "include", "groups", "switch", "cases", "otherwise", "open", "flows", *KINDS)
+)
 _GROUP: Final = _CONTENT | {"when", "for_each", "since", "until", "description"}
 _IDENTITY: Final = frozenset(
     ("node", "namespace", "lifecycle", "global_arguments", "options", "arguments", "client_library", "plugin")
@@ -245,7 +249,13 @@ def _content(shape: Mapping[str, Item]) -> EndpointGroup:
         cases=cases,
         otherwise=_group(shape["otherwise"]) if "otherwise" in shape else None,
         open=_text(shape, "open"),
+        flows=tuple(_flow(each) for each in _items(shape, "flows")),
     )
+
+
+def _flow(item: Item) -> FlowTemplate:
+    flow, shape = read_flow(item), item.mapping()
+    return flow._replace(when=_when(shape), window=_window(shape))
 
 
 def _include(item: Item) -> IncludedDeclaration:

@@ -84,6 +84,24 @@ class IncludedDeclaration(NamedTuple):
     place: Place
 
 
+class EndTemplate(NamedTuple):
+    """An input or output of a flow: a kind of `flow.json`, and a template of its name where the kind has names."""
+
+    kind: str
+    name: str
+    place: Place
+
+
+class FlowTemplate(NamedTuple):
+    """What one output is made of: inputs by their strength. An output may have several such entries."""
+
+    to: EndTemplate
+    sources: tuple[tuple[str, EndTemplate], ...]
+    when: tuple[DeclaredCondition, ...]
+    place: Place
+    window: Window = Window()
+
+
 class EndpointGroup(NamedTuple):
     """Endpoints and parameters that exist together, under conditions or for each of several items.
 
@@ -101,6 +119,7 @@ class EndpointGroup(NamedTuple):
     cases: tuple[tuple[str, EndpointGroup], ...] = ()
     otherwise: EndpointGroup | None = None
     open: str | None = None
+    flows: tuple[FlowTemplate, ...] = ()
 
 
 class NodeShape(NamedTuple):

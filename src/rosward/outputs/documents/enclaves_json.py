@@ -66,11 +66,13 @@ def _enclave(enclave: JointEnclave) -> dict[str, object]:
 
 
 def _process(process: Surplus) -> dict[str, object]:
+    influenced = {} if process.influenced is None else {"influenced": list(process.influenced)}
     return {
         "process": process.process,
         "nodes": list(process.nodes),
         "not_needed": [_right(right, system=False) for right in process.application]
         + [_right(right, system=True) for right in process.system],
+        **influenced,
     }
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rosward.outputs.documents.rows import place_row
+from rosward.ros.flows import End
 from rosward.safe import json_escaped
 from rosward.source.location import Place
 
@@ -21,9 +22,11 @@ def json_text(document: object, default: Callable[[Any], object] | None = None) 
 
 
 def plain(value: Any) -> Any:
-    """Return a record as JSON has it: objects for named tuples, lists for sequences, `{"file", "line"}` for places."""
+    """Return a record as JSON has it: objects for named tuples, lists for sequences, `{"file", "line"}` for places, texts for ends of flows."""
     if isinstance(value, Place):
         return place_row(value)
+    if isinstance(value, End):
+        return str(value)
     if hasattr(value, "_asdict"):
         return {key: plain(each) for key, each in value._asdict().items()}
     if isinstance(value, dict):

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator
 from typing import Final
 
 from rosward.enclaves.grouping import Ladder
-from rosward.enclaves.price import ACTS, LISTENS
+from rosward.enclaves.price import ACTS, INFLUENCES, LISTENS
 from rosward.enclaves.privileges import Privilege
 from rosward.enclaves.size import LARGEST
 from rosward.enclaves.suggestion import JointEnclave, Suggestion, Surplus, Wish
@@ -76,6 +76,9 @@ def _verdict(suggestion: Suggestion) -> Iterator[str]:
         f"are held by processes that do not need them; they need {suggestion.needed} application permissions."
     )
     yield f"The price counts {ACTS} for a permission that affects other nodes and {LISTENS} for a subscription."
+    influenced = [each for process in processes for each in process.influenced or ()]
+    if any(process.influenced is not None for process in processes):
+        yield f"It also counts {INFLUENCES} for each name that a process could not influence before, here {len(influenced)}."
     free = sum(step.price.application == 0 for step in suggestion.ladder.steps)
     if knee is not None and suggestion.wish is Wish.FREE and suggestion.knee > suggestion.cut.steps:
         yield f"The best trade-off for fewer enclaves is the knee, --max {knee.enclaves}: price {knee.total.application}."
@@ -97,6 +100,8 @@ def _enclave(enclave: JointEnclave, *, verbose: bool) -> Iterator[str]:
             yield f"    not needed: {_counts(process)}"
         if process.application:
             yield f"    {_some([_said(p) for p in process.application], verbose=verbose)}"
+        if process.influenced:
+            yield f"    could also influence {_some(process.influenced, verbose=verbose)}"
 
 
 def _counts(process: Surplus) -> str:

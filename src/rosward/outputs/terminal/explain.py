@@ -20,8 +20,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
 from rosward.explanation.answers import Answer, DoubtTold, EnclaveTold, EndTold, MeetingTold, NodeTold, RuleTold
+from rosward.explanation.content import ContentTold, StepTold
 from rosward.explanation.excerpts import Excerpt
 from rosward.explanation.provenance import NameSource, PolicyLine, Start
+from rosward.outputs.terminal.flow_text import path_text, shown
 from rosward.ros.entities import KIND_ORDER, EntityKind
 from rosward.safe import encodable, printable
 
@@ -34,6 +36,10 @@ _GROUPS: Final = 8
 """Kinds of ends that are told in full; of more, each end gets one line."""
 
 _SHOWN: Final = 12
+"""Lines of a list that are shown."""
+
+_STEPS: Final = 60
+"""Steps that lead to a content, of which so many are shown."""
 _NAMED: Final = 6
 _RESOLUTIONS: Final = {
     "exact": "exact: determined by the code alone",
@@ -47,7 +53,6 @@ _INTERFACES: Final = {
     "unknown": "unknown: only what every node has",
 }
 _IGNORING: Final = {"error": ", and its code in `accepted` of the configuration"}
-"""Lines of a list that are shown."""
 
 
 def explain_text(answer: Answer) -> str:
@@ -104,6 +109,46 @@ def _meeting(meeting: MeetingTold) -> Iterator[str]:
     yield from _overview(meeting)
     yield ""
     yield from _ends(meeting.ends, named=False)
+    if meeting.content is not None:
+        yield from _contents(meeting, meeting.content)
+
+
+def _contents(meeting: MeetingTold, content: Sequence[ContentTold]) -> Iterator[str]:
+    """What it is made of: directly with the source, and what that is made of by the lines alone."""
+    if not content:
+        yield f"{meeting.word} {meeting.name}: no statement of the sources sends it"
+        yield ""
+    for each in content:
+        yield f"{shown(each.of)} is made of"
+        for told in each.constant:
+            yield f"  constant  by {told.node}"
+            yield from _code([told.at])
+        for step in each.steps[:_STEPS]:
+            yield from _step(step)
+        if len(each.steps) > _STEPS:
+            yield f"  … and {len(each.steps) - _STEPS} more (--json has all)"
+        yield from (f"  not all is known of {node}: what it sends may hold more" for node in each.unsure)
+        yield ""
+
+
+def _step(step: StepTold) -> Iterator[str]:
+    marks = "  (assumed)" * step.assumed + "  (made of what is above)" * step.above
+    head = f"{'  ' * step.depth}{step.strength:<9} {shown(step.source)}  by {step.node}"
+    if step.depth == 1:
+        yield head + marks
+        yield from _code(step.lines)
+    else:
+        yield f"{head}  {path_text(e.place for e in step.lines)}{marks}"
+
+
+def _code(excerpts: Iterable[Excerpt]) -> Iterator[str]:
+    """Each line, behind the file where that is another one than before."""
+    file = ""
+    for place, lines in excerpts:
+        if place.file != file:
+            yield f"            {place.file}"
+            file = place.file
+        yield from (f"              {number:>4} │ {text}".rstrip() for number, text in lines)
 
 
 def _overview(meeting: MeetingTold) -> Iterator[str]:

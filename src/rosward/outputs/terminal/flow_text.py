@@ -7,21 +7,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
 from rosward.findings import Finding
 from rosward.influence.declared import flows_of
-from rosward.influence.graph import Edge, FlowGraph, Vertex
+from rosward.influence.graph import FlowGraph, Vertex
 from rosward.influence.private import Leaving, Privacy
 from rosward.influence.search import Passing, Reached, in_order, way_to
+from rosward.influence.senders import Influencing
+from rosward.influence.tree import Step, Tree
 from rosward.network.counts import several
 from rosward.ros.entities import Interface, Node
-from rosward.ros.flows import STRENGTHS, End
+from rosward.ros.flows import End
 from rosward.safe import printable
 from rosward.source.location import Place
 
-__all__ = ["findings_text", "nodes_text", "privacy_text", "reaching_text", "tree_text", "ways_text"]
+__all__ = [
+    "enclaves_text",
+    "findings_text",
+    "nodes_text",
+    "path_text",
+    "privacy_text",
+    "reaching_text",
+    "shown",
+    "tree_text",
+    "ways_text",
+]
 
 _MOST_LINES: Final = 400
 
@@ -42,10 +54,16 @@ def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool
 
 
 def _doubt(node: Node) -> str:
-    if node.flows is None:
+    flows = node.flows
+    if flows is None or (node.interface is Interface.DECLARED and not flows.complete):
         known = "declared" if node.interface is Interface.DECLARED else "unknown"
         return f"  ({known}: each output may hold each input)"
-    return "" if node.flows.complete else "  (not wholly known: outputs may hold every input)"
+    if not flows.complete:
+        return "  (not wholly known: outputs may hold every input)"
+    if node.interface is Interface.DECLARED:
+        assumed = [shown(sink.sink) for sink in flows.sinks if sink.assumed]
+        return f"  (declared{'; each input is assumed for ' if assumed else ''}{', '.join(assumed)})"
+    return ""
 
 
 def _columns(
@@ -90,67 +108,41 @@ def _vertex(vertex: Vertex) -> str:
 
 def tree_text(graph: FlowGraph, targets: Sequence[Vertex], found: dict[Vertex, Reached], passing: Passing) -> str:
     """What reaches these, each source once, below what it is part of."""
+    tree = Tree(graph, passing)
     lines: list[str] = []
-    done: set[Vertex] = set()
-    for target in sorted(targets, key=lambda v: (v.end, v.node, v.side != "sent")):
-        if target not in done and _vertex(target) not in lines:
-            lines.append(_vertex(target))
-            _branches(target, "", lines, done, lambda v: _inputs(graph, v, passing))
+    for target in tree.roots(targets):
+        lines.append(_vertex(target))
+        lines += _branches(tree.steps(target))
+        if len(lines) > _MOST_LINES:
+            lines[_MOST_LINES:] = ["…  (use --format json for everything)"]
+            break
     outside = sorted({_vertex(v) for v in found if v.side == "in" and v.node and v.end.kind != "parameter"})
     if outside:
         lines.append(f"from outside: {', '.join(outside)}")
     return "\n".join(printable(line) for line in lines) + "\n"
 
 
-def _inputs(graph: FlowGraph, vertex: Vertex, passing: Passing) -> list[tuple[Edge, Vertex]]:
-    """The flows in nodes that make what stands here; what is only the same thing under its other side is skipped."""
-    made: list[tuple[Edge, Vertex]] = []
-    for edge in graph.into.get(vertex, ()):
-        if edge.node:
-            if passing(edge):
-                made.append((edge, edge.source))
-        else:
-            made += [(e, e.source) for e in graph.into.get(edge.source, ()) if e.node and passing(e)]
-    best: dict[tuple[str, Vertex], tuple[Edge, Vertex]] = {}
-    for edge, source in sorted(made, key=lambda m: (STRENGTHS.index(m[0].strength), m[0].assumed)):
-        best.setdefault((edge.node, source), (edge, source))
-    return list(best.values())
+def enclaves_text(found: Iterable[Influencing]) -> str:
+    """The enclaves that can influence something, those that put data into it first."""
+    known = list(found)
+    parts = []
+    for word, strength in (("", "data"), ("by deciding alone: ", "control"), ("by triggering alone: ", "trigger")):
+        named = [f"{e.enclave}{' (assumed)' * e.assumed}" for e in known if e.strength == strength]
+        if named:
+            parts.append(f"{word}{', '.join(named)}")
+    return printable(f"enclaves that can influence it: {'; '.join(parts)}") + "\n" if parts else ""
 
 
-def _branches(
-    vertex: Vertex,
-    indent: str,
-    lines: list[str],
-    done: set[Vertex],
-    inputs: Callable[[Vertex], list[tuple[Edge, Vertex]]],
-) -> None:
-    """Depth first, without recursion, since a system may be as deep as it likes."""
-    done.add(vertex)
-    work = [(vertex, indent, iter(branches := inputs(vertex)), len(branches))]
-    while work:
-        _, indent, rest, left = work.pop()
-        entry = next(rest, None)
-        if entry is None:
-            continue
-        edge, source = entry
-        last = left == 1
-        work.append((vertex, indent, rest, left - 1))
-        again = "  (above)" if source in done and inputs(source) else ""
-        mark = "" if not edge.assumed else "  (assumed)"
-        branch = "└─ " if last else "├─ "
-        lines.append(
-            f"{indent}{branch}{edge.strength:8}{shown(source.end)}  {edge.node}  {_path(edge.path)}{mark}{again}"
-        )
-        if len(lines) > _MOST_LINES:
-            lines.append("…  (use --format json for everything)")
-            return
-        if source not in done:
-            done.add(source)
-            further = inputs(source)
-            work.append((source, indent + ("   " if last else "│  "), iter(further), len(further)))
+def _branches(steps: Iterable[Step]) -> Iterator[str]:
+    indents: list[str] = []
+    for edge, depth, last, above in steps:
+        del indents[depth - 1 :]
+        branch, marks = "└─ " if last else "├─ ", "  (assumed)" * edge.assumed + "  (above)" * above
+        yield f"{''.join(indents)}{branch}{edge.strength:8}{shown(edge.source.end)}  {edge.node}  {path_text(edge.path)}{marks}"
+        indents.append("   " if last else "│  ")
 
 
-def _path(path: tuple[Place, ...]) -> str:
+def path_text(path: Iterable[Place]) -> str:
     """Lines, each file named once."""
     parts: list[str] = []
     file = ""
