@@ -45,9 +45,9 @@ rosward.bar = (() => {
     if (!found) return "open something to see its flows";
     const count = (search, side) => new Set([...search.reached].filter(([number, { by }]) => by !== null && flows.contents[number].side === side).map(([number]) => number)).size;
     const parts = [];
-    if (found.up) parts.push(`${names.plural(count(found.up, "in"), "source")} upstream`);
-    if (found.down) parts.push(`${names.plural(count(found.down, "sent"), "output")} downstream`);
-    return parts.join(", ");
+    if (found.up) parts.push(names.plural(count(found.up, "in"), "source"));
+    if (found.down) parts.push(names.plural(count(found.down, "sent"), "output"));
+    return parts.join(" · ");
   }
 
   function pressed(event) {

@@ -28,7 +28,8 @@ rosward.flows = (() => {
 
   /**
    * What these reach, or, not `forward`, what reaches them: content to {strength, assumed, steps, by}, the strongest way of each, then the surest,
-   * then the shortest; a way is as strong as its weakest step. A start is [content, node]: with a node, the first step is one of that node.
+   * then the shortest; a way is as strong as its weakest step. A start is [content, node, strength]: with a node, the first step is one of that
+   * node; the strength is how the content is part of what the search is about.
    */
   function search(starts, forward, weakest) {
     const reached = new Map();
@@ -38,10 +39,11 @@ rosward.flows = (() => {
       const line = waiting[2 * strength + assumed];
       (line[steps] ||= []).push(item);
     };
-    for (const [content, node] of starts) {
+    for (const [content, node, strength] of starts) {
+      if (strength > weakest) continue;
       if (!only.has(content)) only.set(content, new Set());
       only.get(content).add(node);
-      put(0, 0, 0, [content, null]);
+      put(strength, 0, 0, [content, null]);
     }
     waiting.forEach((line, rank) => {
       for (let steps = 0; steps < line.length; steps++) {
@@ -75,14 +77,14 @@ rosward.flows = (() => {
 
   /** Where a search begins for what the address names: a node, an endpoint, entities. */
   function starts({ one, entities }, forward) {
-    if (one && ofEndpoint.has(one.id)) return ofEndpoint.get(one.id).map((content) => [content, null]);
-    if (one) {
+    if (one && model.kindOf(one) === "node") {
       const outputs = ofNode.get(one.id)?.outputs || [];
-      return (forward ? outputs.map((output) => output.content) : outputs.flatMap((output) => output.sources.map(([content]) => content))).map((content) => [content, null]);
+      return forward ? outputs.map((output) => [output.content, null, 0]) : outputs.flatMap((output) => output.sources.map(([content, strength]) => [content, null, strength]));
     }
+    if (one) return (ofEndpoint.get(one.id) || []).map((content) => [content, null, 0]);
     return entities.flatMap((entity) => [
-      ...ends(entity, "sent").map((content) => [content, forward ? null : entity.node]),
-      ...ends(entity, "in").map((content) => [content, forward ? entity.node : null]),
+      ...ends(entity, "sent").map((content) => [content, forward ? null : entity.node, 0]),
+      ...ends(entity, "in").map((content) => [content, forward ? entity.node : null, 0]),
     ]);
   }
 

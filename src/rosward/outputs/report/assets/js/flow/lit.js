@@ -11,6 +11,7 @@ rosward.lit = (() => {
     const key = `${one.node} ${one.endpoint}`;
     entitiesAt.set(key, [...(entitiesAt.get(key) || []), one]);
   }
+  const LARGEST = 1.25; // zoom
   let waiting = false;
   let shown = null;
 
@@ -30,9 +31,8 @@ rosward.lit = (() => {
       { selector: "edge.against.along", style: { "target-arrow-shape": "triangle" } },
       { selector: "edge.flow-assumed", style: { "target-arrow-fill": "hollow", "source-arrow-fill": "hollow" } },
       { selector: "edge.flow-way", style: { width: 5, "z-index": 12, "underlay-color": colour("data"), "underlay-opacity": 0.22, "underlay-padding": 5 } },
-      { selector: "node.shape.flow-way", style: { "underlay-color": colour("data"), "underlay-opacity": 0.3, "underlay-padding": 6 } },
+      { selector: "node.shape.flow-way", style: { "border-width": 5 } },
       { selector: ".flow.faded", style: { opacity: 0.16 } },
-      { selector: "node.shape.chosen", style: { "underlay-color": look.colour("focus"), "underlay-opacity": 0.5 } },
     ];
   }
 
@@ -174,8 +174,11 @@ rosward.lit = (() => {
     listen: (listener) => listeners.push(listener),
     /** All that is lit, in view. */
     fit: () => {
-      const lit = graph.library().elements(".flow");
-      if (lit.nonempty()) graph.library().fit(lit, 40);
+      const cy = graph.library();
+      const lit = cy.elements(".flow");
+      if (lit.empty()) return;
+      cy.fit(lit, 40);
+      if (cy.zoom() > LARGEST) cy.zoom(LARGEST).center(lit);
     },
   };
 })();

@@ -94,7 +94,7 @@ rosward.sections = (() => {
     const way = flows.way(all, number, forward);
     const through = new Set(way.map((edge) => edge.node).filter((id) => id !== null));
     return unfolding("reached",
-      [el("span", { class: "title" }, ways.content(number, null), one.assumed ? ways.assumed() : null, el("span", { class: "dim at" }, names.plural(through.size, "step")))],
+      [el("span", { class: "title" }, ways.content(number, null), one.assumed ? ways.assumed() : null, el("span", { class: "dim at" }, names.plural(through.size, "node")))],
       () => ways.steps(way), way);
   }
 

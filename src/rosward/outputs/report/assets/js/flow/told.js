@@ -2,7 +2,8 @@
 "use strict";
 // Flows outside of the graph: the way of a finding, and what stands on paper.
 rosward.told = (() => {
-  const { model, route, dom, names, flows, choice, ways, parts } = rosward;
+  const { model, route, state, dom, names, graph, flows, choice, lit, ways, parts } = rosward;
+  const LARGE = 150; // nodes: drawn with their topics they are no picture
   const { el, icon, named } = dom;
   const box = document.getElementById("findings");
   const paper = el("div", { id: "paper-flows", "aria-hidden": "true" });
@@ -15,18 +16,25 @@ rosward.told = (() => {
       if (!finding?.way) continue;
       item.querySelector(":scope > .source")?.remove(); // the last line of the way
       const steps = flows.told(finding);
-      const show = el("button", { type: "button", class: "act", onclick: () => {
-        choice.set({ finding: finding.id });
-        route.go("#graph");
-      } }, icon("graph"), "Show the way in the graph");
+      const show = el("button", { type: "button", class: "act", onclick: () => inGraph(finding) }, icon("graph"), "Show the way in the graph");
       item.querySelector(":scope > .subjects").after(steps.length ? el("p", {}, show) : "",
         el("div", { class: "way", role: "group", "aria-label": names.plural(finding.way.length, "line") }, ways.lines(finding.way)));
     }
   }
 
+  /** The way in the drawing; of a system that is not too large with the topics on it. */
+  async function inGraph(finding) {
+    choice.set({ finding: finding.id });
+    route.go("#graph");
+    if (state.get().detail !== "all" && model.nodes.size <= LARGE) state.set({ detail: "all" });
+    await new Promise((done) => setTimeout(done));
+    await graph.settled();
+    queueMicrotask(lit.fit);
+  }
+
   /** A table for each node: what each output is made of. */
   function print() {
-    const { nodes } = rosward.graph.shown();
+    const { nodes } = graph.shown();
     const texts = (sources, strength) => sources.filter((one) => one[1] === strength).map(([number]) => own(number)).join(", ");
     const own = (number) => ways.text(number).replace(/ of \S+$/, (of) => (flows.contents[number].node === null ? of : ""));
     dom.fill(paper, el("h2", {}, "What each output is made of"), model.report.nodes.filter((one) => nodes.has(one.id) && flows.ofNode.get(one.id)?.outputs.length).map((one) => el("section", {},

@@ -61,7 +61,7 @@ rosward.ways = (() => {
       const known = model.report.code[file] || {};
       const texts = own.map(({ line }) => (known[line] || "").trim());
       return el("figure", { class: "source way-lines" },
-        el("figcaption", {}, el("code", { class: "place" }, named(file, "span")), dom.copyButton(() => own.map(parts.placeText).join("\n"), "Copy")),
+        el("figcaption", {}, el("code", { class: "place", title: names.visible(file) }, named(file.split("/").slice(-2).join("/"), "span")), dom.copyButton(() => own.map(parts.placeText).join("\n"), "Copy")),
         el("div", { class: "lines", role: "group", tabindex: "0", "aria-label": `${names.plural(own.length, "line")} of ${names.visible(file)}` },
           own.map(({ line }, at) => el("div", { class: "line" }, el("span", { class: "number" }, line || ""), el("code", {}, texts[at] || " ")))));
     });
