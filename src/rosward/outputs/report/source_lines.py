@@ -53,7 +53,9 @@ def source_lines(
                 else:
                     limit -= size
                     held.update(new)
-    kept = {file: {str(number): held[number] for number in sorted(held)} for file, held in sorted(lines.items()) if held}
+    kept = {
+        file: {str(number): held[number] for number in sorted(held)} for file, held in sorted(lines.items()) if held
+    }
     return SourceLines(kept, left_out)
 
 

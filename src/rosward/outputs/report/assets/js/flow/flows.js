@@ -94,12 +94,15 @@ rosward.flows = (() => {
     return (ofEndpoint.get(entity.endpoint) || []).filter((content) => contents[content].side === side && kinds.includes(contents[content].kind));
   }
 
-  /** The steps in nodes that a finding tells of: those whose lines are all among its own. */
+  /** The steps in nodes that a finding tells of: those whose lines are all among its own; no weaker ones than it takes to have all of these. */
   function told(finding) {
     const key = ({ file, line }) => `${line} ${file}`;
     const lines = new Set((finding.way || []).map(key));
     const about = new Set(finding.subjects);
-    return edges.filter((edge) => about.has(edge.node) && edge.way.every((number) => lines.has(key(place(number)))));
+    const fitting = edges.filter((edge) => about.has(edge.node) && edge.way.every((number) => lines.has(key(place(number)))));
+    const upTo = (weakest) => fitting.filter((edge) => edge.strength <= weakest);
+    const whole = (some) => new Set(some.flatMap((edge) => edge.way)).size >= lines.size;
+    return [0, 1].map(upTo).find(whole) || fitting;
   }
 
   function place(number) {

@@ -49,7 +49,7 @@ rosward.lit = (() => {
         for (const edge of search.edges(content)) step(record, edge, Math.max(strength, edge.strength), assumed | edge.assumed, false);
       }
     }
-    for (const edge of choice.get().way) step(record, edge, edge.strength, edge.assumed, true);
+    for (const edge of choice.get().way) step(record, edge, 2, 1, true); // it is found as strong as it is
     if (place.one && model.kindOf(place.one) === "node") ownEnds(record, place.one, found);
     if (!record.things.size) return null;
     for (const one of place.one ? [place.one.id] : place.entities.flatMap(({ node, endpoint }) => [node, endpoint])) if (!record.things.has(one)) note(record.things, one, 0, 0, false);
@@ -103,7 +103,8 @@ rosward.lit = (() => {
     return one;
   }
 
-  const classes = ({ rank, way }) => ["flow", `flow-${flows.STRENGTHS[rank >> 1]}`, rank & 1 ? "flow-assumed" : "", way ? "flow-way" : ""];
+  const classes = ({ rank, way, along, against }) =>
+    ["flow", `flow-${flows.STRENGTHS[rank >> 1]}`, rank & 1 && "flow-assumed", way && "flow-way", along && "along", against && "against"].filter(Boolean).join(" ");
 
   function update() {
     const cy = graph.library();
@@ -113,15 +114,15 @@ rosward.lit = (() => {
       cy.elements(".flow, .aside").removeClass(CLASSES.join(" "));
       if (record === null) return;
       const edges = new Map(graph.picture().edges.map((one) => [one.key, joined(one, record)]));
-      cy.edges().forEach((edge) => {
-        const one = edges.get(edge.id());
-        if (one) edge.addClass([...classes(one), one.along ? "along" : "", one.against ? "against" : ""].join(" "));
-        else edge.addClass("aside");
-      });
-      cy.nodes(".shape").forEach((node) => {
-        const one = ofShape(node, record, edges);
-        node.addClass(one ? classes(one).join(" ") : "aside");
-      });
+      const alike = new Map(); // thousands of elements have a few looks
+      const looks = (element, one) => {
+        const words = one ? classes(one) : "aside";
+        if (!alike.has(words)) alike.set(words, []);
+        alike.get(words).push(element);
+      };
+      cy.edges().forEach((edge) => looks(edge, edges.get(edge.id())));
+      cy.nodes(".shape").forEach((node) => looks(node, ofShape(node, record, edges)));
+      for (const [words, elements] of alike) cy.collection(elements).addClass(words);
     });
     listeners.forEach((listener) => listener());
   }

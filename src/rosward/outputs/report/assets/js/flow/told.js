@@ -35,13 +35,12 @@ rosward.told = (() => {
   /** A table for each node: what each output is made of. */
   function print() {
     const { nodes } = graph.shown();
-    const texts = (sources, strength) => sources.filter((one) => one[1] === strength).map(([number]) => own(number)).join(", ");
-    const own = (number) => ways.text(number).replace(/ of \S+$/, (of) => (flows.contents[number].node === null ? of : ""));
+    const texts = (sources, strength) => sources.filter((one) => one[1] === strength).map(([number]) => ways.text(number)).join(", ");
     dom.fill(paper, el("h2", {}, "What each output is made of"), model.report.nodes.filter((one) => nodes.has(one.id) && flows.ofNode.get(one.id)?.outputs.length).map((one) => el("section", {},
       el("h3", {}, named(one.fqn)),
       el("table", {}, el("thead", {}, el("tr", {}, ["Output", "Data", "Decided by", "Triggered by", "Sent at"].map((word) => el("th", {}, word)))), el("tbody", {},
         flows.ofNode.get(one.id).outputs.map(({ content, place, sources }) => el("tr", {},
-          [own(content), texts(sources, 0), texts(sources, 1), texts(sources, 2), parts.placeText(flows.place(place))].map((cell) => el("td", {}, named(cell, "span"))))))))));
+          [ways.text(content), texts(sources, 0), texts(sources, 1), texts(sources, 2), parts.placeText(flows.place(place))].map((cell) => el("td", {}, named(cell, "span"))))))))));
   }
 
   function start() {

@@ -43,11 +43,10 @@ rosward.ways = (() => {
     return el("span", { class: "content-of" }, word ? el("span", { class: "word" }, word) : null, word && linked ? " " : null, linked, of);
   }
 
-  /** The same as text, for labels. */
+  /** The same as text, for paper. */
   function text(number) {
-    const { kind, name, node } = flows.contents[number];
-    const word = kind === "topic" ? "" : KINDS[kind] || kind;
-    return [word, name, node === null ? "" : `of ${model.nodes.get(node).fqn}`].filter(Boolean).join(" ");
+    const { kind, name } = flows.contents[number];
+    return [kind === "topic" ? "" : KINDS[kind] || kind, name].filter(Boolean).join(" ");
   }
 
   /** Lines of the sources in the order of a way, each file named once. */
