@@ -186,7 +186,7 @@ def test_the_panel_tells_each_source_once_the_strongest_first(page: Page) -> Non
     ]  # fmt: skip
     assert rows(page, "down") == ["/cmd_vel"]
     assert page.locator("#panel .flows .down summary").get_by_text("assumed").count() == 1
-    assert page.locator("#flow-status").inner_text() == "8 sources · 1 output"
+    assert page.locator("#flow-status").inner_text().replace("\xa0", " ") == "8 sources · 1 output"
 
 
 def test_a_row_opens_to_its_way_line_by_line_and_marks_it(page: Page) -> None:

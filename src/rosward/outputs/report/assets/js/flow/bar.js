@@ -44,10 +44,8 @@ rosward.bar = (() => {
     if (direction === "off") return "";
     if (!found) return "open something to see its flows";
     const count = (search, side) => new Set([...search.reached].filter(([number, { by }]) => by !== null && flows.contents[number].side === side).map(([number]) => number)).size;
-    const parts = [];
-    if (found.up) parts.push(names.plural(count(found.up, "in"), "source"));
-    if (found.down) parts.push(names.plural(count(found.down, "sent"), "output"));
-    return parts.join(" · ");
+    const counts = [found.up && names.plural(count(found.up, "in"), "source"), found.down && names.plural(count(found.down, "sent"), "output")];
+    return counts.filter(Boolean).map((text) => text.replace(" ", "\u00a0")).join(" · ");
   }
 
   function pressed(event) {
