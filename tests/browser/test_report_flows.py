@@ -333,6 +333,65 @@ def test_evil_names_stay_names(browser: Browser, tmp_path: Path) -> None:
         assert page.locator("#panel img").count() == 0
 
 
+def test_a_system_without_anything(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, written(tmp_path, connect("jazzy", []), FLOWS)) as page:
+        assert page.locator("#flow-status").inner_text() == "open something to see its flows"
+        page.keyboard.press("i")
+        page.keyboard.press("w")
+
+
+def test_what_is_logged_goes_to_rosout_and_what_is_broadcast_to_tf(browser: Browser, tmp_path: Path) -> None:
+    nodes = [
+        flowing(node("/a", sub("/in"), pub("/tf")), sink("log", data=["topic:/in"]), sink("tf", data=["topic:/in"])),
+        flowing(node("/b", sub("/tf"), pub("/out")), sink("topic:/out", control=["tf"])),
+    ]
+    with opened(browser, written(tmp_path, connect("jazzy", nodes), FLOWS)) as page:
+        chosen(page, "#t/in", direction="down")
+        assert lit(page, "data") == {"/in", "/a", "/tf"}
+        assert lit(page, "control") == {"/b", "/out"}
+        assert rows(page, "down") == ["log", "transforms (tf)", "/out"]
+        chosen(page, "#t/rosout", direction="up")
+        assert rows(page, "up") == ["/in"]
+        assert "/a > /rosout" in lines(page, "data")
+
+
+def test_a_topic_that_is_drawn_beside_each_of_its_nodes_is_lit_beside_those_that_use_it(
+    browser: Browser, tmp_path: Path
+) -> None:
+    beats = [
+        flowing(node(f"/n{at:02}", pub("/beat"), system=False), sink("topic:/beat", data=["clock"])) for at in range(15)
+    ]
+    watch = flowing(
+        node("/watch", sub("/beat"), pub("/alarm"), system=False), sink("topic:/alarm", control=["topic:/beat"])
+    )
+    deaf = node("/deaf", sub("/beat"), system=False)
+    with opened(browser, written(tmp_path, connect("jazzy", [*beats, watch, flowing(deaf)]), FLOWS)) as page:
+        page.evaluate("rosward.state.set({ detail: 'all', collapsed: [] })")
+        chosen(page, "#n/n03", direction="down")
+        assert lit(page, "data") == {"/n03", "/beat"}
+        assert lit(page, "control") == {"/watch", "/alarm"}
+        hubs = "rosward.graph.library().nodes('.hub.flow').map(one => one.id().split(' at ')[1])"
+        by = {
+            one["id"]: one["fqn"]
+            for one in page.evaluate("rosward.model.report.nodes.map(({ id, fqn }) => ({ id, fqn }))")
+        }
+        assert sorted(by[one] for one in page.evaluate(hubs)) == ["/n03", "/watch"]
+
+
+def test_a_closed_frame_is_lit_where_something_goes_in(browser: Browser, tmp_path: Path) -> None:
+    nodes = [
+        flowing(
+            node(name, sub(f"/t{at}"), pub(f"/t{at + 1}"), system=False),
+            sink(f"topic:/t{at + 1}", data=[f"topic:/t{at}"]),
+        )
+        for at, name in enumerate(("/a/x", "/b/y", "/b/z", "/c/w"))
+    ]
+    with opened(browser, written(tmp_path, connect("jazzy", [*nodes, node("/c/v"), node("/a/u")]), FLOWS)) as page:
+        page.get_by_role("button", name="Close all frames").click()
+        chosen(page, "#n/a/x", direction="down")
+        assert any(label.startswith("/b") for label in lit(page))
+
+
 def test_a_thousand_nodes_answer_at_once(browser: Browser, tmp_path: Path) -> None:
     """A chain of as many, in a ring: everything reaches everything."""
     count = 1000

@@ -37,7 +37,7 @@ rosward.choice = (() => {
     turn: () => set({ direction: DIRECTIONS[(DIRECTIONS.indexOf(current.direction) + 1) % DIRECTIONS.length] }),
     weaken: () => set({ weakest: (current.weakest + 1) % flows.STRENGTHS.length }),
     listen: (listener) => listeners.push(listener),
-    /** An item that is opened takes the place of a way; listens before all that show something. */
+    /** An item that is opened takes the place of a way; whatever the address names, who listens here hears of it. */
     start: () => route.listen((place) => set({ way: Object.freeze([]), finding: open(place) ? null : current.finding })),
   };
 })();

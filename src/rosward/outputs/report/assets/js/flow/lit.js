@@ -149,7 +149,7 @@ rosward.lit = (() => {
     if (one && !node.hasClass("hub")) return one;
     const through = node.connectedEdges().toArray().map((edge) => edges.get(edge.id())).filter(Boolean);
     if (!through.length || (!one && !node.hasClass("group"))) return null;
-    return { rank: Math.min(...through.map((each) => each.rank)), way: through.some((each) => each.way) };
+    return { rank: one ? one.rank : Math.min(...through.map((each) => each.rank)), way: through.some((each) => each.way) };
   }
 
   /** Once for all that happens before the next picture. */

@@ -53,6 +53,7 @@ rosward.ways = (() => {
   function lines(places) {
     const files = [];
     for (const place of places) {
+      if (!place.file) continue; // nobody knows the line
       if (files.at(-1)?.[0] === place.file) files.at(-1)[1].push(place);
       else files.push([place.file, [place]]);
     }
