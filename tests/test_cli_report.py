@@ -86,3 +86,54 @@ def test_a_baseline_has_what_was_asked_for() -> None:
     assert "RW332" not in Path("known.json").read_text(encoding="utf-8")
     extract("--loose-ends", "--write-baseline", "known.json")
     assert "RW332" in Path("known.json").read_text(encoding="utf-8")
+
+
+RELAY = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+rclpy.init()
+node = Node("relay")
+out = node.create_publisher(String, "out", 10)
+node.create_subscription(String, "in", lambda message: out.publish(message), 10)
+"""
+RULE = """
+[[flow.rule]]
+from = ["/in"]
+not-to = ["/out"]
+"""
+RELEASE = """
+[[flow.release]]
+through = ["node:/relay"]
+of = ["/in"]
+because = "it is harmless"
+"""
+
+
+def relayed(*arguments: str, configuration: str = "") -> dict[str, Any]:
+    """The report of a node that passes on what it gets."""
+    Path("relay.py").write_text(RELAY, encoding="utf-8")
+    Path("rosward.toml").write_text(configuration, encoding="utf-8")
+    main(["extract", "-q", "--format", "html", *arguments])
+    return report()
+
+
+def test_flows_are_in_the_report_where_they_are_asked_for() -> None:
+    assert "flows" not in relayed()
+    plain = Path("rosward-out/report.html").read_bytes()
+    for document in (relayed("--flows"), relayed(configuration="flows = true"), relayed(configuration=RELEASE)):
+        (node,) = document["flows"]["nodes"]
+        (output,) = node["outputs"]
+        assert [source[1:3] for source in output["sources"]] == [[0, 0]]
+    assert relayed()
+    assert Path("rosward-out/report.html").read_bytes() == plain
+
+
+def test_a_broken_rule_is_in_the_report_with_its_way() -> None:
+    document = relayed(configuration=RULE)
+    (finding,) = (f for f in document["findings"] if f["code"] == "RW601")
+    assert [place["line"] for place in finding["way"]] == [8]
+    assert [row["fqn"] for row in document["nodes"] if row["id"] in finding["subjects"]] == ["/relay"]
+    assert document["code"]["relay.py"]["8"].startswith("node.create_subscription")
+    assert [f["code"] for f in relayed(configuration=RULE + RELEASE)["findings"] if f["code"].startswith("RW6")] == []

@@ -21,22 +21,12 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 ROOT: Final = Path(__file__).parents[1]
 PICTURES: Final = ROOT / "docs" / "img"
-_FLEET: Final = "delivery_bringup:fleet.launch.py"
+_FLEET: Final = ("--launch", "delivery_bringup:fleet.launch.py")
+_ROBOT: Final = ("--launch", "delivery_bringup:robot.launch.py", "--arg", "robot:=porter", "--flows")
 
 
-def _report(folder: Path) -> str:
-    command = [
-        sys.executable,
-        "-m",
-        "rosward",
-        "extract",
-        str(ROOT / "examples"),
-        "--launch",
-        _FLEET,
-        "-o",
-        str(folder),
-        "-q",
-    ]
+def _report(folder: Path, *options: str) -> str:
+    command = [sys.executable, "-m", "rosward", "extract", str(ROOT / "examples"), *options, "-o", str(folder), "-q"]
     subprocess.run(command, check=True)
     return (folder / "report.html").as_uri()
 
@@ -54,7 +44,7 @@ def _drawn(page: Page) -> None:
 
 
 def _of_report(browser: Browser, folder: Path) -> None:
-    address = _report(folder)
+    address = _report(folder, *_FLEET)
     page = _opened(browser, address)
     _drawn(page)
     page.screenshot(path=PICTURES / "report-overview.png")
@@ -68,6 +58,18 @@ def _of_report(browser: Browser, folder: Path) -> None:
     page.locator("#panel h3", has_text="Subscribes to").evaluate("h => h.scrollIntoView()")
     page.wait_for_timeout(300)
     page.screenshot(path=PICTURES / "report-graph.png")
+
+
+def _of_flows(browser: Browser, folder: Path) -> None:
+    page = _opened(browser, _report(folder, *_ROBOT))
+    _drawn(page)
+    page.evaluate("rosward.state.set({ detail: 'all' })")
+    _drawn(page)
+    page.evaluate("location.hash = '#n/porter/delivery_planner'")
+    page.locator("#panel .made-of").evaluate("section => section.scrollIntoView()")
+    page.locator("#panel .made-of summary .at").last.click()
+    page.wait_for_timeout(800)
+    page.screenshot(path=PICTURES / "report-flows.png")
 
 
 def _of_server(browser: Browser, folder: Path) -> None:
@@ -97,6 +99,7 @@ def main() -> int:
             executable_path=program, args=["--headless", "--no-sandbox", "--disable-gpu"]
         )
         _of_report(browser, Path(place) / "report")
+        _of_flows(browser, Path(place) / "flows")
         _of_server(browser, Path(place))
         browser.close()
     return 0

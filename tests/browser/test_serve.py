@@ -110,6 +110,24 @@ def test_an_example_in_one_click(page: Page) -> None:
     assert "class Talker(Node):" in page.locator("#program").inner_text()
 
 
+def test_flows_are_shown_where_they_are_asked_for(page: Page) -> None:
+    page.locator("[data-example=talker]").click()
+    page.wait_for_url("**/results/*")
+    first = page.url
+    report_of(page)
+    assert page.frame_locator("iframe").locator("#flow").count() == 0
+    open_tab(page, "Options")
+    page.get_by_label("Show what flows where").check()
+    page.get_by_role("button", name="Analyse again").click()
+    page.wait_for_url(lambda url: url != first)
+    report_of(page)
+    frame = page.frame_locator("iframe")
+    frame.locator("#list a.node", has_text="/talker").click()
+    frame.locator("#panel .made-of summary", has_text="/chatter").wait_for()
+    open_tab(page, "Options")
+    assert page.get_by_label("Show what flows where").is_checked()
+
+
 def test_progress_is_told_while_it_lasts(page: Page) -> None:
     """The server says something of each step; the page shows it and then the report, without being asked."""
     with page.expect_response("**/api/news"):

@@ -27,7 +27,7 @@ from .page import OWN_PAGE, PORT, TALKER, Page, opened, status_of, those_that_en
 posix = pytest.mark.skipif(sys.platform != "linux", reason="names without encoding, and FIFOs")
 
 
-@pytest.mark.parametrize("name", ["distro", "unknown", "enclaves", "tests", "launch", "arguments"])
+@pytest.mark.parametrize("name", ["distro", "unknown", "enclaves", "tests", "flows", "launch", "arguments"])
 @pytest.mark.parametrize("value", [[[]], [{}], {"a": []}, 1])
 def test_settings_of_any_form_are_refused(name: str, value: object, page: Page, tmp_path: Path) -> None:
     page.refused("/api/workspaces", {"path": str(tmp_path), "settings": {name: value}})

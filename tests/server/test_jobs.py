@@ -179,7 +179,7 @@ def test_a_package_above_an_upload_is_not_looked_at(tmp_path: Path) -> None:
 
 
 def test_a_job_and_its_lines_come_back_as_they_were() -> None:
-    settings = Settings("humble", "wildcard", "node", True, ("a.launch.py",), False, (("x", "1"),))
+    settings = Settings("humble", "wildcard", "node", True, ("a.launch.py",), False, (("x", "1"),), flows=True)
     job = Job("/a", "/b", settings, "/c.zip", "/d.json", "/e.json", Limits(seconds=1.5))
     assert read_job(job.line()) == job
     assert read_line(b'{"what": "reading", "done": 1, "all": 2}') == JobStep("reading", 1, 2)

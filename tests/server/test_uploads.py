@@ -6,9 +6,11 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Final
 
 import pytest
 
+from rosward.outputs.report.packed import document_in
 from rosward.server.limits import Limits
 
 from .page import OWN_PAGE, TALKER, Page, opened, packed
@@ -135,6 +137,30 @@ def test_a_zip_is_analysed_and_again_with_other_settings(real_page: Page) -> Non
     again = real_page.post(f"/api/results/{first['id']}/again", {"settings": {"distro": "humble"}})
     assert real_page.wait(again["id"])["settings"] == "humble"
     assert json.loads(real_page.text(again["id"], "network.json"))["distro"] == "humble"
+
+
+RELAY: Final = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+rclpy.init()
+node = Node("relay")
+out = node.create_publisher(String, "out", 10)
+node.create_subscription(String, "in", lambda message: out.publish(message), 10)
+rclpy.spin(node)
+"""
+
+
+def test_flows_are_in_the_report_of_who_asks_for_them(real_page: Page) -> None:
+    first = real_page.wait(real_page.send({"ws.zip": packed({"ws/relay.py": RELAY.encode()})}).json()["id"])
+    assert "flows" not in json.loads(document_in(real_page.text(first["id"], "report.html")))
+    again = real_page.post(f"/api/results/{first['id']}/again", {"settings": {"flows": True}})
+    assert real_page.wait(again["id"])["settings"] == "jazzy, with flows"
+    (node,) = json.loads(document_in(real_page.text(again["id"], "report.html")))["flows"]["nodes"]
+    assert [len(output["sources"]) for output in node["outputs"]] == [1]
+    (node,) = json.loads(real_page.text(again["id"], "flow.json"))["nodes"]
+    assert node["sinks"][0]["data"] == ["topic:/in"]
 
 
 def test_uploaded_programs_are_never_run(real_page: Page, tmp_path: Path) -> None:

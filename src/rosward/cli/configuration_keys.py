@@ -188,6 +188,7 @@ KEYS: Final[Mapping[str, Key]] = {
     "output": Key(_below, "folder or file below that of the file", command="extract"),
     "system": Key(_flag, "true, false", command="extract"),
     "types": Key(_flag, "true, false", command="extract"),
+    "flows": Key(_flag, "true, false", command="extract"),
     "loose-ends": Key(_flag, "true, false", command="extract"),
     "compact": Key(_flag, "true, false", command="extract"),
     "quiet": Key(_flag, "true, false", command="extract"),

@@ -30,7 +30,7 @@ from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDIN
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
     from rosward.enclaves.widened import Widenings
-    from rosward.findings import Finding
+    from rosward.outputs.report.document import Background
     from rosward.pipeline import Result
     from rosward.suppression.judge import Reviewed
 
@@ -65,6 +65,11 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
     add_compact(parser)
     parser.add_argument("--system", action="store_true", help="show the entities of the client library in the graph")
     parser.add_argument("--types", action="store_true", help="show interface types in the graph")
+    parser.add_argument(
+        "--flows",
+        action="store_true",
+        help="show in report.html what each output is made of, and what reaches what; on by itself if rosward.toml has flow rules",
+    )
     parser.add_argument(
         "--loose-ends",
         action="store_true",
@@ -102,23 +107,24 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _run(options: argparse.Namespace) -> int:
+    from rosward.outputs.report.document import Background
     from rosward.rules import Severity
     from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
     policy: Policy = options.flow or Policy()
     watched = frozenset(policy.functions)
-    result = extracted(
-        options, options.paths, request, shown=not options.quiet, flow=bool(policy.rules), watched=watched
-    )
-    if policy.rules:
+    flowing = bool(options.flows or policy.rules or policy.releases)
+    result = extracted(options, options.paths, request, shown=not options.quiet, flow=flowing, watched=watched)
+    if flowing:
         result = with_flows_checked(result, policy)
     widened: Widenings = {}
     if options.compact:
         result, widened = compacted(result, options)
     sources = SourceTexts(result.root, result.files)
     found, loose = reviewed_result(result, sources, options, unused=not request.deploys)
-    written, found = _write(result, found, loose, options, widened)
+    background = Background(result.root, result.systems, loose, flow=flowing)
+    written, found = _write(result, found, options, widened, background)
     steps = Steps()
     if not options.quiet:
         steps(lambda: summarise(result, found, written, options), None, "the rest of the summary is missing")
@@ -160,13 +166,12 @@ def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Wide
 def _write(
     result: Result,
     found: Reviewed,
-    loose: tuple[Finding, ...],
     options: argparse.Namespace,
     widened: Widenings,
+    background: Background,
 ) -> tuple[list[str], Reviewed]:
     """What was written, and the findings with those of writing."""
     from rosward.outputs.files import write_outputs
-    from rosward.outputs.report.document import Background
     from rosward.outputs.writing import Material
     from rosward.suppression.judge import of_no_file
 
@@ -178,7 +183,7 @@ def _write(
                 options.system,
                 options.types,
                 widened,
-                Background(result.root, result.systems, loose),
+                background,
             ),
             options.output,
             options.format,

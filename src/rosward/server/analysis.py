@@ -3,6 +3,7 @@
 
 report.html, policy.xml, policies/…, permissions/…, network.json, graph.*, findings.*   the outputs of `rosward extract`
 findings.txt       what the terminal would print
+flow.json          what each output is made of, where that is asked for
 changes.txt        nodes, entities and rights that came and went, where there is an earlier result of the same sources
 outputs.zip        all of these
 summary.json       what the page shows of them (written last)
@@ -26,10 +27,13 @@ from rich.console import Console
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.diff.compare import compare, read_snapshot
 from rosward.enclaves.grants import enclaves
+from rosward.influence.executed import executed
+from rosward.influence.graph import graph_of
 from rosward.network.connect import with_findings
 from rosward.network.counts import counts_of
 from rosward.network.graph import Network
 from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
+from rosward.outputs.documents.flow_json import flow_json
 from rosward.outputs.files import write_outputs
 from rosward.outputs.formats import BY_NAME
 from rosward.outputs.report.document import Background
@@ -37,7 +41,7 @@ from rosward.outputs.terminal.diff_text import diff_text
 from rosward.outputs.terminal.summary import summary
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import Material, Scan, of_enclave
-from rosward.pipeline import extract
+from rosward.pipeline import Budget, extract
 from rosward.rules import Severity
 from rosward.server.job import Job
 from rosward.server.launch_files import launch_files
@@ -67,16 +71,21 @@ def analyse(job: Job, tell: Teller) -> None:
         request=request,
         env=dict(settings.env),
         enclaves=settings.enclaves,
+        budget=Budget(flow=settings.flows),
         progress=tell,
     )
     tell("writing", 0, 1)
-    findings = (*result.findings, *loose_ends(result.network))
+    flowing = tuple(executed(result.network.nodes)) if settings.flows else ()
+    network = with_findings(result.network, flowing)
+    findings = (*network.findings, *loose_ends(network))
     found = review(findings, SourceTexts(result.root, result.files), Wishes(), unused=not request.deploys)
     loose = tuple(f for f in found.findings if f.code in LOOSE_ENDS)
     reviewed = found._replace(shown=tuple(j for j in found.shown if j.finding.code not in LOOSE_ENDS))
-    network = replace(result.network, findings=reviewed.findings)
+    network = replace(network, findings=reviewed.findings)
     written = write_outputs(
-        Material(network, settings.unknown, background=Background(result.root, result.systems, loose)),
+        Material(
+            network, settings.unknown, background=Background(result.root, result.systems, loose, flow=settings.flows)
+        ),
         job.output,
         BY_NAME,
         Scan(reviewed.shown),
@@ -86,6 +95,8 @@ def analyse(job: Job, tell: Teller) -> None:
     printed = io.StringIO()
     summary(network, Console(file=printed, soft_wrap=True, width=120, no_color=True), verbose=True, reviewed=reviewed)
     write_text(job.output, "findings.txt", printed.getvalue())
+    if settings.flows:
+        write_text(job.output, "flow.json", flow_json(network.nodes, graph_of(network.nodes), flowing))
     changed = _changes(job)
     files = _files_below(output)
     _pack(output, files)

@@ -38,6 +38,7 @@ class Settings(NamedTuple):
     all_launch: bool = False
     arguments: tuple[tuple[str, str], ...] = ()
     env: tuple[tuple[str, str], ...] = ()
+    flows: bool = False
 
     def document(self) -> dict[str, object]:
         """As `read_settings` reads it."""
@@ -58,6 +59,7 @@ class Settings(NamedTuple):
         parts += [f"one enclave per {self.enclaves}"] if self.enclaves in {"node", "process"} else []
         parts += ["enclaves of the launch files"] if self.enclaves == "launch" else []
         parts += ["with tests"] if self.tests else []
+        parts += ["with flows"] if self.flows else []
         return ", ".join(parts)
 
 
@@ -76,9 +78,9 @@ def read_settings(document: object) -> Settings:
         raise UploadRefusedError("unknown must be deny or wildcard")
     if enclaves is not None and enclaves not in ENCLAVES:
         raise UploadRefusedError(f"enclaves must be one of {', '.join(ENCLAVES)}")
-    tests, all_launch = document.get("tests", False), document.get("all_launch", False)
-    if not isinstance(tests, bool) or not isinstance(all_launch, bool):
-        raise UploadRefusedError("tests and all_launch must be true or false")
+    tests, all_launch, flows = (document.get(name, False) for name in ("tests", "all_launch", "flows"))
+    if not isinstance(tests, bool) or not isinstance(all_launch, bool) or not isinstance(flows, bool):
+        raise UploadRefusedError("tests, all_launch and flows must be true or false")
     launch, arguments = _launch(document.get("launch", [])), _pairs(document.get("arguments", {}), "arguments")
     if arguments and not (launch or all_launch):
         raise UploadRefusedError("launch arguments need a launch file")
@@ -91,6 +93,7 @@ def read_settings(document: object) -> Settings:
         all_launch,
         arguments,
         _environment(document.get("env", {}), str(distro)),
+        flows,
     )
 
 

@@ -34,6 +34,7 @@ _OF_NODES: Final = frozenset({"RW301", "RW307"})
 _OF_ENCLAVES: Final = frozenset({"RW303", "RW304", "RW340"})
 _OF_NODE_AND_NAME: Final = frozenset({"RW302", "RW305"})
 _OF_ENDPOINTS: Final = frozenset({"RW306", "RW309", "RW331", "RW332", "RW333", "RW334"})
+_OF_FLOWS: Final = frozenset({"RW601", "RW604", "RW605", "RW606"})
 
 _FITTING_ENTITIES: Final[dict[str, Callable[[Entity], bool]]] = {
     "RW101": lambda entity: entity.resolution is Resolution.UNKNOWN,
@@ -85,6 +86,8 @@ class Belongings:
             return _ids((), (m for mention in mentions for m in self._members_called.get(mention.name, ())), ())
         if finding.code in _OF_ENCLAVES:
             return _ids((), self._members_in.get(mentions[0].name, ()) if mentions else (), ())
+        if finding.code in _OF_FLOWS:
+            return _ids((), (m for name in finding.nodes for m in self._members_called.get(name, ())), ())
         if finding.code in _OF_ENDPOINTS:
             return self._of_endpoints(finding, mentions)
         if finding.code in _OF_NODE_AND_NAME:

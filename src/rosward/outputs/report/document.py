@@ -28,9 +28,10 @@ from rosward.one_cause import alike
 from rosward.outputs.documents.rows import place_row
 from rosward.outputs.report.belongs import Belongings
 from rosward.outputs.report.endpoints import endpoint_rows
+from rosward.outputs.report.flows import NO_FLOWS, flows
 from rosward.outputs.report.members import entity_rows, node_row
 from rosward.outputs.report.numbered import Member, Numbered, numbered
-from rosward.outputs.report.plain import harmless
+from rosward.outputs.report.plain import harmless, place_rows
 from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
 from rosward.rules import Severity
@@ -45,13 +46,14 @@ class Background(NamedTuple):
     """What the report tells beyond the network: the sources below `root`, and what launch files start.
 
     `loose` are the loose ends to tell, for who has taken away what is to be ignored; without it, the report tells all. `widened` are patterns
-    that the policies have in place of names.
+    that the policies have in place of names. `flow`: the analysis followed what flows where, and the report shows it.
     """
 
     root: Path | None = None
     systems: tuple[LaunchSystem, ...] = ()
     loose: Sequence[Finding] | None = None
     widened: Widenings = NOT_WIDENED
+    flow: bool = False
 
 
 _NOTHING: Final = Background()
@@ -72,9 +74,10 @@ def report_document(
     for number, ids in enumerate(subjects):
         for id_ in ids:
             findings_of.setdefault(id_, []).append(f"f{number}")
+    flowing = flows(numbers) if background.flow else NO_FLOWS
     code = SourceLines({}, 0)
     if background.root is not None:
-        code = source_lines(background.root, _places(network, numbers, launched))
+        code = source_lines(background.root, _places(network, numbers, launched), alone=flowing.places)
     return {
         "version": VERSION,
         "summary": _summary(network, code.left_out),
@@ -85,8 +88,9 @@ def report_document(
         ),
         "enclaves": granted.enclaves,
         "rules": granted.rules,
-        "findings": harmless(_findings(network.findings, subjects)),
+        "findings": harmless(_findings(network.findings, subjects, ways=background.flow)),
         "code": harmless(code.lines),
+        **({"flows": harmless(flowing.rows)} if background.flow else {}),
     }
 
 
@@ -127,10 +131,15 @@ def _count(count: Count) -> dict[str, object]:
     return {"total": count.total, "system": count.system}
 
 
-def _findings(findings: Sequence[Finding], subjects: Sequence[list[str]]) -> list[dict[str, object]]:
+def _findings(findings: Sequence[Finding], subjects: Sequence[list[str]], *, ways: bool) -> list[dict[str, object]]:
+    """`ways`: with the lines by which something flows, for those that are about that."""
     groups = alike(range(len(findings)), findings.__getitem__)
     first = {number: f"f{leader}" for leader, *others in groups for number in others}
-    return [_finding(f"f{n}", finding, subjects[n], first.get(n)) for n, finding in enumerate(findings)]
+    rows = [_finding(f"f{n}", finding, subjects[n], first.get(n)) for n, finding in enumerate(findings)]
+    for row, finding in zip(rows, findings, strict=True):
+        if ways and finding.path:
+            row["way"] = place_rows(finding.path)
+    return rows
 
 
 def _finding(id_: str, finding: Finding, subjects: list[str], first: str | None) -> dict[str, object]:

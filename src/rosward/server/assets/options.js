@@ -18,6 +18,7 @@ export function settingsOf(form) {
     unknown: field("unknown").value,
     enclaves: field("enclaves").value || null,
     tests: field("tests").checked,
+    flows: field("flows").checked,
     env: variablesOf(field("env").value),
   };
 }
