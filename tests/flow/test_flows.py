@@ -409,3 +409,34 @@ def test_a_parameter_chooses_the_publisher(tmp_path: Path) -> None:
     said = said_of(reported(program), "topic:/out1")
     assert said is not None
     assert "parameter:which" in said.data | said.control
+
+
+_SERVER: Final = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionServer
+from rclpy.node import Node
+
+
+class Server(Node):
+    def __init__(self):
+        super().__init__('server')
+        self.server = ActionServer(self, Fibonacci, '/count', self.count)
+
+    def count(self, handle):
+        while not handle.is_cancel_requested:
+            handle.publish_feedback(Fibonacci.Feedback())
+        return Fibonacci.Result()
+
+
+rclpy.init()
+rclpy.spin(Server())
+"""
+
+
+def test_a_cancel_request_decides(tmp_path: Path) -> None:
+    program = tmp_path / "server.py"
+    program.write_text(_SERVER)
+    said = said_of(reported(program), "feedback:/count")
+    assert said is not None
+    assert said.control == {"cancel:/count"}

@@ -30,7 +30,7 @@ __all__ = ["complete", "offer"]
 _NETWORK: Final = Path("rosward-out", "network.json")
 _FLOWS: Final = Path("rosward-out", "flow.json")
 _SERVICES: Final = ("service", "request", "response")
-_ACTIONS: Final = ("action", "goal", "feedback", "result")
+_ACTIONS: Final = ("action", "goal", "cancel", "feedback", "result")
 _PLAIN: Final = ("topic", *_SERVICES, *_ACTIONS)
 """Kinds whose names stand for themselves."""
 _MEANT: Final = {**dict.fromkeys(_SERVICES, _SERVICES), **dict.fromkeys(_ACTIONS, _ACTIONS)}

@@ -195,6 +195,8 @@ def _of_library(call: NativeCall) -> Mark:
             break
         for mark in body.arguments:
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
+    if call.key(1) == "cancel request":
+        mask = call.pc | call.walker.sources.data(call.walker.source_here("cancel"))
     return call.computed(mask)
 
 

@@ -28,6 +28,7 @@ _NAMES: Final = {
     "service": ("srv_name", "_service"),
     "response": ("srv_name", "_service"),
     "goal": ("_action_name", "_action"),
+    "cancel": ("_action_name", "_action"),
     "feedback": ("_action_name", "_action"),
     "result": ("_action_name", "_action"),
 }

@@ -18,7 +18,7 @@ from rosward.ros.entities import Node
 from rosward.ros.flows import STRENGTHS, End
 from rosward.source.location import Place
 
-SHARED: Final = ("topic", "request", "response", "goal", "feedback", "result", "tf", "log")
+SHARED: Final = ("topic", "request", "response", "goal", "cancel", "feedback", "result", "tf", "log")
 """Kinds of content that nodes share by its name."""
 _ROSOUT: Final = "/rosout"
 _TF: Final = ("/tf", "/tf_static")

@@ -23,10 +23,10 @@ OUTSIDE: Final = (
     *("argv", "clock", "device", "env", "file", "log", "network", "process", "random", "stdin", "stdout", "tf"),
 )
 """Kinds that have no names in the system."""
-NAMED: Final = ("topic", "request", "response", "goal", "feedback", "result", "parameter")
+NAMED: Final = ("topic", "request", "response", "goal", "cancel", "feedback", "result", "parameter")
 _ALSO: Final = {
     "service": ("request", "response"),
-    "action": ("goal", "feedback", "result"),
+    "action": ("goal", "cancel", "feedback", "result"),
 }
 KINDS: Final = tuple(sorted((*OUTSIDE, *NAMED, *_ALSO, "node")))
 """The words that may stand before a colon."""

@@ -26,6 +26,7 @@ _NAMED: Final = {
     "request": EntityKind.SERVICE_CLIENT,
     "response": EntityKind.SERVICE_CLIENT,
     "goal": EntityKind.ACTION_CLIENT,
+    "cancel": EntityKind.ACTION_SERVER,
     "feedback": EntityKind.ACTION_CLIENT,
     "result": EntityKind.ACTION_CLIENT,
 }

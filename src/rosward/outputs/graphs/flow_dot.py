@@ -19,6 +19,7 @@ _WORDS: Final = {
     "request": "service",
     "response": "service",
     "goal": "action",
+    "cancel": "action",
     "feedback": "action",
     "result": "action",
 }

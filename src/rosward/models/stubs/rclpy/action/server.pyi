@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import Enum, IntEnum
 
-from _rosward import ask, create, creates, message, reads_only, schedule, sender, sends
+from _rosward import ask, create, creates, message, reads_only, schedule, sender, sends, unknown
 
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.service_introspection import ServiceIntrospectionState
@@ -52,7 +52,8 @@ class ServerGoalHandle:
     def is_active(self) -> bool: ...
 
     @property
-    def is_cancel_requested(self) -> bool: ...
+    def is_cancel_requested(self):
+        return unknown("message", "cancel request", "bool")
 
     @property
     def status(self) -> int: ...

@@ -7,7 +7,7 @@ rosward.flows = (() => {
   const STRENGTHS = ["data", "control", "trigger"];
   /** Which contents an entity sends, and which arrive at it. */
   const SENT = { publisher: ["topic", "tf", "log"], "service client": ["request"], "service server": ["response"], "action client": ["goal"], "action server": ["feedback", "result"] };
-  const ARRIVING = { subscription: ["topic", "tf"], "service client": ["response"], "service server": ["request"], "action client": ["feedback", "result"], "action server": ["goal"] };
+  const ARRIVING = { subscription: ["topic", "tf"], "service client": ["response"], "service server": ["request"], "action client": ["feedback", "result"], "action server": ["goal", "cancel"] };
 
   const edges = [];
   const out = contents.map(() => []);

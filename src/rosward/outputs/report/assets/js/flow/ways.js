@@ -8,7 +8,7 @@ rosward.ways = (() => {
   const VERBS = ["goes into", "decides", "triggers"];
   const TITLES = ["The content itself is in it", "The content decides what is sent, or whether", "Only its arrival counts"];
   const KINDS = {
-    request: "request", response: "response", goal: "goal", feedback: "feedback", result: "result", parameter: "parameter", released: "released by",
+    request: "request", response: "response", goal: "goal", cancel: "cancel request", feedback: "feedback", result: "result", parameter: "parameter", released: "released by",
     tf: "transforms (tf)", log: "log", clock: "clock", random: "random numbers", argv: "command line", env: "environment", file: "files", network: "network",
     process: "other programs", device: "devices", stdin: "standard input", stdout: "standard output", timer: "timer", thread: "thread", main: "start of the program", parameters: "parameter change",
   };
