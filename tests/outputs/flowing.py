@@ -10,6 +10,7 @@ from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.ros.entities import EntityKind, Interface, Node, Resolution
 from rosward.ros.flows import End, NodeFlows, NodeSink
+from rosward.ros.roles import all_to_all
 from rosward.source.location import Place
 
 from .networks import entity, node, pub, sub
@@ -33,6 +34,11 @@ def sink(word: str, line: int = 9, file: str = "a.py", **sources: Any) -> NodeSi
 def flowing(one: Node, *sinks: NodeSink, **more: Any) -> Node:
     """The node with these outputs."""
     return replace(one, flows=NodeFlows(sinks, **more))
+
+
+def all_flowing(network: Network) -> Network:
+    """The same network, where each output of a node is known to be made of each of its inputs."""
+    return replace(network, nodes=tuple(flowing(one, *all_to_all(one, [one])) for one in network.nodes))
 
 
 def robot(file: str = "a.py") -> Network:

@@ -18,11 +18,10 @@ from rosward.network.connect import connect
 from rosward.network.graph import Network
 from rosward.outputs.report.document import Background
 from rosward.outputs.report.page import report_html
-from rosward.ros.flows import STRENGTHS, End, NodeFlows, NodeSink
-from rosward.ros.roles import all_to_all
+from rosward.ros.flows import STRENGTHS, End, NodeSink
 from rosward.source.location import Place
 
-from .flowing import flowing, robot, sink
+from .flowing import all_flowing, flowing, robot, sink
 from .networks import fleet, node, pub, sub
 from .reports import Report
 from .test_report import Page, digest
@@ -231,8 +230,6 @@ def test_the_same_network_gives_the_same_page() -> None:
 
 def test_a_system_of_500_nodes() -> None:
     """No closure is in it: a twentieth more than without, however far everything reaches."""
-    network = fleet(83)
-    nodes = tuple(replace(one, flows=NodeFlows(tuple(all_to_all(one, [one])))) for one in network.nodes)
-    known = replace(network, nodes=nodes)
+    known = all_flowing(fleet(83))
     plain, shown = report_html(known, Background(loose=())), report_html(known, FLOWS)
     assert len(shown) < 1.1 * len(plain)
