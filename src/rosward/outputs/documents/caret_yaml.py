@@ -7,10 +7,10 @@ flows do not say is `UNDEFINED`: groups, executors, and outputs that no callback
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
+from rosward.outputs.documents.json_text import json_text
 from rosward.ros.entities import EntityKind, Node
 from rosward.ros.flows import STRENGTHS, End, NodeCallback, NodeFlows
 
@@ -174,4 +174,4 @@ def _contexts(
 
 def _text(text: str) -> str:
     """Quoted as JSON has it, which is YAML: names may hold anything."""
-    return json.dumps(text)
+    return json_text(text).rstrip()
