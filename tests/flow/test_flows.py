@@ -275,6 +275,9 @@ CASES: Final = {
     "an array from memory": Case(
         "self.grid = np.zeros(4)\nself.same = np.asarray(self.grid)", "self.same[0] = msg.data", "self.grid[0]"
     ),
+    "the body of a loop over a generator": Case(
+        "self.value = 0.0", "for _ in self.inner(1.0):\n    self.value = msg.data", "self.value"
+    ),
     "which of several lists": Case(
         "self.rows = [[], [0.0]]", "self.rows[0 if msg.data > 1.0 else 1].append(1.0)", "sum(self.rows[0])", "control"
     ),

@@ -156,7 +156,7 @@ def _store_attr(walker: Walker, op: ops.StoreAttr, body: Body, seen: Seen) -> No
         return
     owner, value = body.registers[op.obj], body.registers[op.src]
     run_callees(walker, op, body, seen)
-    if not seen.callees:
+    if not seen.calls:  # a generator that goes on at the end of a loop's body is no property
         walker.memory.write(owner.roots, op.name, value.under(body.pc | demoted(owner.mask)))
 
 
