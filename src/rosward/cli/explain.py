@@ -5,11 +5,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     add_deployment,
     add_enclaves,
     add_format,
@@ -19,19 +16,13 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
-
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
+from rosward.cli.status import COMPLETE, INCOMPLETE
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "explain",
-        help="explain why a name is in the result",
-        description="Explain where a topic, service, action, node, enclave, finding or line comes from, and which policy rule it causes.",
-        epilog="Exit status: 0 found; 1 no such name; 2 usage error or nothing to read; 3 internal error.",
-    )
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Explain where a topic, service, action, node, enclave, finding or line comes from, and which policy rule it causes."
+    parser.epilog = "Exit status: 0 found; 1 no such name; 2 usage error or nothing to read; 3 internal error."
     parser.set_defaults(run=refusing(_run))
     parser.add_argument(
         "name",

@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.cli.reviewing import add_review, findings_text, reviewed_result, scan_of, write_baseline
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_enclaves,
@@ -23,14 +21,14 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.guard import Steps
-from rosward.influence.policy import Policy
 from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS
 
 if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
     from rosward.enclaves.widened import Widenings
     from rosward.findings import Finding
+    from rosward.influence.policy import Policy
     from rosward.pipeline import Result
     from rosward.suppression.judge import Reviewed
 
@@ -38,14 +36,14 @@ FORMAT_NAMES: Final = (*BY_NAME, "none")
 _WORDS: Final = "; ".join((*(f"{each.name}: {each.what}" for each in FORMATS), "none: no file"))
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "extract",
-        help="write the graph, the policies and a report",
-        description="Analyse files, packages or workspaces and write the computation graph, the SROS2 policies and a report.",
-        epilog="Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
-        "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299).",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = (
+        "Analyse files, packages or workspaces and write the computation graph, the SROS2 policies and a report."
+    )
+    parser.epilog = (
+        "Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
+        "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299)."
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
@@ -106,12 +104,11 @@ def _run(options: argparse.Namespace) -> int:
     from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
-    policy: Policy = options.flow or Policy()
-    watched = frozenset(policy.functions)
-    result = extracted(
-        options, options.paths, request, shown=not options.quiet, flow=bool(policy.rules), watched=watched
-    )
-    if policy.rules:
+    policy: Policy | None = options.flow or None
+    watched = frozenset(policy.functions if policy else ())
+    checked = policy is not None and bool(policy.rules)
+    result = extracted(options, options.paths, request, shown=not options.quiet, flow=checked, watched=watched)
+    if policy is not None and checked:
         result = with_flows_checked(result, policy)
     widened: Widenings = {}
     if options.compact:
