@@ -29,7 +29,7 @@ _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "s
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
     "safe": frozenset(),
-    "source": _TEXT,
+    "source": _TEXT | {"_version"},
     "findings": _TEXT,
     "rule": frozenset(),
     "rules": frozenset({"rule", "rules_of_systems"}),
