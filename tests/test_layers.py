@@ -76,6 +76,10 @@ ON_DEMAND: Final = {
     ("analysis/process.py", "rosward.flow.process"),
     ("analysis/process.py", "rosward.engine.watch"),
     ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
+    ("analysis/source_tree.py", "rosward.source.parameter_module"),
+    ("analysis/source_tree.py", "rosward.source.yaml_nodes"),
+    ("source/discover.py", "rosward.source.packages"),
+    ("deployment/given.py", "rosward.deployment.parameter_files"),
 }
 """What is imported in a function because most runs do not need it."""
 

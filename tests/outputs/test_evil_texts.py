@@ -36,10 +36,11 @@ from rosward.outputs.graphs.svg import graph_svg
 from rosward.outputs.policies.permissions import permissions
 from rosward.outputs.policies.policy import policies, policy_xml
 from rosward.outputs.policies.starts import starts_text
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.outputs.report.packed import document_in
 from rosward.outputs.report.page import report_html
 from rosward.outputs.terminal.launch_tree import launch_tree_text
+from rosward.outputs.terminal.paper import Drawn
 from rosward.outputs.terminal.summary import summary
 from rosward.ros.entities import EntityKind, Parameter, Resolution
 from rosward.source.location import Place
@@ -125,7 +126,8 @@ def judged_of(text: str) -> list[Judged]:
 
 def shown(text: str) -> str:
     console = io.StringIO()
-    summary(network_of(text), Console(file=console, soft_wrap=True, no_color=True), verbose=True, written=[text])
+    paper = Drawn(Console(file=console, soft_wrap=True, no_color=True))
+    summary(network_of(text), paper, verbose=True, written=[text])
     return console.getvalue()
 
 

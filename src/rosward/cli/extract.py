@@ -165,7 +165,7 @@ def _write(
 ) -> tuple[list[str], Reviewed]:
     """What was written, and the findings with those of writing."""
     from rosward.outputs.files import write_outputs
-    from rosward.outputs.report.document import Background
+    from rosward.outputs.report.background import Background
     from rosward.outputs.writing import Material
     from rosward.suppression.judge import of_no_file
 
@@ -181,7 +181,7 @@ def _write(
             ),
             options.output,
             options.format,
-            scan_of(found.shown, options),
+            scan_of(found.shown, options) if any(name in OF_FINDINGS for name in options.format) else None,
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error
@@ -194,16 +194,14 @@ def _write(
 
 def summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
     """Print what was found, and what was written."""
-    from rich.console import Console
-
+    from rosward.outputs.terminal.paper import standard_output
     from rosward.outputs.terminal.summary import Unread, summary
 
-    console = Console(soft_wrap=not sys.stdout.isatty())
     network = replace(result.network, findings=found.new)
     unasked = 0 if result.systems else result.launch_files
     summary(
         network,
-        console,
+        standard_output(),
         options.verbose,
         written,
         found,

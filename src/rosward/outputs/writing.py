@@ -20,7 +20,7 @@ from rosward.network.graph import Network
 
 if TYPE_CHECKING:
     from rosward.outputs.formats import Format
-    from rosward.outputs.report.document import Background
+    from rosward.outputs.report.background import Background
     from rosward.suppression.judge import Judged
 
 __all__ = ["File", "FindingsWriter", "Material", "NetworkWriter", "Scan", "files", "of_enclave", "of_enclaves", "text"]

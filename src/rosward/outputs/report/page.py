@@ -24,7 +24,8 @@ from markupsafe import Markup
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.graphs.svg import graph_svg
-from rosward.outputs.report.document import Background, report_document
+from rosward.outputs.report.background import Background
+from rosward.outputs.report.document import report_document
 from rosward.outputs.report.packed import packed
 from rosward.outputs.writing import File, Material
 from rosward.safe import encodable, printable
