@@ -80,6 +80,7 @@ ON_DEMAND: Final = {
     ("analysis/source_tree.py", "rosward.source.yaml_nodes"),
     ("source/discover.py", "rosward.source.packages"),
     ("deployment/given.py", "rosward.deployment.parameter_files"),
+    ("outputs/report/page.py", "rosward.outputs.report.frame"),
 }
 """What is imported in a function because most runs do not need it."""
 
