@@ -18,7 +18,7 @@ from typing import Final, NamedTuple
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
 LONGEST: Final = 400
 
-_TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "safe"})
+_TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "records", "safe"})
 _DOMAIN = frozenset({"domain", "ir"}) | _TEXT
 _NAMING = frozenset({"naming", "effects", "ros"}) | _DOMAIN
 _ENGINE = frozenset({"engine", "models", "frontends", "ir"}) | _NAMING
@@ -29,6 +29,7 @@ _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "s
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
     "safe": frozenset(),
+    "records": frozenset(),
     "source": _TEXT | {"_version"},
     "findings": _TEXT,
     "rule": frozenset(),

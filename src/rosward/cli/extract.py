@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -24,6 +23,7 @@ from rosward.cli.shared import (
 from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.guard import Steps
 from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS
+from rosward.records import replace
 
 if TYPE_CHECKING:
     from rosward.enclaves.widened import Widenings
