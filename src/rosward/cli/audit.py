@@ -7,13 +7,14 @@ import argparse
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
 from rosward.cli.shared import WrongUseError, add_deployment, add_format, add_sources, extracted, refusing, request_of
 from rosward.cli.snapshot import add_looks
 from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.outputs.formats import OF_FINDINGS
+from rosward.records import NamedTuple
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 
 if TYPE_CHECKING:

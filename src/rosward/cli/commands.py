@@ -5,7 +5,9 @@ A new command is an entry here and a module with `add(parser)`, which declares i
 only where its command is asked for, so that the others answer at once.
 """
 
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 __all__ = ["COMMANDS", "Command"]
 

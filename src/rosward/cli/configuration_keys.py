@@ -12,9 +12,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from rosward.cli.shared import MODES
+from rosward.records import NamedTuple
 from rosward.ros.distro import DISTROS
 from rosward.rules import RULES
 from rosward.source.exclude import Exclusion, PatternError, pattern_of

@@ -7,9 +7,10 @@ Values that the program computed from a default (of a parameter, an argument, th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.unknown import NO_ORIGINS, Origins, Reason
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.ir.program import Code

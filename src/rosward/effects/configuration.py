@@ -10,9 +10,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
 
-from rosward.records import dataclass, field
+from rosward.records import NamedTuple, dataclass, field
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Reason

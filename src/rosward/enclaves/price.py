@@ -13,10 +13,11 @@ pattern that it does not need is one right.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.enclaves.privileges import Privilege
 from rosward.policies.match import Pattern
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 
 __all__ = ["ACTS", "LISTENS", "NOTHING", "Price", "Tariff"]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.domain.choice import options
 from rosward.domain.compound import Tuple
@@ -20,6 +20,7 @@ from rosward.engine.seen import Activation, Bound, Called, Given, Handed, Seen, 
 from rosward.ir import cpp, ops
 from rosward.ir.check import reads, writes
 from rosward.ir.program import CPP
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.effects.log import EntityEffect

@@ -14,7 +14,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from sys import intern
-from typing import Any, Final, NamedTuple, final
+from typing import Any, Final, final
 
 from rosward.domain.compound import (
     BoundMethod,
@@ -45,6 +45,7 @@ from rosward.domain.values import (
 from rosward.ir import ops
 from rosward.ir.program import Code, CodeKind, Parameters
 from rosward.models.native import Arguments
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 __all__ = ["Lines", "NotWrittenError", "Reader", "Writer"]

@@ -9,7 +9,7 @@ cv2.rectangle(image, …)           nobody knows: the image, and the result, may
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
 from rosward.flow import marked_cpp
@@ -17,6 +17,7 @@ from rosward.flow.marked import FUNCTIONS, MUTATORS, PURE, STOPS, WRITES, Effect
 from rosward.flow.marks import Mark, Root, demoted
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import owners_of
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body

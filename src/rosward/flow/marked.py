@@ -6,7 +6,9 @@ Names are dotted; a `*` stands for any word, `**` for any words. A method of wha
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 
 class Effect(NamedTuple):

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Final, Literal, NamedTuple, TypeVar, final
+from typing import TYPE_CHECKING, Final, Literal, TypeVar, final
 
 from rosward.ir.op import Block, Op, walk
+from rosward.records import NamedTuple
 
 _T = TypeVar("_T")
 

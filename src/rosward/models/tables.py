@@ -8,12 +8,13 @@ import json
 import pkgutil
 from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 import rosward.models
 from rosward.models.facts import LibraryFacts
 from rosward.models.native import NativeFunction
 from rosward.models.ros.facts import OWN
+from rosward.records import NamedTuple
 from rosward.source.kept import kept
 
 _OWN_NATIVES: Final[list[Natives]] = []

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.certain import is_true
 from rosward.domain.choice import options
@@ -18,7 +18,7 @@ from rosward.holes import HOLE, Holed
 from rosward.naming.command_line import ValueRule
 from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
-from rosward.records import replace
+from rosward.records import NamedTuple, replace
 from rosward.ros import names
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Resolution

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import NamedTuple
 
 from rosward.findings import Finding
 from rosward.guard import internal_error
@@ -12,6 +11,7 @@ from rosward.network.connect import with_findings
 from rosward.outputs.formats import FORMATS, Format
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import File, Material, Scan, files, text
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 from rosward.suppression.judge import of_no_file
 

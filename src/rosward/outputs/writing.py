@@ -11,12 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, cast
+from typing import TYPE_CHECKING, Final, Protocol, cast
 
 from rosward.enclaves.grants import NOT_WIDENED
 from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.outputs.formats import Format

@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from rosward.records import NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.build_script import is_build_script
 from rosward.source.cmake.install import below_share

@@ -9,8 +9,9 @@ A reader asks for what it expects and notes what is wrong; nothing is raised for
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
 

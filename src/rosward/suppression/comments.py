@@ -14,8 +14,9 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.source import limits
 
 __all__ = ["IgnoreComment", "ignore_comments"]

@@ -12,7 +12,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Callable, Iterable, Sequence
-from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
+from typing import Concatenate, Final, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, join_all, options, reasons_of
 from rosward.domain.compound import Native, Range, Slice, Tuple
@@ -23,6 +23,7 @@ from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Arguments, Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.cost import A_STEP, MAX_WORK, work
+from rosward.records import NamedTuple
 
 MAX_BITS: Final = 4096
 MAX_ITEMS: Final = 1_000

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from rosward.enclaves.grants import NOT_WIDENED
 from rosward.enclaves.widened import Widenings
 from rosward.findings import Finding
 from rosward.network.launch_tree import LaunchSystem
+from rosward.records import NamedTuple
 
 __all__ = ["Background"]
 

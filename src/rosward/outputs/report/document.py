@@ -10,7 +10,7 @@ Parts speak of each other by ids that are counted in the order of the network. N
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward._version import __version__
 from rosward.explanation.provenance import Start, Starts
@@ -31,6 +31,7 @@ from rosward.outputs.report.numbered import Member, Numbered, numbered
 from rosward.outputs.report.plain import harmless
 from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
+from rosward.records import NamedTuple
 from rosward.rules import Severity
 from rosward.source.location import Place
 

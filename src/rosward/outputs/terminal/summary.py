@@ -16,7 +16,7 @@ Where no terminal shows it, it is plain text, without colours and without cuttin
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.explanation.doubts import Doubts, doubts
 from rosward.findings import Finding
@@ -24,6 +24,7 @@ from rosward.network.counts import Count, Counts, counts_of
 from rosward.network.graph import Network
 from rosward.one_cause import by_cause, more_of
 from rosward.outputs.terminal.paper import Paper
+from rosward.records import NamedTuple
 from rosward.ros.entities import Interface, Resolution
 from rosward.rules import Severity
 from rosward.safe import printable
