@@ -32,7 +32,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "records": frozenset(),
     "source": _TEXT | {"_version"},
     "findings": _TEXT,
-    "rule": frozenset(),
+    "rule": frozenset({"records"}),
     "rules": frozenset({"rule", "rules_of_systems"}),
     "rules_of_systems": frozenset({"rule"}),
     "one_cause": _TEXT,
@@ -57,7 +57,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "diff": frozenset({"diff"}) | _POLICIES,
     "explanation": frozenset({"explanation", "enclaves", "suppression"}) | _POLICIES,
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
-    "git": frozenset({"git"}),
+    "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
     "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
     "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})

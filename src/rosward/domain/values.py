@@ -36,6 +36,8 @@ _PLAIN_HASH: Final = 1 << 60
 
 def _hash_of(value: Plain) -> int:
     """The hash of a constant. Python's own has one value for endlessly many numbers, so that a dict of such numbers would take for ever."""
+    if value.__class__ is str:
+        return hash((str, value))
     if value.__class__ in (int, float, complex) and not -_PLAIN_HASH < abs(value) < _PLAIN_HASH:
         return hash((value.__class__, repr(value) if value.__class__ is not int else hex(value)))
     if value.__class__ is complex:

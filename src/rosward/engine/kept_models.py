@@ -48,7 +48,7 @@ class KeptModels:
 
     def at(self, address: int) -> Obj:
         """A record of the models' heap; an empty one where there is none."""
-        return self._record(address) or NOTHING
+        return self._objects.get(address) or self._record(address) or NOTHING
 
     def ground(self, address: int) -> Obj | None:
         """What stands at an address before a process writes to it: a model's record, or that of a function without attributes."""

@@ -17,6 +17,7 @@ from rosward.enclaves.grants import NOT_WIDENED
 from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
+from rosward.outputs.graphs.pictures import Pictures
 from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class Scan(NamedTuple):
 
 
 class Material(NamedTuple):
-    """What there is to write. `background` is what the report shows beside the network."""
+    """What there is to write. `background` is what the report shows beside the network; `pictures`, what was drawn of it so far."""
 
     network: Network
     unknown: UnknownNames = "deny"
@@ -49,6 +50,7 @@ class Material(NamedTuple):
     types: bool = False
     widened: Widenings = NOT_WIDENED
     background: Background | None = None
+    pictures: Pictures | None = None
 
 
 class NetworkWriter(Protocol):

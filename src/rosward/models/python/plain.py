@@ -119,6 +119,8 @@ def spread(function: Callable[..., Value], *values: Value) -> Value:
 
 
 def _combined(function: Callable[..., _R], values: tuple[Value, ...]) -> list[_R]:
+    if not any(v.__class__ is Choice for v in values):
+        return [function(*values)]
     results: list[_R] = []
     failure: Raised | None = None
     for combination in itertools.product(*_bounded([options(v) for v in values])):
@@ -145,6 +147,8 @@ def spread_fresh(machine: Machine, site: object, function: Callable[..., Value |
     So `x = x + [y]` in a loop does not make one list more in each turn.
     """
     results = _combined(function, values)
+    if len(results) == 1 and not isinstance(results[0], (Choice, Fresh)):
+        return results[0]
     found = [r for r in results if not isinstance(r, Fresh)]
     for kind, cls in dict.fromkeys((r.kind, r.cls) for r in results if isinstance(r, Fresh)):
         several = [r.items for r in results if isinstance(r, Fresh) and (r.kind, r.cls) == (kind, cls)]

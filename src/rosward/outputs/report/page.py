@@ -18,6 +18,7 @@ from typing import Final
 from rosward.network.checks import UnknownNames
 from rosward.network.counts import counts_of
 from rosward.network.graph import Network
+from rosward.outputs.graphs.pictures import Pictures
 from rosward.outputs.graphs.svg import graph_svg
 from rosward.outputs.report.background import Background
 from rosward.outputs.report.document import report_document
@@ -36,11 +37,16 @@ _NOTHING: Final = Background()
 def files(material: Material) -> Iterator[File]:
     """The files of the format `html`."""
     background = (material.background or _NOTHING)._replace(widened=material.widened)
-    yield "report.html", report_html(material.network, background, material.unknown)
+    yield "report.html", report_html(material.network, background, material.unknown, material.pictures)
 
 
-def report_html(network: Network, background: Background = _NOTHING, unknown: UnknownNames = "deny") -> str:
-    """The page. `unknown` is what the policies in it say for a name that is not known."""
+def report_html(
+    network: Network,
+    background: Background = _NOTHING,
+    unknown: UnknownNames = "deny",
+    pictures: Pictures | None = None,
+) -> str:
+    """The page. `unknown` is what the policies in it say for a name that is not known; `pictures` is what was drawn so far."""
     document = report_document(network, background, unknown)
     count = counts_of(network).nodes
     frame = kept("report", lambda: _frame().encode())
@@ -48,7 +54,7 @@ def report_html(network: Network, background: Background = _NOTHING, unknown: Un
         "nodes": f"{count} node{'' if count == 1 else 's'}",
         "files": str(network.files),
         "distro": xml_text(network.distro),
-        "fallback": _fallback(network),
+        "fallback": _fallback(network, pictures),
         "document": packed(document_text(document)),
     }
     return filled(_frame() if frame is None else frame.decode(), texts)
@@ -65,7 +71,7 @@ def document_text(document: dict[str, object]) -> str:
     return encodable(json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
 
 
-def _fallback(network: Network) -> str:
+def _fallback(network: Network, pictures: Pictures | None) -> str:
     """The still drawing for where no script runs; nothing where it is too large to be of use."""
-    drawing = graph_svg(network)
+    drawing = graph_svg(network, pictures=pictures)
     return drawing if len(drawing) <= _LARGEST_FALLBACK else ""
