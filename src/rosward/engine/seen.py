@@ -28,47 +28,46 @@ if TYPE_CHECKING:
 _DEPTH: Final = 6
 
 
-def refs_of(value: Value, depth: int = 0) -> Iterator[int]:
+Place = int | tuple[object, ...]
+"""Where a value leads: the address of an object, or ('slot', address, key, how) for a part of one, as `_placed` says."""
+
+
+def refs_of(value: Value) -> Iterator[int]:
     """The addresses of the objects that a value is or holds; not those that a function or method is bound to.
 
     A class stands where its attributes and those of its bases do.
     """
-    for option in options(value):
+    for option in _leaves(value):
         if option.__class__ is Ref:
             yield option.address
         elif option.__class__ is Class:
             yield from (c.address for c in option.mro if c.__class__ is Class and not c.stub)
-        elif option.__class__ is Tuple and depth < _DEPTH:
-            for item in option.items:
-                yield from refs_of(item, depth + 1)
-        elif isinstance(option, Partial) and depth < _DEPTH:
-            for item in (*option.arguments, *(v for _, v in option.keywords)):
-                yield from refs_of(item, depth + 1)
-        elif isinstance(option, Pointer):
-            yield from refs_of(option.target, depth + 1)
         elif isinstance(option, Slot):
-            yield from refs_of(option.base, depth + 1)
+            yield from refs_of(option.base)
 
 
-Place = int | tuple[object, ...]
-"""Where a value leads: the address of an object, or ('slot', address, key, how) for a part of one, as `placed` says."""
-
-
-def places_of(value: Value, depth: int = 0) -> Iterator[Place]:
+def places_of(value: Value) -> Iterator[Place]:
     """The same for a language in which a part of an object has an address: a slot, or a pointer to it, leads to that part."""
-    for option in options(value):
+    for option in _leaves(value):
         if option.__class__ is Ref:
             yield option.address
-        elif option.__class__ is Tuple and depth < _DEPTH:
-            for item in option.items:
-                yield from places_of(item, depth + 1)
-        elif isinstance(option, Partial) and depth < _DEPTH:
-            for item in (*option.arguments, *(v for _, v in option.keywords)):
-                yield from places_of(item, depth + 1)
-        elif isinstance(option, Pointer):
-            yield from places_of(option.target, depth + 1)
         elif isinstance(option, Slot):
             yield from _placed(option)
+
+
+def _leaves(value: Value, depth: int = 0) -> Iterator[Value]:
+    """What a value may be, with what tuples, partial functions and pointers hold in their place."""
+    for option in options(value):
+        if option.__class__ is Tuple and depth < _DEPTH:
+            for item in option.items:
+                yield from _leaves(item, depth + 1)
+        elif isinstance(option, Partial) and depth < _DEPTH:
+            for item in (*option.arguments, *(v for _, v in option.keywords)):
+                yield from _leaves(item, depth + 1)
+        elif isinstance(option, Pointer):
+            yield from _leaves(option.target, depth + 1)
+        else:
+            yield option
 
 
 def _placed(slot: Slot) -> Iterator[Place]:
@@ -130,6 +129,7 @@ class Seen:
 
     `refs`: the objects that its results are,
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
+    `swallows`: a `with` that may swallow an exception. `opaque`: something that nobody knows, and that may change.
     `effects`: the entities that it creates and what it sends, `scheduled`: the callbacks that it registers, each with the context of the turn.
     `alive`: control came out behind it. `callees`: the functions that it ran, `summaries`: those of which it took a summary.
     Of an operation of C++: `bound` are its calls, `made` the objects that it makes, each with what it is made of,
@@ -150,6 +150,7 @@ class Seen:
         "last",
         "made",
         "natives",
+        "opaque",
         "origins",
         "parts",
         "reasons",
@@ -158,6 +159,7 @@ class Seen:
         "several",
         "strange",
         "summaries",
+        "swallows",
         "wrote",
     )
 
@@ -167,6 +169,8 @@ class Seen:
         self.gave: Value | None = None  # the last one, of an operation that gives one
         self.refs: set[Place] = set()
         self.several = False
+        self.swallows = False
+        self.opaque = False
         self.parts: dict[int, set[Place]] = {}
         self.reasons: dict[Reason, None] = {}
         self.origins: dict[Origin, None] = {}
@@ -189,6 +193,8 @@ class Seen:
         """What was seen of the same operation in another activation counts too."""
         self.alive = self.alive or other.alive
         self.several = self.several or other.several
+        self.swallows = self.swallows or other.swallows
+        self.opaque = self.opaque or other.opaque
         self.refs |= other.refs
         self.cells |= other.cells
         self.wrote |= other.wrote
@@ -231,6 +237,7 @@ class Seen:
                 if option.__class__ is Const or option.__class__ is Text:
                     self.origins.update(dict.fromkeys(option.origins))
                 elif option.__class__ is Unknown:
+                    self.opaque = self.opaque or option.hint not in _UNCHANGING
                     self.reasons.update(dict.fromkeys(option.reasons))
                 elif option.__class__ is External:
                     self.externals[option.name] = None
@@ -239,6 +246,8 @@ class Seen:
             self.refs.update(places(value))
 
 
+_UNCHANGING: Final = frozenset(("str", "int", "float", "bool", "bytes", "complex", "NoneType"))
+"""Types whose objects never change."""
 _GATHERED: Final = (
     *("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees"),
     *("bound", "made", "natives", "strange"),

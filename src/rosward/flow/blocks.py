@@ -16,11 +16,12 @@ from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
 from rosward.flow.marks import Mark, demoted
-from rosward.flow.reading import elements, narrowed
+from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
+    from rosward.flow.memory import Memory
     from rosward.flow.walker import Walker
 
 
@@ -138,8 +139,9 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
         item = item if given is None else item.joined(given)
-        refs = frozenset(seen.refs) | frozenset(r for r in item.roots if not isinstance(r, int))
-        body.registers[op.item] = Mark(item.mask | body.pc, refs)
+        if seen.refs:  # C++: the interpretation has seen which
+            item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
+        body.registers[op.item] = item.under(body.pc)
         return True
 
     def test() -> int:
@@ -194,18 +196,24 @@ def _is_forever(op: ops.While | ops.ForEach) -> bool:
     return isinstance(op, ops.While) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
 
 
-def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
-    """The body; each handler from every state in which the body may be left; what is in `finally` on each way."""
-    outside = body.pc
-    tried = Attempt(body, Point(body.registers, walker.memory), handles=bool(op.handlers))
+def _try(walker: Walker, block: ops.Block, body: Body, *, handles: bool = False) -> tuple[bool, Attempt]:
+    """A block that may be left anywhere: whether its end is reached, and all states in which it may have been left."""
+    tried = Attempt(body, Point(body.registers, walker.memory), handles=handles)
     walker.attempts.append(tried)
     try:
-        alive = walker.run(op.body, body)
+        alive = walker.run(block, body)
     finally:
         walker.attempts.pop()
         tried.end(walker.memory)
     if walker.attempts:
         walker.attempts[-1].mask |= tried.mask
+    return alive, tried
+
+
+def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
+    """The body; each handler from every state in which the body may be left; what is in `finally` on each way."""
+    outside = body.pc
+    alive, tried = _try(walker, op.body, body, handles=bool(op.handlers))
     if op.handlers:
         body.pc |= demoted(tried.mask)
     alive = alive and walker.run(op.orelse, body)
@@ -238,18 +246,22 @@ def _finally(walker: Walker, block: ops.Block, body: Body, after: Point | None, 
     every = tried.point.copy()
     if after is not None:
         every.join(after)
-    for memory in (body.returned, *(p.memory for p in (body.broken, body.continued) if p is not None)):
-        if memory is not None:
-            every.memory.join(memory)
+    for memory in _leaving(body):
+        every.memory.join(memory)
     walker.go(body, every)
     if walker.run(block, body):
-        for memory in (body.returned, *(p.memory for p in (body.broken, body.continued) if p is not None)):
-            if memory is not None:
-                memory.join(walker.memory)
+        for memory in _leaving(body):
+            memory.join(walker.memory)
     if after is None:
         return False
     walker.go(body, after)
     return walker.run(block, body)
+
+
+def _leaving(body: Body) -> list[Memory]:
+    """What is known where control has left the function or the loop."""
+    points = [p.memory for p in (body.broken, body.continued) if p is not None]
+    return points if body.returned is None else [body.returned, *points]
 
 
 def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
@@ -259,16 +271,14 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     if op.bind != ops.NO_REGISTER:
         given = context if entered is None else entered
         body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
-    tried = Attempt(body, Point(body.registers, walker.memory))
-    walker.attempts.append(tried)
-    try:
-        alive = walker.run(op.body, body)
-    finally:
-        walker.attempts.pop()
-        tried.end(walker.memory)
-    if walker.attempts:
-        walker.attempts[-1].mask |= tried.mask
-    if not alive:
+    outside = body.pc
+    alive, tried = _try(walker, op.body, body, handles=seen.swallows)
+    if seen.swallows:
+        body.pc = outside | body.left
+        after = joined(tried.point, walker.point(body) if alive else None)
+        assert after is not None
+        walker.go(body, after)
+    elif not alive:
         if not seen.alive:
             return False
         walker.go(body, tried.point)

@@ -16,7 +16,7 @@ from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, library
+from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
@@ -93,10 +93,9 @@ def _native(call: NativeCall) -> Mark:
     given = library.perform(call.walker, call.name.removeprefix("builtins."), mask, call.pc)
     if done is not None:
         return done(call).under(given)
-    return Mark(
-        mask | given,
-        frozenset(call.walker.shape.made(call.body.activation, call.op.number, r) for r in (_kept(name),) if r),
-    )
+    if _kept(name):
+        return Mark(mask | given, frozenset((call.walker.shape.made(call.body.activation, call.op.number, name),)))
+    return call.computed(mask | given)
 
 
 def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks: list[Mark]) -> Mark | None:
@@ -107,8 +106,9 @@ def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks
     return done(NativeCall(walker, op, body, seen, name, marks, []))
 
 
-def _kept(name: str) -> str:
-    return name if name in ("open", "io.open") else ""
+def _kept(name: str) -> bool:
+    """Whether what is done to the result later is told by its name."""
+    return name in ("open", "io.open")
 
 
 def _get_attribute(call: NativeCall) -> Mark:
@@ -146,11 +146,27 @@ def _nothing(call: NativeCall) -> Mark:
 
 def _parameter(call: NativeCall) -> Mark:
     """The value of a parameter: of which one, the interpretation says with the value, unless that is a list."""
-    mask = call.pc | call.mark(1).mask
+    name = call.key(1)
+    mask = call.pc | call.mark(1).mask | parameters.kept(call.walker, call.mark(0).roots, name)
     if not arising(call.walker, call.seen):
-        name = call.key(1)
         mask |= call.walker.sources.data(Source("parameter", name if isinstance(name, str) else "*"))
     return Mark(mask)
+
+
+def _declare_parameter(call: NativeCall) -> Mark:
+    """Its default is its value where nobody sets it."""
+    _set_parameter(call)
+    return _parameter(call)
+
+
+def _set_parameter(call: NativeCall) -> Mark:
+    """Declared, set or undeclared."""
+    parameters.keep(call.walker, call.mark(0).roots, call.key(1), call.mark(2).under(call.mark(1).mask), call.pc)
+    return Mark(call.pc)
+
+
+def _has_parameter(call: NativeCall) -> Mark:
+    return Mark(call.pc | call.mark(1).mask | parameters.declared(call.walker, call.mark(0).roots))
 
 
 def _of_library(call: NativeCall) -> Mark:
@@ -161,7 +177,7 @@ def _of_library(call: NativeCall) -> Mark:
             break
         for mark in body.arguments:
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
-    return Mark(mask)
+    return call.computed(mask)
 
 
 def _send_into(call: NativeCall) -> Mark:
@@ -216,14 +232,17 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
             *("_rosward.schedule", "_rosward.ask", "_rosward.overridden", "_rosward.opaque", "_rosward.escape"),
             *("_rosward.fail_unless", "_rosward.spin", "_rosward.report", "_rosward.create", "_rosward.create_node"),
             *("_rosward.may_refuse", "_rosward.sender", "_rosward.node_name", "_rosward.node_namespace"),
-            *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.set_parameter", "_rosward.declare_own"),
-            *("_rosward.is_given", "_rosward.needs_parameter"),
+            *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.declare_own", "_rosward.needs_parameter"),
             *("_rosward.is_unset", "queue._alone"),
         ),
         _nothing,
     ),
     "_rosward.unknown": _of_library,
-    **dict.fromkeys(("_rosward.declare_parameter", "_rosward.parameter"), _parameter),
+    "_rosward.declare_parameter": _declare_parameter,
+    "_rosward.parameter": _parameter,
+    **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
+    **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
+    "functools.partial": partials.make,
     "collections._fill": fill,
     "_rosward.message": _arrives,
 }
