@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is the same in every report? The page around the document, of which `assets/report.html.j2` is the template.
 
-    rendered()     "<!DOCTYPE html>…<title>…: ⟦nodes⟧ · rosward</title>…"
+    rendered(flows=False)   "<!DOCTYPE html>…<title>…: ⟦nodes⟧ · rosward</title>…"
 
 To render it and to compress the scripts takes longer than to analyse a small node, so that is done once for an installed rosward (`source/kept.py`).
 """
