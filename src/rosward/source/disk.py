@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does an analysis see of the disk, and is it still the same?
+
+    with watching() as trace:
+        discover(…), read_bytes(…)
+    trace.seen      {("list", "/ws/src"): digest of its names, ("read 10000", "/ws/src/a.py"): digest of its bytes, ("kind", "/ws/b.py"): "", …}
+    holds(trace.seen)    ->  whether whoever looks again sees the same, also of what is not there
+
+Whatever reads sources asks here, so that a result can be kept together with all that it depends on. Nothing is noted where nobody watches.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import stat
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from types import MappingProxyType
+from typing import Final, NamedTuple, final
+
+__all__ = [
+    "Look", "Trace", "Unread", "digest", "exists", "head", "holds", "is_executable", "is_file", "is_folder", "is_there", "listing", "read",
+    "real_path", "walk", "watching",
+]  # fmt: skip
+
+Look = tuple[str, str]
+"""How something was looked at, and its path."""
+
+_FILE: Final = "file"
+_FOLDER: Final = "folder"
+_OTHER: Final = "other"
+_OPEN_FLAGS: Final = (
+    os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0) | getattr(os, "O_BINARY", 0)
+)
+
+
+class Unread(NamedTuple):
+    """Why a file is not read, as a sentence."""
+
+    why: str
+    too_large: bool = False
+
+
+@final
+class Trace:
+    """What was seen: for each look, a short text that tells what was seen from anything else."""
+
+    __slots__ = ("seen", "torn")
+
+    def __init__(self) -> None:
+        self.seen: dict[Look, str] = {}
+        self.torn = False
+        """Whether something changed meanwhile, so that what was seen never was so at once."""
+
+    def note(self, how: str, path: str, told: str) -> None:
+        """Note what was seen."""
+        known = self.seen.setdefault((how, path), told)
+        if known is not told and known != told:
+            self.torn = True
+
+    def add(self, seen: Mapping[Look, str]) -> None:
+        """Note what was seen by somebody else."""
+        for (how, path), told in seen.items():
+            self.note(how, path, told)
+
+
+_WATCHED_BY: Final[ContextVar[Trace | None]] = ContextVar("rosward.source.disk", default=None)
+
+
+@contextmanager
+def watching() -> Iterator[Trace]:
+    """Note each look in this context, and in those that are copies of it; whoever watches already sees it, too."""
+    trace, outer = Trace(), _WATCHED_BY.get()
+    token = _WATCHED_BY.set(trace)
+    try:
+        yield trace
+    finally:
+        _WATCHED_BY.reset(token)
+        if outer is not None:
+            outer.add(trace.seen)
+            outer.torn |= trace.torn
+
+
+def _kind(path: str | os.PathLike[str]) -> str:
+    """What is at a path, links followed; '' for nothing, or what cannot be reached."""
+    try:
+        mode = os.stat(path).st_mode  # noqa: PTH116
+    except (OSError, ValueError):
+        found = ""
+    else:
+        found = _FILE if stat.S_ISREG(mode) else _FOLDER if stat.S_ISDIR(mode) else _OTHER
+    trace = _WATCHED_BY.get()
+    if trace is not None:
+        trace.note("kind", os.fspath(path), found)
+    return found
+
+
+def is_file(path: str | os.PathLike[str]) -> bool:
+    """Whether there is a regular file; links are followed. Never raises, however odd the path is."""
+    return _kind(path) == _FILE
+
+
+def is_folder(path: str | os.PathLike[str]) -> bool:
+    """Whether there is a folder; links are followed."""
+    return _kind(path) == _FOLDER
+
+
+def exists(path: str | os.PathLike[str]) -> bool:
+    """Whether there is anything; links are followed."""
+    return _kind(path) != ""
+
+
+def is_there(path: str | os.PathLike[str]) -> bool:
+    """Whether there is anything, be it a link that leads nowhere."""
+    found = os.path.lexists(path)
+    trace = _WATCHED_BY.get()
+    if trace is not None:
+        trace.note("there", os.fspath(path), "yes" if found else "")
+    return found
+
+
+def is_executable(path: str | os.PathLike[str]) -> bool:
+    """Whether a file may be executed."""
+    found = os.access(path, os.X_OK)
+    trace = _WATCHED_BY.get()
+    if trace is not None:
+        trace.note("executable", os.fspath(path), "yes" if found else "")
+    return found
+
+
+def real_path(path: str | os.PathLike[str]) -> str:
+    """The path without links. Raises ValueError where it holds a NUL."""
+    found = os.path.realpath(path)
+    trace = _WATCHED_BY.get()
+    if trace is not None:
+        trace.note("real", os.fspath(path), os.fspath(found))
+    return os.fspath(found)
+
+
+def listing(folder: str | os.PathLike[str]) -> list[os.DirEntry[str]]:
+    """What is in a folder, sorted by name. Raises OSError, or ValueError where its path holds a NUL."""
+    trace = _WATCHED_BY.get()
+    path = os.fspath(folder)
+    try:
+        with os.scandir(path) as entries:
+            found = sorted(entries, key=lambda entry: entry.name)
+    except OSError as error:
+        if trace is not None:
+            trace.note("list", path, f"!{error.strerror}")
+        raise
+    if trace is not None:
+        text = "\0".join(f"{_letter(entry)}{entry.name}" for entry in found)
+        trace.note("list", path, digest(text.encode("utf-8", "surrogateescape")))
+    return found
+
+
+def _letter(entry: os.DirEntry[str]) -> str:
+    """What an entry is, and what a link leads to."""
+    try:
+        inner = "d" if entry.is_dir() else "f" if entry.is_file() else "o"
+    except OSError:  # a circle of links
+        inner = "?"
+    return inner.upper() if entry.is_symlink() else inner
+
+
+def walk(top: str | os.PathLike[str]) -> Iterator[tuple[str, list[str], list[str]]]:
+    """As `os.walk`, from the top: each folder with the names of the folders in it, which may be changed meanwhile, and of all else, sorted."""
+    above = [os.fspath(top)]
+    while above:
+        folder = above.pop()
+        try:
+            entries = listing(folder)
+        except OSError:
+            continue
+        inner: list[str] = []
+        names: list[str] = []
+        links: set[str] = set()
+        for entry in entries:
+            try:
+                is_dir = entry.is_dir()
+            except OSError:
+                is_dir = False
+            (inner if is_dir else names).append(entry.name)
+            if is_dir and entry.is_symlink():
+                links.add(entry.name)
+        yield folder, inner, names
+        above += [os.path.join(folder, name) for name in reversed(inner) if name not in links]  # noqa: PTH118
+
+
+def head(path: str, length: int) -> bytes:
+    """The first bytes of a file. Raises OSError."""
+    trace = _WATCHED_BY.get()
+    try:
+        with open(path, "rb") as file:  # noqa: PTH123
+            data = file.read(length)
+    except OSError as error:
+        if trace is not None:
+            trace.note(f"head {length}", path, f"!{error.strerror}")
+        raise
+    if trace is not None:
+        trace.note(f"head {length}", path, digest(data))
+    return data
+
+
+def read(path: str | os.PathLike[str], limit: int) -> bytes | Unread:
+    """The bytes of a regular file, at most `limit` of them; else why not."""
+    found = _read(path, limit)
+    trace = _WATCHED_BY.get()
+    if trace is not None:
+        trace.note(f"read {limit}", os.fspath(path), _told(found))
+    return found
+
+
+def _told(found: bytes | Unread) -> str:
+    return f"!{found.why}" if isinstance(found, Unread) else digest(found)
+
+
+def _read(path: str | os.PathLike[str], limit: int) -> bytes | Unread:
+    try:
+        kind = _not_regular(os.stat(path))  # noqa: PTH116
+        if kind:
+            return Unread(f"This is {kind}, not a text file.")
+        descriptor = os.open(path, _OPEN_FLAGS)
+        with open(descriptor, "rb", closefd=True) as stream:  # noqa: PTH123
+            status = os.fstat(descriptor)
+            kind = _not_regular(status)
+            if kind:
+                return Unread(f"This is {kind}, not a text file.")
+            data = stream.read(limit + 1) if status.st_size <= limit else None
+    except (OSError, ValueError) as error:
+        reason = (isinstance(error, OSError) and error.strerror) or str(error)
+        return Unread(f"The file cannot be read: {reason}.")
+    if data is None or len(data) > limit:
+        return Unread(f"The file is larger than {limit:,} bytes.", too_large=True)
+    return data
+
+
+def _not_regular(status: os.stat_result) -> str | None:
+    """What the thing is, unless a regular file."""
+    mode = status.st_mode
+    if stat.S_ISREG(mode):
+        return None
+    for test, name in (
+        (stat.S_ISDIR, "a folder"),
+        (stat.S_ISFIFO, "a named pipe"),
+        (stat.S_ISSOCK, "a socket"),
+        (stat.S_ISCHR, "a device"),
+        (stat.S_ISBLK, "a device"),
+    ):
+        if test(mode):
+            return name
+    return "something else"
+
+
+def digest(data: bytes) -> str:
+    """A text that tells these bytes from any others."""
+    return hashlib.blake2b(data, digest_size=20).hexdigest()
+
+
+# Whether it is still the same
+
+
+def holds(seen: Mapping[Look, str]) -> bool:
+    """Whether each look sees what it saw then. A look that nobody knows sees something else."""
+    with watching() as trace:
+        for (how, path), told in seen.items():
+            with suppress(OSError, ValueError):  # that, too, was noted, if it was so then
+                _look(how, path)
+            if trace.seen.get((how, path)) != told:
+                return False
+    return not trace.torn
+
+
+def _look(how: str, path: str) -> None:
+    kind, _, number = how.partition(" ")
+    if kind == "read":
+        read(path, int(number))
+    elif kind == "head":
+        head(path, int(number))
+    elif kind in _LOOKS:
+        _LOOKS[kind](path)
+
+
+_LOOKS: Final[Mapping[str, Callable[[str], object]]] = MappingProxyType(
+    {
+        "executable": is_executable, "kind": exists, "list": listing, "real": real_path, "there": is_there,
+    }
+)  # fmt: skip
