@@ -51,6 +51,8 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "policies": _POLICIES,
     "suppression": frozenset({"suppression"}) | _TEXT,
     "enclaves": frozenset({"enclaves"}) | _POLICIES,
+    "result": _NETWORK,
+    "cache": frozenset({"cache", "result", "_version"}) | _NETWORK,
     "audit": frozenset({"audit"}) | _POLICIES,
     "influence": frozenset({"influence"}) | _NETWORK,
     "diff": frozenset({"diff"}) | _POLICIES,
@@ -58,8 +60,22 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
     "git": frozenset({"git"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
-    "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
-    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})
+    "pipeline": frozenset({"analysis", "deployment", "enclaves", "network", "result"}) | _ENGINE,
+    "cli": frozenset(
+        {
+            "cli",
+            "analysis",
+            "cache",
+            "declaring",
+            "deployment",
+            "git",
+            "outputs",
+            "pipeline",
+            "result",
+            "server",
+            "_version",
+        }
+    )
     | _RESULT,
     "server": frozenset({"server", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
     "__init__": frozenset({"pipeline", "_version", "network"}) | _ENGINE,

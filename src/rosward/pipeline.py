@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Final, NamedTuple
@@ -40,8 +40,8 @@ from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
+from rosward.result import Result
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
-from rosward.rules import Severity
 from rosward.source.exclude import Exclusion
 from rosward.source.location import Place
 from rosward.source.text import place_name
@@ -50,34 +50,6 @@ from rosward.source.workspace import SkipReason, SourceFile
 __all__ = ["Budget", "NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
 
 NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
-
-
-@dataclass(frozen=True)
-class Result:
-    """What an extraction gave. `complete` is False where a finding says that something is missing from the network."""
-
-    network: Network
-    root: Path
-    files: tuple[SourceFile, ...] = ()
-    """The programs and launch files that were read."""
-    systems: tuple[LaunchSystem, ...] = ()
-    """What the launch files start, where they were followed."""
-    excluded: int = 0
-    """How many files and folders were left unread because a pattern means them."""
-    ignored: int = 0
-    """How many folders were left unread because they are marked as ignored (COLCON_IGNORE or similar)."""
-    launch_files: int = 0
-    """How many launch files there are."""
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """All findings, sorted."""
-        return self.network.findings
-
-    @property
-    def complete(self) -> bool:
-        """Whether the network holds all that the sources do, as far as the documented assumptions go."""
-        return not any(f.rule.severity is Severity.ERROR for f in self.findings)
 
 
 def budget_of(factor: float) -> Budget:
@@ -209,7 +181,10 @@ def _extract(
     workspace = read.workspace
     known = (*workspace.files, *workspace.launch_files, *workspace.cpp_sources)
     headers = sorted(read.sources.cpp_files.keys() - {f.relative for f in known})
-    files = (*known, *(SourceFile(workspace.root / name, name) for name in headers))
+    files = (
+        *(SourceFile(file.path, file.relative) for file in known),
+        *(SourceFile(workspace.root / name, name) for name in headers),
+    )
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
     read.library.given_back()
     return Result(

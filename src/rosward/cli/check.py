@@ -26,8 +26,8 @@ from rosward.outputs.formats import OF_FINDINGS
 if TYPE_CHECKING:
     from rosward.cli.shared import Commands
     from rosward.explanation.checked import Checked
-    from rosward.pipeline import Result
     from rosward.policies.records import Policy
+    from rosward.result import Result
 
 
 def add(commands: Commands[argparse.ArgumentParser]) -> None:

@@ -210,6 +210,10 @@ NEVER: Final[Mapping[str, str]] = {
     "json": "it is `format`",
     "follow-links": "the file is part of the sources, and only the person running rosward decides where links may lead",
     "env-from-shell": "the file is part of the sources, and only the person running rosward decides what they learn about the shell",
+    **dict.fromkeys(
+        ("no-cache", "cache-dir"),
+        "the file is part of the sources, and only the person running rosward decides where results are kept",
+    ),
     **dict.fromkeys(("to", "from", "check", "suggest-private", "data-only"), "it is what one run asks"),
     **dict.fromkeys(
         ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it refers to what runs at the moment"

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from rosward.cli.shared import Commands
     from rosward.enclaves.widened import Widenings
     from rosward.findings import Finding
-    from rosward.pipeline import Result
+    from rosward.result import Result
     from rosward.suppression.judge import Reviewed
 
 FORMAT_NAMES: Final = (*BY_NAME, "none")

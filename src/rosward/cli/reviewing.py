@@ -22,7 +22,7 @@ from rosward.guard import Steps
 if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.outputs.writing import Scan
-    from rosward.pipeline import Result
+    from rosward.result import Result
     from rosward.suppression.judge import Judged, Reviewed, SourceTexts
 
 __all__ = [

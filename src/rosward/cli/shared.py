@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
+from rosward.cli.kept import add_cache, known_or, store_of
+from rosward.cli.progress import ProgressLine
 from rosward.network.enclave_mode import EnclaveMode
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.rules import INTERNAL_ERROR, UNREAD_ARGUMENT
@@ -21,7 +23,9 @@ if TYPE_CHECKING:
     from rosward.deployment.request import Request
     from rosward.findings import Finding
     from rosward.network.assigned import Assignment
-    from rosward.pipeline import Budget, Progress, Result
+    from rosward.network.checks import UnknownNames
+    from rosward.pipeline import Budget
+    from rosward.result import Result
     from rosward.source.exclude import Exclusion
 
 MOST_BUDGET: Final = 1_000
@@ -43,6 +47,9 @@ class _Reading(TypedDict):
     follow_links: bool
     request: Request
     underlays: list[str]
+
+
+class _ReadingWithin(_Reading):
     budget: Budget
 
 
@@ -108,6 +115,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="multiply the number of analysis steps per program by N; at the limit, the analysis stops with RW201 (default: 1)",
     )
+    add_cache(parser)
     parser.add_argument(
         "--no-config", action="store_true", help="ignore rosward.toml and pyproject.toml of the sources"
     )
@@ -236,20 +244,25 @@ def extracted(
 
     `flow`: also what flows in each node, where what `watched` functions give is told apart.
     """
-    from rosward.pipeline import NothingToReadError, UnknownRequestError, extract
+    read, given = tuple(paths), _reading(options, request)
+    enclaves = _wanted_enclaves(getattr(options, "enclaves", None))
+    unknown: UnknownNames = getattr(options, "unknown", "deny")
+    assumed = not options.no_assumed
 
-    try:
-        with ProgressLine(shown=shown) as progress:
-            result = extract(
-                *paths,
-                **_with_flow(reading(options, request), flow, watched),
-                unknown=getattr(options, "unknown", "deny"),
-                **_wanted_enclaves(getattr(options, "enclaves", None)),
-                assumed=not options.no_assumed,
-                progress=progress,
-            )
-    except (NothingToReadError, UnknownRequestError) as error:
-        raise WrongUseError(str(error)) from error
+    def compute() -> Result:
+        from rosward.pipeline import NothingToReadError, UnknownRequestError, budget_of, extract
+
+        budget = budget_of(options.budget)._replace(flow=flow, watched=watched)
+        try:
+            with ProgressLine(shown=shown) as progress:
+                return extract(
+                    *read, **given, budget=budget, unknown=unknown, **enclaves, assumed=assumed, progress=progress
+                )
+        except (NothingToReadError, UnknownRequestError) as error:
+            raise WrongUseError(str(error)) from error
+
+    asked = {**given, **enclaves, "paths": read, "unknown": unknown, "assumed": assumed}
+    result = known_or(compute, store_of(options), {**asked, "budget": options.budget, "flow": flow, "watched": watched})
     note_failures(options, result.findings)
     if options.command not in _LISTING:
         for finding in result.findings:
@@ -258,28 +271,26 @@ def extracted(
     return result
 
 
-def _with_flow(given: _Reading, flow: bool, watched: frozenset[str]) -> _Reading:
-    given["budget"] = given["budget"]._replace(flow=flow, watched=watched)
-    return given
-
-
 def note_failures(options: argparse.Namespace, findings: Iterable[Finding]) -> None:
     """Keep in mind which findings say that rosward itself failed: they decide the exit status, whatever is made of them."""
     failures: list[str] = getattr(options, "failures", [])
     failures += (f"{f.place}: {f.message}" if f.place.file else f.message for f in findings if f.code == INTERNAL_ERROR)
 
 
-def reading(options: argparse.Namespace, request: Request) -> _Reading:
+def reading(options: argparse.Namespace, request: Request) -> _ReadingWithin:
     """What the options ask to read, as `extract` and `launched` are told."""
     from rosward.pipeline import budget_of
 
+    return {**_reading(options, request), "budget": budget_of(options.budget)}
+
+
+def _reading(options: argparse.Namespace, request: Request) -> _Reading:
     try:
         surroundings(options.distro, dict(options.env))
     except SurroundingsError as error:
         raise WrongUseError(f"--env: {error}") from error
     return {
         "env": dict(options.env),
-        "budget": budget_of(options.budget),
         "distro": options.distro,
         "models": options.models,
         "tests": options.tests,
@@ -373,23 +384,3 @@ def check_paths(options: argparse.Namespace) -> None:
     for file in getattr(options, "params", ()):
         if not os.path.isfile(file):  # noqa: PTH113
             raise WrongUseError(f"--params: no such file: {file}")
-
-
-class ProgressLine:
-    """A progress line on a terminal, for work that takes longer than a moment."""
-
-    def __init__(self, *, shown: bool) -> None:
-        self._shown = shown and sys.stderr.isatty()
-        self._drawn = False
-
-    def __enter__(self) -> Progress:
-        return self._tell
-
-    def __exit__(self, *_: object) -> None:
-        if self._drawn:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
-
-    def _tell(self, what: str, done: int, count: int) -> None:
-        if self._shown and count > 20 and (done % 10 == 0 or done == count):
-            self._drawn = True
-            print(f"\r\x1b[K{what} {done}/{count}", end="", file=sys.stderr, flush=True)  # noqa: T201
