@@ -155,18 +155,16 @@ def test_warm_is_cold(tmp_path: Path, seed: int, options: dict[str, Any]) -> Non
 
 def test_another_question_has_another_answer(tmp_path: Path) -> None:
     folder, ask = _write(tmp_path / "ws"), Asking(tmp_path / "cache")
-    for number, options in enumerate(
-        (
-            {},
-            {"distro": "humble"},
-            {"tests": True},
-            {"env": {"A": "1"}},
-            {"env": {"A": "2"}},
-            {"budget": Budget(steps=10)},
-            {"exclude": ["x"]},
-        ),
-        1,
-    ):
+    asked: list[dict[str, Any]] = [
+        {},
+        {"distro": "humble"},
+        {"tests": True},
+        {"env": {"A": "1"}},
+        {"env": {"A": "2"}},
+        {"budget": Budget(steps=10)},
+        {"exclude": ["x"]},
+    ]
+    for number, options in enumerate(asked, 1):
         ask(paths=(folder,), **options)
         assert ask.computed == number
 
@@ -229,7 +227,12 @@ def _is_run(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
 
     calls: list[object] = []
     real = pipeline.extract
-    monkeypatch.setattr("rosward.pipeline.extract", lambda *a, **k: calls.append(a) or real(*a, **k))
+
+    def counted(*paths: Any, **options: Any) -> Result:
+        calls.append(paths)
+        return real(*paths, **options)
+
+    monkeypatch.setattr("rosward.pipeline.extract", counted)
     return lambda: len(calls)
 
 

@@ -155,6 +155,21 @@ def _replace(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
+def _folder_instead(ws: Path) -> None:
+    (ws / "src/demo/demo/names.py").unlink()
+    (ws / "src/demo/demo/names.py").mkdir()
+
+
+def _link_instead(ws: Path) -> None:
+    (ws / "src/demo/demo/names.py").rename(ws / "names.txt")
+    (ws / "src/demo/demo/names.py").symlink_to(ws / "names.txt")
+
+
+def _nearer(ws: Path) -> None:
+    (ws / "src/pump/src/rclcpp").mkdir()
+    _replace(ws / "src/pump/src/rclcpp/rclcpp.hpp", "")
+
+
 CHANGES: dict[str, Callable[[Path], object]] = {
     "a line": lambda ws: _replace(ws / "src/demo/demo/names.py", "NAME = 'other'\n"),
     "a header": lambda ws: _replace(ws / "src/pump/src/name.hpp", '#define NAME "other"\n'),
@@ -162,18 +177,9 @@ CHANGES: dict[str, Callable[[Path], object]] = {
     "a module where none was": lambda ws: _replace(ws / "src/demo/demo/more.py", ""),
     "a file that is gone": lambda ws: (ws / "src/demo/demo/names.py").unlink(),
     "a mark": lambda ws: _replace(ws / "src/demo/COLCON_IGNORE", ""),
-    "a folder in the place of a file": lambda ws: (
-        (ws / "src/demo/demo/names.py").unlink(),
-        (ws / "src/demo/demo/names.py").mkdir(),
-    ),
-    "a link in the place of a file": lambda ws: (
-        (ws / "src/demo/demo/names.py").rename(ws / "names.txt"),
-        (ws / "src/demo/demo/names.py").symlink_to(ws / "names.txt"),
-    ),
-    "a header nearer": lambda ws: (
-        (ws / "src/pump/src/rclcpp").mkdir(),
-        _replace(ws / "src/pump/src/rclcpp/rclcpp.hpp", ""),
-    ),
+    "a folder in the place of a file": _folder_instead,
+    "a link in the place of a file": _link_instead,
+    "a header nearer": _nearer,
 }
 
 
