@@ -23,6 +23,7 @@ from typing import NamedTuple
 
 import rclpy
 from rclpy.node import Node
+from rclpy.parameter import Parameter
 from std_msgs.msg import Float64
 
 
@@ -127,6 +128,28 @@ CASES: Final = {
         "self.declare_parameter('scale', [1.0])\nself.scale = self.get_parameter('scale').value",
         "self.scale = [msg.data * s for s in self.scale]",
         "self.scale[0]",
+    ),
+    "a parameter that the node sets": Case(
+        "self.declare_parameter('gain', 1.0)",
+        "self.set_parameters([Parameter('gain', value=msg.data)])",
+        "self.get_parameter('gain').value",
+    ),
+    "a parameter that the node sets at times": Case(
+        "self.declare_parameter('gain', 1.0)",
+        "if msg.data > 1.0:\n    self.set_parameters_atomically([Parameter('gain', value=2.0)])",
+        "self.get_parameter('gain').value",
+        "control",
+    ),
+    "the default of a parameter": Case(
+        "self.value = 0.0",
+        "if not self.has_parameter('gain'):\n    self.declare_parameter('gain', msg.data)",
+        "self.get_parameter_or('gain', Parameter('gain', value=2.0)).value",
+    ),
+    "whether a parameter is there": Case(
+        "self.declare_parameter('gain', 1.0)",
+        "if msg.data > 1.0:\n    self.undeclare_parameter('gain')",
+        "float(self.has_parameter('gain'))",
+        "control",
     ),
     "which of several lists": Case(
         "self.rows = [[], [0.0]]", "self.rows[0 if msg.data > 1.0 else 1].append(1.0)", "sum(self.rows[0])", "control"

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosward.influence.check import check
+from rosward.influence.check import against
 from rosward.influence.graph import graph_of
 from rosward.influence.policy import PolicyError, read_policy
 
@@ -21,7 +21,7 @@ ROBOT = (
 
 
 def codes(policy: dict[str, object], *lines: str) -> list[str]:
-    return [f.code for f in check(graph_of(system(*lines)), read_policy(policy))]
+    return [f.code for f in against(graph_of(system(*lines)), read_policy(policy))]
 
 
 def rule(**keys: object) -> dict[str, object]:

@@ -134,13 +134,11 @@ def _run(options: argparse.Namespace) -> int:
 def with_flows_checked(result: Result, policy: Policy) -> Result:
     """The same network, with what its flows break of the rules of the project among its findings."""
     from rosward.influence.check import check
-    from rosward.influence.executed import executed
     from rosward.influence.graph import graph_of
     from rosward.network.connect import with_findings
 
     nodes = result.network.nodes
-    found = [*executed(nodes), *check(graph_of(nodes), policy)]
-    return replace(result, network=with_findings(result.network, found))
+    return replace(result, network=with_findings(result.network, check(nodes, graph_of(nodes), policy)))
 
 
 def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:

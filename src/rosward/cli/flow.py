@@ -79,6 +79,7 @@ def add(commands: Commands[argparse.ArgumentParser]) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
+    from rosward.influence.check import check
     from rosward.influence.graph import graph_of
     from rosward.influence.policy import Policy
 
@@ -93,8 +94,7 @@ def _run(options: argparse.Namespace) -> int:
     result = extracted(options, options.paths, request, flow=True, watched=frozenset(policy.functions))
     nodes = result.network.nodes
     graph = graph_of(nodes)
-    found = _findings(nodes, graph, policy)
-    judged = _reviewed(options, found, result)
+    judged = _reviewed(options, check(nodes, graph, policy), result)
     text = _text(options, nodes, graph, judged)
     if options.output is None or options.format not in _FILES:
         sys.stdout.write(text)
@@ -104,13 +104,6 @@ def _run(options: argparse.Namespace) -> int:
         write_baseline(judged.shown, options.write_baseline)
     broken = any(f.rule.severity.value == "error" for f in judged.new)
     return INCOMPLETE if options.check and broken else COMPLETE
-
-
-def _findings(nodes: Sequence[Node], graph: FlowGraph, policy: Policy) -> list[Finding]:
-    from rosward.influence.check import check
-    from rosward.influence.executed import executed
-
-    return [*executed(nodes), *check(graph, policy)]
 
 
 def _reviewed(options: argparse.Namespace, found: Sequence[Finding], result: object) -> Reviewed:
@@ -129,7 +122,7 @@ def _text(options: argparse.Namespace, nodes: Sequence[Node], graph: FlowGraph, 
     if options.format == "dot":
         from rosward.outputs.graphs.flow_dot import flow_dot
 
-        return flow_dot(nodes, triggers=options.verbose, data_only=options.data_only)
+        return flow_dot(graph, _passing(options))
     if options.format != "text":
         return findings_text(options.format, judged.shown, options)
     from rosward.outputs.terminal import flow_text
@@ -154,10 +147,11 @@ def _passing(options: argparse.Namespace) -> Passing:
 
 def _answer(options: argparse.Namespace, graph: FlowGraph, passing: Passing) -> str:
     from rosward.influence.search import downstream, upstream
+    from rosward.influence.select import beginnings
     from rosward.outputs.terminal import flow_text
 
     starts, targets = _meant(graph, options.origin, "--from"), _meant(graph, options.to, "--to")
-    starts = [v for v in starts if v.side == "in" or "*" not in v.end.name] or starts
+    starts = beginnings(starts) or starts
     if options.origin and options.to:
         found = downstream(graph, starts, passing)
         text = flow_text.ways_text(found, [t for t in targets if t.side == "sent" and t not in starts])

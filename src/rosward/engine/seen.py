@@ -27,47 +27,46 @@ if TYPE_CHECKING:
 _DEPTH: Final = 6
 
 
-def refs_of(value: Value, depth: int = 0) -> Iterator[int]:
+Place = int | tuple[object, ...]
+"""Where a value leads: the address of an object, or ('slot', address, key, how) for a part of one, as `_placed` says."""
+
+
+def refs_of(value: Value) -> Iterator[int]:
     """The addresses of the objects that a value is or holds; not those that a function or method is bound to.
 
     A class stands where its attributes and those of its bases do.
     """
-    for option in options(value):
+    for option in _leaves(value):
         if option.__class__ is Ref:
             yield option.address
         elif option.__class__ is Class:
             yield from (c.address for c in option.mro if c.__class__ is Class and not c.stub)
-        elif option.__class__ is Tuple and depth < _DEPTH:
-            for item in option.items:
-                yield from refs_of(item, depth + 1)
-        elif isinstance(option, Partial) and depth < _DEPTH:
-            for item in (*option.arguments, *(v for _, v in option.keywords)):
-                yield from refs_of(item, depth + 1)
-        elif isinstance(option, Pointer):
-            yield from refs_of(option.target, depth + 1)
         elif isinstance(option, Slot):
-            yield from refs_of(option.base, depth + 1)
+            yield from refs_of(option.base)
 
 
-Place = int | tuple[object, ...]
-"""Where a value leads: the address of an object, or ('slot', address, key, how) for a part of one, as `placed` says."""
-
-
-def places_of(value: Value, depth: int = 0) -> Iterator[Place]:
+def places_of(value: Value) -> Iterator[Place]:
     """The same for a language in which a part of an object has an address: a slot, or a pointer to it, leads to that part."""
-    for option in options(value):
+    for option in _leaves(value):
         if option.__class__ is Ref:
             yield option.address
-        elif option.__class__ is Tuple and depth < _DEPTH:
-            for item in option.items:
-                yield from places_of(item, depth + 1)
-        elif isinstance(option, Partial) and depth < _DEPTH:
-            for item in (*option.arguments, *(v for _, v in option.keywords)):
-                yield from places_of(item, depth + 1)
-        elif isinstance(option, Pointer):
-            yield from places_of(option.target, depth + 1)
         elif isinstance(option, Slot):
             yield from _placed(option)
+
+
+def _leaves(value: Value, depth: int = 0) -> Iterator[Value]:
+    """What a value may be, with what tuples, partial functions and pointers hold in their place."""
+    for option in options(value):
+        if option.__class__ is Tuple and depth < _DEPTH:
+            for item in option.items:
+                yield from _leaves(item, depth + 1)
+        elif isinstance(option, Partial) and depth < _DEPTH:
+            for item in (*option.arguments, *(v for _, v in option.keywords)):
+                yield from _leaves(item, depth + 1)
+        elif isinstance(option, Pointer):
+            yield from _leaves(option.target, depth + 1)
+        else:
+            yield option
 
 
 def _placed(slot: Slot) -> Iterator[Place]:

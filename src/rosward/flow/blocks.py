@@ -21,6 +21,7 @@ from rosward.ir import ops
 
 if TYPE_CHECKING:
     from rosward.engine.seen import Seen
+    from rosward.flow.memory import Memory
     from rosward.flow.walker import Walker
 
 
@@ -194,18 +195,24 @@ def _is_forever(op: ops.While | ops.ForEach) -> bool:
     return isinstance(op, ops.While) and len(op.condition) == 1 and op.condition[0].__class__ is ops.Const
 
 
-def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
-    """The body; each handler from every state in which the body may be left; what is in `finally` on each way."""
-    outside = body.pc
-    tried = Attempt(body, Point(body.registers, walker.memory), handles=bool(op.handlers))
+def _try(walker: Walker, block: ops.Block, body: Body, *, handles: bool = False) -> tuple[bool, Attempt]:
+    """A block that may be left anywhere: whether its end is reached, and all states in which it may have been left."""
+    tried = Attempt(body, Point(body.registers, walker.memory), handles=handles)
     walker.attempts.append(tried)
     try:
-        alive = walker.run(op.body, body)
+        alive = walker.run(block, body)
     finally:
         walker.attempts.pop()
         tried.end(walker.memory)
     if walker.attempts:
         walker.attempts[-1].mask |= tried.mask
+    return alive, tried
+
+
+def attempt(walker: Walker, op: ops.Try, body: Body, _seen: Seen) -> bool:
+    """The body; each handler from every state in which the body may be left; what is in `finally` on each way."""
+    outside = body.pc
+    alive, tried = _try(walker, op.body, body, handles=bool(op.handlers))
     if op.handlers:
         body.pc |= demoted(tried.mask)
     alive = alive and walker.run(op.orelse, body)
@@ -238,18 +245,22 @@ def _finally(walker: Walker, block: ops.Block, body: Body, after: Point | None, 
     every = tried.point.copy()
     if after is not None:
         every.join(after)
-    for memory in (body.returned, *(p.memory for p in (body.broken, body.continued) if p is not None)):
-        if memory is not None:
-            every.memory.join(memory)
+    for memory in _leaving(body):
+        every.memory.join(memory)
     walker.go(body, every)
     if walker.run(block, body):
-        for memory in (body.returned, *(p.memory for p in (body.broken, body.continued) if p is not None)):
-            if memory is not None:
-                memory.join(walker.memory)
+        for memory in _leaving(body):
+            memory.join(walker.memory)
     if after is None:
         return False
     walker.go(body, after)
     return walker.run(block, body)
+
+
+def _leaving(body: Body) -> list[Memory]:
+    """What is known where control has left the function or the loop."""
+    points = [p.memory for p in (body.broken, body.continued) if p is not None]
+    return points if body.returned is None else [body.returned, *points]
 
 
 def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
@@ -259,15 +270,7 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     if op.bind != ops.NO_REGISTER:
         given = context if entered is None else entered
         body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
-    tried = Attempt(body, Point(body.registers, walker.memory))
-    walker.attempts.append(tried)
-    try:
-        alive = walker.run(op.body, body)
-    finally:
-        walker.attempts.pop()
-        tried.end(walker.memory)
-    if walker.attempts:
-        walker.attempts[-1].mask |= tried.mask
+    alive, tried = _try(walker, op.body, body)
     if not alive:
         if not seen.alive:
             return False

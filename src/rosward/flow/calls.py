@@ -7,7 +7,7 @@ lib.blur(image)      may hold all that the image does, may be a view of it, and 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
@@ -26,6 +26,7 @@ from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising
 from rosward.flow.released import callees, released
+from rosward.flow.ways import Way, each_way, either, joined_marks
 from rosward.ir import ops
 from rosward.ir.check import reads
 
@@ -45,7 +46,7 @@ def run_callees(
     waiting = walker.bodies_of(seen)
     result: Mark | None = None
     inside = body.pc | pc
-    ways: list[Callable[[], Mark]] = []
+    ways: list[Way] = []
     called_here: set[str] = set()
     for key, several in _by_code(seen).items():
         function = several[0].function
@@ -72,12 +73,12 @@ def run_callees(
             declared = library.declared(walker, body, function, marks[0]) if declared is None else declared
             result = declared if result is None else result.joined(declared)
         for number, activation in enumerate(mine):
-            given = marks[number] if len(marks) == len(mine) else _joined(marks)
+            given = marks[number] if len(marks) == len(mine) else joined_marks(marks)
             ways.append(partial(walker.enter, activation, given, inside))
     for key, activations in waiting.items():
         if key not in called_here and (not names or activations[0].code.name in names):
             ways += [partial(_resume, walker, op, body, a, inside) for a in activations]
-    return _each(walker, ways, result)
+    return either(result, each_way(walker, ways))
 
 
 _FEW: Final = 8
@@ -93,36 +94,7 @@ def _by_code(seen: Seen) -> dict[str, list[Called]]:
 def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) -> list[list[Mark]]:
     """The marks of the parameters of each call; of many, joined."""
     marks = [_bound(walker, op, body, called) for called in several[: _FEW * 4]]
-    return marks if len(several) <= _FEW else [_joined(marks)]
-
-
-def _joined(several: list[list[Mark]]) -> list[Mark]:
-    found = list(several[0])
-    for each in several[1:]:
-        for number, mark in enumerate(each):
-            if number < len(found):
-                found[number] = found[number].joined(mark)
-            else:
-                found.append(mark)
-    return found
-
-
-def _each(walker: Walker, ways: list[Callable[[], Mark]], result: Mark | None) -> Mark | None:
-    """Each way from the same state; what comes out is joined."""
-    before, after = walker.memory, None
-    for way in ways:
-        if len(ways) > 1:
-            walker.memory = before.copy()
-        given = way()
-        result = given if result is None else result.joined(given)
-        if len(ways) > 1:
-            if after is None:
-                after = walker.memory
-            else:
-                after.join(walker.memory)
-    if after is not None:
-        walker.memory = after
-    return result
+    return marks if len(several) <= _FEW else [joined_marks(marks)]
 
 
 def _perform(walker: Walker, body: Body, name: str, marks: list[Mark], result: Mark | None) -> Mark | None:
@@ -240,14 +212,13 @@ def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: 
     seen = activation.of(0)
     walker.bodies.append(body)
     try:
-        result: Mark | None = NOTHING
         waiting = walker.bodies_of(seen)
-        ways: list[Callable[[], Mark]] = []
+        ways: list[Way] = []
         called_here: set[str] = set()
         for key, several in _by_code(seen).items():
             function = several[0].function
             code = function.code
-            marks = _joined([_of_callback(called, arguments, given, pc) for called in several])
+            marks = joined_marks([_of_callback(called, arguments, given, pc) for called in several])
             if code.is_generator or code.is_coroutine:
                 _keep_arguments(walker, key, marks)
                 continue
@@ -258,9 +229,8 @@ def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: 
         for key, activations in waiting.items():
             if key not in called_here:
                 ways += [partial(_resume, walker, activation.code.entry, body, a, pc) for a in activations]
-        result = _each(walker, ways, result)
-        assert result is not None
-        return result.under(pc)
+        result = each_way(walker, ways)
+        return NOTHING if result is None else result.under(pc)
     finally:
         walker.bodies.pop()
 
@@ -366,11 +336,7 @@ def _register(walker: Walker, body: Body, seen: Seen, marks: list[Mark], pc: int
         given = 0
         for mark in marks:
             given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
-        old = walker.registered.get(entry), walker.given.get(entry)
-        walker.registered[entry] = (old[0] or 0) | body.pc | pc
-        walker.given[entry] = (old[1] or 0) | given
-        if old != (walker.registered[entry], walker.given[entry]):
-            walker.changed = True
+        walker.register(entry, body.pc | pc, given)
 
 
 _ARRIVING: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", "future"})

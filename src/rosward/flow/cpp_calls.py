@@ -25,6 +25,7 @@ from rosward.flow.cpp_values import (
 from rosward.flow.marked_cpp import HOLDS
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot
+from rosward.flow.ways import Way, each_way, either, joined_marks
 
 if TYPE_CHECKING:
     from rosward.flow.walker import Walker
@@ -66,7 +67,7 @@ def callees(
     for code_key, several in by_code.items():
         name: object = "" if seen.several else several[0].function.code.name
         groups.setdefault(name, []).append((code_key, several))
-    steps: list[list[Callable[[], Mark]]] = []
+    steps: list[list[Way]] = []
     inside = body.pc | pc
     if only is None:
         bound_keys = {b.function.code.key for b in seen.bound.values()}
@@ -75,34 +76,16 @@ def callees(
                 steps.append([partial(_thunk, walker, a, everything, inside) for a in activations])
     known = registers if registers is not None else dict(enumerate(body.registers))
     for group in groups.values():
-        ways: list[Callable[[], Mark]] = []
+        ways: list[Way] = []
         for code_key, several in group:
             ways += _ways(walker, body, several, waiting.get(code_key, ()), known, everything, inside)
         steps.append(ways)
     result: Mark | None = None
     for ways in steps:
         before = walker.memory.copy() if len(steps) > 1 and not certain else None
-        for_all = _each(walker, ways)
-        result = for_all if result is None else result.joined(for_all)
+        result = either(result, each_way(walker, ways) or NOTHING)
         if before is not None:
             walker.memory.join(before)
-    return result
-
-
-def _each(walker: Walker, ways: list[Callable[[], Mark]]) -> Mark:
-    """Each way from the same state; what comes out is joined."""
-    if len(ways) == 1:
-        return ways[0]()
-    before, after, result = walker.memory, None, NOTHING
-    for way in ways:
-        walker.memory = before.copy()
-        result = result.joined(way())
-        if after is None:
-            after = walker.memory
-        else:
-            after.join(walker.memory)
-    if after is not None:
-        walker.memory = after
     return result
 
 
@@ -114,27 +97,16 @@ def _ways(
     known: dict[int, Mark],
     everything: Mark,
     pc: int,
-) -> list[Callable[[], Mark]]:
+) -> list[Way]:
     marks = [given_to(walker, bound, known, everything, pc) for bound in several]
     function = several[0].function
     mine = list(activations)
-    found: list[Callable[[], Mark]] = []
+    found: list[Way] = []
     if not mine and function.code.file.startswith("models:") and (function.code.is_stub or not function.code.ops):
-        found.append(partial(_declared, walker, body, function, _joined(marks)))
+        found.append(partial(_declared, walker, body, function, joined_marks(marks)))
     for number, activation in enumerate(mine):
-        given = marks[number] if len(marks) == len(mine) else _joined(marks)
+        given = marks[number] if len(marks) == len(mine) else joined_marks(marks)
         found.append(partial(_enter, walker, activation, function, given, pc))
-    return found
-
-
-def _joined(several: list[list[Mark]]) -> list[Mark]:
-    found = list(several[0])
-    for each in several[1:]:
-        for number, mark in enumerate(each):
-            if number < len(found):
-                found[number] = found[number].joined(mark)
-            else:
-                found.append(mark)
     return found
 
 
@@ -256,11 +228,7 @@ def register(walker: Walker, body: Body, seen: Seen, everything: Mark) -> None:
     """Callbacks that are registered here run only where control is here; what they are bound to is at hand here."""
     for _, entry in seen.scheduled:
         given = _shallow(walker, everything) | (0 if entry.event in KINDS_APART else walker.memory.deep(everything))
-        old = walker.registered.get(entry), walker.given.get(entry)
-        walker.registered[entry] = (old[0] or 0) | body.pc
-        walker.given[entry] = (old[1] or 0) | given
-        if old != (walker.registered[entry], walker.given[entry]):
-            walker.changed = True
+        walker.register(entry, body.pc, given)
 
 
 KINDS_APART: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", *KINDS})

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from rosward.effects.flows import Source
 from rosward.engine.seen import Seen
-from rosward.flow import library
+from rosward.flow import library, parameters
 from rosward.flow.body import Body
 from rosward.flow.content import Content
 from rosward.flow.cpp_values import (
@@ -20,7 +20,7 @@ from rosward.flow.cpp_values import (
     value,
 )
 from rosward.flow.marked_cpp import LOGS, PURE, READS, SIZES, STORES
-from rosward.flow.marks import Mark, Root
+from rosward.flow.marks import NOTHING, Mark, Root
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import out
 from rosward.flow.reading import arising
@@ -58,7 +58,9 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
         brought |= _of_library(walker) if name == "rosward.unknown" else 0
-        brought |= _arrives(walker, body, seen, name) | _parameter(walker, seen, name, keys)
+        brought |= _arrives(walker, body, seen, name)
+        if name.startswith("rosward."):
+            brought |= _parameter(walker, body, seen, name, marks, keys)
     content = near if names and all(n in STORES for n in last) else whole
     written = Mark(content.mask | brought, frozenset(r for r in whole.roots if not is_slot(r)))
     if not any(n in _ARRIVING for n in names):
@@ -67,27 +69,37 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
                 memory.write_any([address], written, body.pc | near.mask)
     _written(walker, marks, seen, wrote, written, body)
     if own:
-        return Mark(
-            body.pc | brought | arising(walker, seen), nameless(whole) if "rosward.either" in names else frozenset()
-        )
+        passed_on = Mark(whole.mask, nameless(whole)) if not _PASSING.isdisjoint(names) else NOTHING
+        return passed_on.under(body.pc | brought | arising(walker, seen))
     mask = whole.mask | brought | arising(walker, seen)
     return Mark(mask, nameless(whole))
 
 
-def _parameter(walker: Walker, seen: Seen, name: str, keys: tuple[object, ...]) -> int:
+def _parameter(walker: Walker, body: Body, seen: Seen, name: str, marks: list[Mark], keys: tuple[object, ...]) -> int:
     """The parameter that a native of the models gives, or writes to a variable: of one that is not known, any."""
-    if name not in _OF_PARAMETERS:
-        return 0
     known = keys[1] if len(keys) > 1 else None
-    if not isinstance(known, str) and arising(walker, seen):
+    nodes = value(walker, marks[0]).roots if marks else frozenset()
+    if name in _PARAMETERS_SET:
+        given = value(walker, marks[2]) if len(marks) > 2 else NOTHING
+        parameters.keep(walker, nodes, known, given.under(value(walker, marks[1]).mask), body.pc)
+    if name in _PARAMETERS_ASKED:
+        return parameters.declared(walker, nodes)
+    if name not in _PARAMETERS_READ:
         return 0
-    return walker.sources.data(Source("parameter", known if isinstance(known, str) else "*"))
+    found = parameters.kept(walker, nodes, known)
+    if not isinstance(known, str) and arising(walker, seen):
+        return found
+    return found | walker.sources.data(Source("parameter", known if isinstance(known, str) else "*"))
 
 
-_OF_PARAMETERS: Final = frozenset(
+_PARAMETERS_SET: Final = frozenset(
+    f"rosward.{name}" for name in ("declare_parameter", "set_parameter", "undeclare_parameter")
+)
+_PARAMETERS_READ: Final = frozenset(
     f"rosward.{name}"
     for name in ("declare_parameter", "parameter", "get_parameter", "get_parameters", "given_parameters")
 )
+_PARAMETERS_ASKED: Final = frozenset(f"rosward.{name}" for name in ("has_parameter", "is_given"))
 
 
 def _of_library(walker: Walker) -> int:
@@ -118,6 +130,10 @@ def _written(walker: Walker, marks: list[Mark], seen: Seen, wrote: set[int], wri
         )
 
 
+_PASSING: Final = frozenset(
+    f"rosward.{name}" for name in ("either", "parameter_value", "parameter_as", "parameter_text")
+)
+"""What the models make of what they are given."""
 _QUIET: Final = frozenset({"rosward.nothing", "rosward.type"})
 
 

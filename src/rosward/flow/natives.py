@@ -16,7 +16,7 @@ from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, library
+from rosward.flow import containers, library, parameters
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
@@ -146,11 +146,27 @@ def _nothing(call: NativeCall) -> Mark:
 
 def _parameter(call: NativeCall) -> Mark:
     """The value of a parameter: of which one, the interpretation says with the value, unless that is a list."""
-    mask = call.pc | call.mark(1).mask
+    name = call.key(1)
+    mask = call.pc | call.mark(1).mask | parameters.kept(call.walker, call.mark(0).roots, name)
     if not arising(call.walker, call.seen):
-        name = call.key(1)
         mask |= call.walker.sources.data(Source("parameter", name if isinstance(name, str) else "*"))
     return Mark(mask)
+
+
+def _declare_parameter(call: NativeCall) -> Mark:
+    """Its default is its value where nobody sets it."""
+    _set_parameter(call)
+    return _parameter(call)
+
+
+def _set_parameter(call: NativeCall) -> Mark:
+    """Declared, set or undeclared."""
+    parameters.keep(call.walker, call.mark(0).roots, call.key(1), call.mark(2).under(call.mark(1).mask), call.pc)
+    return Mark(call.pc)
+
+
+def _has_parameter(call: NativeCall) -> Mark:
+    return Mark(call.pc | call.mark(1).mask | parameters.declared(call.walker, call.mark(0).roots))
 
 
 def _of_library(call: NativeCall) -> Mark:
@@ -216,14 +232,16 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
             *("_rosward.schedule", "_rosward.ask", "_rosward.overridden", "_rosward.opaque", "_rosward.escape"),
             *("_rosward.fail_unless", "_rosward.spin", "_rosward.report", "_rosward.create", "_rosward.create_node"),
             *("_rosward.may_refuse", "_rosward.sender", "_rosward.node_name", "_rosward.node_namespace"),
-            *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.set_parameter", "_rosward.declare_own"),
-            *("_rosward.is_given", "_rosward.needs_parameter"),
+            *("_rosward.node_fqn", "_rosward.resolve_name", "_rosward.declare_own", "_rosward.needs_parameter"),
             *("_rosward.is_unset", "queue._alone"),
         ),
         _nothing,
     ),
     "_rosward.unknown": _of_library,
-    **dict.fromkeys(("_rosward.declare_parameter", "_rosward.parameter"), _parameter),
+    "_rosward.declare_parameter": _declare_parameter,
+    "_rosward.parameter": _parameter,
+    **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
+    **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
     "collections._fill": fill,
     "_rosward.message": _arrives,
 }

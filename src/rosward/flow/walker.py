@@ -147,6 +147,14 @@ class Walker:
             self._bodies[seen] = found
         return found
 
+    def register(self, entry: Scheduled, pc: int, given: int) -> None:
+        """A callback is registered where `pc` decides so, and may be `given` what is at hand there."""
+        before = self.registered.get(entry), self.given.get(entry)
+        self.registered[entry] = (before[0] or 0) | pc
+        self.given[entry] = (before[1] or 0) | given
+        if before != (self.registered[entry], self.given[entry]):
+            self.changed = True
+
     def send(self, sink: Sink, mask: int) -> None:
         """Something leaves the process."""
         self.trail.send(sink)

@@ -12,10 +12,12 @@ from itertools import groupby
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.influence.executed import executed
 from rosward.influence.graph import Edge, FlowGraph, Vertex
 from rosward.influence.policy import Policy, Release, Rule, is_function
-from rosward.influence.search import Passing, Reached, at_least, downstream, upstream, way_to
-from rosward.influence.select import Selection, meant, origins
+from rosward.influence.search import Passing, Reached, at_least, downstream, upstream, way_from, way_to
+from rosward.influence.select import Selection, beginnings, meant
+from rosward.ros.entities import Node
 from rosward.ros.flows import STRENGTHS
 from rosward.source.location import Place
 
@@ -23,8 +25,13 @@ _NOBODYS: Final = ("clock", "random")
 _NOWHERE: Final = Place("", 0)
 
 
-def check(graph: FlowGraph, policy: Policy) -> list[Finding]:
-    """Findings of all rules."""
+def check(nodes: Iterable[Node], graph: FlowGraph, policy: Policy) -> list[Finding]:
+    """What is found in the flows of a system: content that is executed, and what breaks the rules."""
+    return [*executed(nodes), *against(graph, policy)]
+
+
+def against(graph: FlowGraph, policy: Policy) -> list[Finding]:
+    """Findings of all rules and releases."""
     found: list[Finding] = []
     for rule in policy.rules:
         found += _names_nothing(graph, rule)
@@ -66,7 +73,7 @@ def _by_releases(starts: Iterable[Vertex], policy: Policy) -> Iterator[tuple[tup
 
 def _forbidden(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
     vertices = graph.vertices
-    starts = origins(rule.sources, vertices)
+    starts = beginnings(meant(rule.sources, vertices))
     targets = [v for v in meant(rule.not_to, vertices) if v.side == "sent"]
     best: dict[Vertex, tuple[Reached, list[Edge]]] = {}
     for releases, group in _by_releases(starts, policy):
@@ -98,17 +105,8 @@ def _others(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
             if reached is None or reached.by is None or origin.end.kind in _NOBODYS:
                 continue
             if not any(edge.source in found for edge in graph.into.get(origin, ())):
-                way = _way_from(found, origin)
+                way = way_from(found, origin)
                 yield _broken(rule, way, way[-1].target, reached)
-
-
-def _way_from(found: dict[Vertex, Reached], vertex: Vertex) -> list[Edge]:
-    way: list[Edge] = []
-    edge = found[vertex].by
-    while edge is not None:
-        way.append(edge)
-        edge = found[edge.target].by
-    return way
 
 
 def _broken(rule: Rule, way: list[Edge], target: Vertex, reached: Reached) -> Finding:
@@ -145,7 +143,7 @@ def _releases(graph: FlowGraph, release: Release) -> Iterator[Finding]:
     """Whether something is released, and whether what is secret decides that."""
     words = ", ".join(s.word for s in release.through)
     vertices = graph.vertices
-    starts = origins(release.of, vertices)
+    starts = beginnings(meant(release.of, vertices))
     found = downstream(graph, starts, at_least("control"))
     passing = [
         edge

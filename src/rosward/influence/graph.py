@@ -50,7 +50,7 @@ class Edge(NamedTuple):
 
 @final
 class FlowGraph:
-    """All vertices with the edges that leave and reach them, in the order of the nodes."""
+    """All vertices (each once, sorted) with the edges that leave and reach them, in the order of the nodes."""
 
     def __init__(self, edges: Iterable[Edge]) -> None:
         self.out: dict[Vertex, list[Edge]] = {}
@@ -58,11 +58,7 @@ class FlowGraph:
         for edge in edges:
             self.out.setdefault(edge.source, []).append(edge)
             self.into.setdefault(edge.target, []).append(edge)
-
-    @property
-    def vertices(self) -> list[Vertex]:
-        """Each once, sorted."""
-        return sorted({*self.out, *self.into})
+        self.vertices: Final = tuple(sorted({*self.out, *self.into}))
 
 
 def graph_of(nodes: Iterable[Node]) -> FlowGraph:

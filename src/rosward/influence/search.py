@@ -71,6 +71,16 @@ def way_to(found: dict[Vertex, Reached], vertex: Vertex) -> list[Edge]:
     return way[::-1]
 
 
+def way_from(found: dict[Vertex, Reached], vertex: Vertex) -> list[Edge]:
+    """The edges of the best way from a vertex to its end, as `upstream` found it."""
+    way: list[Edge] = []
+    edge = found[vertex].by
+    while edge is not None:
+        way.append(edge)
+        edge = found[edge.target].by
+    return way
+
+
 def at_least(strength: str) -> Passing:
     """Edges that are so strong, or stronger."""
     wanted = STRENGTHS[: STRENGTHS.index(strength) + 1]

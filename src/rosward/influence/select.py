@@ -18,7 +18,6 @@ from typing import Final
 
 from rosward.influence.graph import Vertex
 from rosward.network.holes import may_be, may_meet
-from rosward.ros.flows import End
 
 OUTSIDE: Final = (
     *("argv", "clock", "device", "env", "file", "log", "network", "process", "random", "stdin", "stdout", "tf"),
@@ -63,11 +62,6 @@ class Selection:
             return False
         return end.kind in OUTSIDE or self.fits(end.name)
 
-    def means_end(self, end: End) -> bool:
-        """The same of a source of a node."""
-        kind = "request" if end.kind == "service" else end.kind
-        return self.means(Vertex(End(kind, end.name)))
-
     def fits(self, name: str) -> bool:
         """Whether a name, which may have holes, may be meant."""
         if "*" in name:
@@ -87,9 +81,9 @@ def _fits(name: list[str], pattern: list[str]) -> bool:
     return len(name) in reachable
 
 
-def origins(selections: Iterable[Selection], vertices: Iterable[Vertex]) -> list[Vertex]:
-    """The same as beginnings: what is sent under a name of which a part is not known begins where it arrives, under each name by itself."""
-    return [v for v in meant(selections, vertices) if v.side == "in" or "*" not in v.end.name]
+def beginnings(vertices: Iterable[Vertex]) -> list[Vertex]:
+    """Those where a flow begins: what is sent under a name of which a part is not known begins where it arrives, under each name by itself."""
+    return [v for v in vertices if v.side == "in" or "*" not in v.end.name]
 
 
 def meant(selections: Iterable[Selection], vertices: Iterable[Vertex]) -> list[Vertex]:

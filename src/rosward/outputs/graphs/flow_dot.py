@@ -6,13 +6,11 @@ Solid: the content is in it. Dashed: the content decides it. Dotted: its arrival
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Final
 
-from rosward.influence.graph import Edge, Vertex, graph_of
-from rosward.influence.search import at_least
+from rosward.influence.graph import Edge, FlowGraph, Vertex
+from rosward.influence.search import Passing
 from rosward.outputs.graphs.dot_language import HEADER, LOOKS, label_of, quoted
-from rosward.ros.entities import Node
 
 __all__ = ["flow_dot"]
 
@@ -26,10 +24,8 @@ _WORDS: Final = {
 }
 
 
-def flow_dot(nodes: Sequence[Node], *, triggers: bool = False, data_only: bool = False) -> str:
-    """The text of the graph."""
-    graph = graph_of(nodes)
-    passing = at_least("data" if data_only else "trigger" if triggers else "control")
+def flow_dot(graph: FlowGraph, passing: Passing) -> str:
+    """The text of the graph, with the edges that pass."""
     edges = sorted({e for several in graph.out.values() for e in several if passing(e)}, key=_order)
     vertices = sorted({_name(v) for e in edges for v in (e.source, e.target)})
     looks = {_name(v): _look(v) for e in edges for v in (e.source, e.target)}

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What code itself gives to parameters: the default with which it declares one, and the values that it sets.
+
+self.declare_parameter('gain', self.measured)     whoever reads `gain` reads what was measured, unless it was set from outside
+self.set_parameters([Parameter('gain', value=2.0)])   reads what decides that this runs
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from rosward.flow.marks import Mark, Root
+
+if TYPE_CHECKING:
+    from rosward.flow.walker import Walker
+
+
+def keep(walker: Walker, nodes: Iterable[Root], name: object, value: Mark, pc: int) -> None:
+    """A parameter of these nodes gets a value, or loses it; `name` is no text where it is not known."""
+    held = _held(nodes)
+    mark = Mark(walker.memory.deep(value) | pc)
+    if isinstance(name, str):
+        walker.memory.write(held, name, mark)
+        walker.memory.write_any(held, Mark(), pc)
+    else:
+        walker.memory.write_any(held, mark, mark.mask)
+
+
+def kept(walker: Walker, nodes: Iterable[Root], name: object) -> int:
+    """What code has given to a parameter of these nodes; to any, where it is not known to which."""
+    held = _held(nodes)
+    found = walker.memory.read(held, name) if isinstance(name, str) else walker.memory.read_all(held)
+    return found.mask
+
+
+def declared(walker: Walker, nodes: Iterable[Root]) -> int:
+    """What decides which parameters there are."""
+    return walker.memory.size(_held(nodes))
+
+
+def _held(nodes: Iterable[Root]) -> frozenset[Root]:
+    return frozenset(("parameters", node) for node in nodes)
