@@ -85,6 +85,7 @@ def said(checkout: Path, command: Sequence[str]) -> Said:
             "COLUMNS": "160",
             "NO_COLOR": "1",
             "PYTHONHASHSEED": "0",
+            "ROSWARD_NO_CACHE": "1",
         }
         done = subprocess.run(
             [sys.executable, "-m", "rosward", *words], capture_output=True, env=environment, cwd=place, check=False

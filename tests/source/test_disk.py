@@ -137,7 +137,8 @@ def opened() -> Opened:
 def test_all_that_is_opened_or_listed_is_noted(tmp_path: Path, opened: Opened, launched: bool) -> None:
     """The interpreter itself tells what is opened."""
     folder = _written(tmp_path)
-    opened.found = told = []
+    told: list[tuple[str, str]] = []
+    opened.found = told
     with disk.watching() as trace:
         extract(folder, launch=["launching:all.launch.xml"] if launched else [])
     opened.found = None
