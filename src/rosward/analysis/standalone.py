@@ -1,29 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which nodes do the processes of all sources make, each as `ros2 run` starts it?
 
-The effects of each process become nodes (`naming/collect.py`). For launched systems, `launched.py` does the same.
+What each process adds, `outcome.py` says. For launched systems, `launched.py` does the same.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
-from rosward.analysis.process import Run, called_from_outside, node_classes, run
+from rosward.analysis.of_classes import called_from_outside, node_classes
+from rosward.analysis.outcome import Outcome, Outset, outcome_of
 from rosward.analysis.read import Progress, SourcesRead
+from rosward.analysis.seen import variables_of
 from rosward.analysis.unreached import unreached_of
 from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
-from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.effects.variables import Variables, not_given
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
-from rosward.naming.collect import Process, collect
 from rosward.ros.entities import Node
-from rosward.rules import Severity
 from rosward.source.location import Place
 
 __all__ = ["Gathered", "of_sources"]
@@ -45,76 +43,56 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
     net = read.budget.net
     given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
-    everything = _run_all(read, configuration, progress, assumed=assumed)
+    everything = _run_all(
+        read, Outset(read.library, read.budget, configuration, read.distro), progress, assumed=assumed
+    )
     findings.update((*read.sources.findings, *read.plan.findings))
-    nodes: list[Node] = []
     for each in everything:
-        if each.log.nodes or each.log.entities or not each.entry.probe or _tells(each):
-            entry = each.entry
-            process = Process(
-                entry.package,
-                entry.executable,
-                entry.label,
-                each.done,
-                assumed=entry.assumed,
-                shell=read.library.environment,
-            )
-            findings.update(each.log.findings)
-            missing = "the nodes of this program are missing"
-            made = guarded(partial(collect, each.log, process, read.distro), Place(entry.file), missing, net=net)
-            if isinstance(made, Finding):
-                findings.add(made)
-                continue
-            nodes += made[0]
-            findings.update(made[1])
+        findings.update(each.findings)
+    seen = [each.seen for each in everything]
     modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
     missing = "unreachable code is not reported"
     told = guarded(
-        lambda: unreached_of(everything, modules, read.library.facts, read.sources), Place("", 0), missing, net=net
+        lambda: unreached_of(seen, modules, read.library.facts, read.sources), Place("", 0), missing, net=net
     )
     findings.update((told,) if isinstance(told, Finding) else told)
     asked = Variables()
-    for each in everything:
-        asked.add_required(each.log.variables)
+    for one in seen:
+        asked.add_required(variables_of(one))
     findings.update(not_given(asked))
-    return Gathered(nodes, list(findings))
+    return Gathered([node for each in everything for node in each.nodes], list(findings))
 
 
-def _run_all(read: SourcesRead, configuration: Configuration | None, progress: Progress, *, assumed: bool) -> list[Run]:
+def _run_all(read: SourcesRead, outset: Outset, progress: Progress, *, assumed: bool) -> list[Outcome]:
     """Every process of the plan, then the files that none imports, then the node classes, and those of frameworks, that none instantiates."""
-    library, plan, budget = read.library, read.plan, read.budget
-    runs: list[Run] = []
+    plan = read.plan
+    found: list[Outcome] = []
     total = len(plan.entries)
     for number, entry in enumerate(plan.entries):
         progress("analysing", number, total)
-        if not entry.assumed or (assumed and not _is_made(read, entry, runs)):
-            runs.append(run(library, entry, budget, configuration))
+        if not entry.assumed or (assumed and not _is_made(read, entry, found)):
+            found.append(outcome_of(outset, entry))
     progress("analysing", total, total)
-    entered = {code for r in runs for code in r.entered}
+    entered = {code for each in found for code in each.seen.entered}
     for file in sorted(plan.related):
         module = read.sources.module(file)
         if module is not None and module.code.key not in entered:
-            runs.append(run(library, plan.for_file(file), budget, configuration))
-            entered |= runs[-1].entered
-    for file, names in node_classes(runs, library).items() if assumed else ():
+            found.append(outcome_of(outset, plan.for_file(file)))
+            entered |= found[-1].seen.entered
+    for file, names in node_classes(each.seen for each in found).items() if assumed else ():
         for name in names:  # nothing says that two of them share a process
-            runs.append(run(library, plan.for_class(file, name), budget, configuration))
-    for file, names in called_from_outside(runs, library).items():
+            found.append(outcome_of(outset, plan.for_class(file, name)))
+    for file, names in called_from_outside(each.seen for each in found).items():
         for name in names:
-            each = run(library, plan.for_framework(file, name, alone=len(names) == 1), budget, configuration)
-            if each.log.nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
-                runs.append(each)
-    return runs
+            each = outcome_of(outset, plan.for_framework(file, name, alone=len(names) == 1))
+            if each.makes_nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
+                found.append(each)
+    return found
 
 
-def _is_made(read: SourcesRead, entry: Entry, runs: Sequence[Run]) -> bool:
+def _is_made(read: SourcesRead, entry: Entry, found: Sequence[Outcome]) -> bool:
     """Whether an executable makes the component that an entry is about: then nobody has to be assumed who does."""
     program = read.sources.program(entry.program)
-    made = {place for each in runs for place in each.instantiated}
+    made = {place for each in found for place in each.seen.instantiated}
     *scope, name = entry.classes[0].removeprefix("::").split("::")
     return program is not None and any(symbol.place in made for symbol in program.at(tuple(scope), name))
-
-
-def _tells(probe: Run) -> bool:
-    """Whether a probe that made no node has something to tell all the same: why it may have missed one."""
-    return any(f.rule.severity is Severity.ERROR or f.code in ("RW203", "RW209") for f in probe.log.findings)
