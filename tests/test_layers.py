@@ -47,7 +47,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "network": _NETWORK,
     "flow": frozenset({"flow"}) | _ENGINE,
     "deployment": frozenset({"deployment", "network"}) | _ENGINE,
-    "analysis": frozenset({"analysis", "deployment", "flow", "network"}) | _ENGINE,
+    "analysis": frozenset({"analysis", "cache", "deployment", "flow", "network"}) | _ENGINE,
     "policies": _POLICIES,
     "suppression": frozenset({"suppression"}) | _TEXT,
     "enclaves": frozenset({"enclaves"}) | _POLICIES,

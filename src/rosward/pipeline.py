@@ -74,6 +74,7 @@ def extract(
     assigned: Assignment = NOTHING_ASSIGNED,
     assumed: bool = True,
     budget: Budget | None = None,
+    jobs: int = 1,
     progress: Progress | None = None,
 ) -> Result:
     """Read the sources under `paths` and return the network of nodes that they make.
@@ -95,6 +96,7 @@ def extract(
         assigned: enclaves that somebody chose for some of the processes.
         assumed: whether the nodes of classes that nothing instantiates are in the result, each marked as assumed.
         budget: limits of the analysis; `Budget().times(4)` has four times the steps.
+        jobs: so many processes of this machine work at once, where there is enough to do; the result is the same.
         progress: called as the work goes on.
 
     Raises:
@@ -135,6 +137,7 @@ def extract(
             _Enclaves(mode, assigned),
             tell,
             assumed=assumed,
+            jobs=jobs,
         )
     )
     asked = asked_of(
@@ -168,7 +171,14 @@ class _Enclaves(NamedTuple):
 
 
 def _extract(
-    read: SourcesRead, request: Request, unknown: UnknownNames, wanted: _Enclaves, progress: Progress, *, assumed: bool
+    read: SourcesRead,
+    request: Request,
+    unknown: UnknownNames,
+    wanted: _Enclaves,
+    progress: Progress,
+    *,
+    assumed: bool,
+    jobs: int,
 ) -> Result:
     systems: tuple[LaunchSystem, ...] = ()
     if request.deploys:
@@ -176,7 +186,7 @@ def _extract(
 
         gathered, systems = of_request(request, read, progress)
     else:
-        gathered = of_sources(read, request.params, progress, assumed=assumed)
+        gathered = of_sources(read, request.params, progress, assumed=assumed, jobs=jobs)
     findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     known = (*workspace.files, *workspace.launch_files, *workspace.cpp_sources)

@@ -18,7 +18,7 @@ from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.plan import Plan
 from rosward.analysis.process import Run, run
 from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
-from rosward.analysis.seen import seen_of, variables_of
+from rosward.analysis.seen import note_variables, seen_of
 from rosward.analysis.source_tree import SourceTree
 from rosward.analysis.standalone import Gathered
 from rosward.analysis.systems import Outset, System, systems_of
@@ -146,7 +146,7 @@ def _of_systems(
     findings.update(_of_packages(sources, outset.workspace, packages))
     seen = [seen_of(each, outset.library) for each in runs.all()]
     for one in seen:
-        asked.add_required(variables_of(one))
+        note_variables(one, asked)
     entered = {code for one in seen for code in one.entered}
     read = [m for f in sorted(outset.related) if (m := sources.module(f)) is not None and m.code.key in entered]
     missing = "unreachable code is not reported"

@@ -22,7 +22,7 @@ from rosward.models.readers import creates_nothing
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
 
-__all__ = ["NOTED_METHODS", "AskedVariable", "ClassSeen", "Method", "Seen", "seen_of", "variables_of"]
+__all__ = ["NOTED_METHODS", "AskedVariable", "ClassSeen", "Method", "Seen", "note_variables", "seen_of"]
 
 NOTED_METHODS: Final = frozenset({"init", "step"})
 """The names of methods of which it is noted how many parameters they have: those that Webots calls."""
@@ -53,7 +53,10 @@ class Method(NamedTuple):
 
 
 class AskedVariable(NamedTuple):
-    """A variable of the environment that the program needs: where it is read, and with what it is compared."""
+    """A variable of the environment that the program needs: where it is read, and with what it is compared.
+
+    One that is read with a default is none: that it is compared is in the nature of options.
+    """
 
     name: str
     places: tuple[Place, ...]
@@ -97,13 +100,11 @@ def _variables(asked: Variables) -> Iterator[AskedVariable]:
         yield AskedVariable(name, tuple(asked.places[name]), tuple(asked.values[name]))
 
 
-def variables_of(seen: Seen) -> Variables:
-    """The same as `Variables`: what the program needs."""
-    found = Variables()
+def note_variables(seen: Seen, asked: Variables) -> None:
+    """Add the variables that a process needs to those that are asked for."""
     for variable in seen.variables:
         for place in variable.places:
-            found.compared(variable.name, variable.values, place)
-    return found
+            asked.compared(variable.name, variable.values, place)
 
 
 class _Above(NamedTuple):

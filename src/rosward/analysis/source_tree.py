@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
@@ -51,7 +51,8 @@ class SourceTree:
         self.files = Installed(workspace, underlays)
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
-        self._read_of_python = [0, 0]  # files, lines
+        self.python_files: dict[str, int] = {}
+        """The Python files that were read, and how many lines each has."""
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
@@ -77,12 +78,19 @@ class SourceTree:
     @property
     def files_read(self) -> int:
         """How many files were read."""
-        return self._read_of_python[0] + len(self.cpp_files)
+        return len(self.python_files) + len(self.cpp_files)
 
     @property
     def lines_read(self) -> int:
         """How many lines they have."""
-        return self._read_of_python[1] + sum(self.cpp_files.values())
+        return sum(self.python_files.values()) + sum(self.cpp_files.values())
+
+    def read_elsewhere(self, python: Mapping[str, int], cpp: Mapping[str, int], findings: Iterable[Finding]) -> None:
+        """What another process has read of these sources, and what was wrong with it."""
+        self.findings.update(findings)
+        self.python_files |= {file: lines for file, lines in python.items() if file not in self.python_files}
+        if self._compiled is not None:
+            self._compiled.lines |= {file: lines for file, lines in cpp.items() if file not in self._compiled.lines}
 
     @property
     def cpp_files(self) -> Mapping[str, int]:
@@ -120,8 +128,7 @@ class SourceTree:
             return None
         if text.finding is not None:
             self.findings.add(text.finding)
-        self._read_of_python[0] += 1
-        self._read_of_python[1] += text.text.count("\n") + (not text.text.endswith("\n"))
+        self.python_files[file] = text.text.count("\n") + (not text.text.endswith("\n"))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:

@@ -11,9 +11,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from rosward.analysis.of_classes import called_from_outside, node_classes
-from rosward.analysis.outcome import Outcome, Outset, outcome_of
+from rosward.analysis.outcome import Outcome, Outset
 from rosward.analysis.read import Progress, SourcesRead
-from rosward.analysis.seen import variables_of
+from rosward.analysis.runner import Runner
+from rosward.analysis.seen import note_variables
 from rosward.analysis.unreached import unreached_of
 from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
@@ -34,23 +35,27 @@ class Gathered(NamedTuple):
     findings: list[Finding]
 
 
-def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, assumed: bool = True) -> Gathered:
+def of_sources(
+    read: SourcesRead, params: Sequence[str], progress: Progress, *, assumed: bool = True, jobs: int = 1
+) -> Gathered:
     """The nodes of every executable, of files that nothing imports, and of node classes that nothing instantiates.
 
-    `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out.
+    `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out. `jobs`: so many
+    processes of the sources are run at once.
     """
     findings = Findings()
     net = read.budget.net
     given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
-    everything = _run_all(
-        read, Outset(read.library, read.budget, configuration, read.distro), progress, assumed=assumed
-    )
+    outset = Outset(read.library, read.budget, configuration, read.distro)
+    with Runner(read, outset, jobs) as runner:
+        everything = _run_all(read, runner, progress, assumed=assumed)
     findings.update((*read.sources.findings, *read.plan.findings))
     for each in everything:
         findings.update(each.findings)
     seen = [each.seen for each in everything]
-    modules = [m for f in sorted(read.plan.related) if (m := read.sources.module(f)) is not None]
+    known = sorted(read.plan.related - runner.lost)
+    modules = [m for f in known if (m := read.sources.module(f)) is not None]
     missing = "unreachable code is not reported"
     told = guarded(
         lambda: unreached_of(seen, modules, read.library.facts, read.sources), Place("", 0), missing, net=net
@@ -58,35 +63,52 @@ def of_sources(read: SourcesRead, params: Sequence[str], progress: Progress, *, 
     findings.update((told,) if isinstance(told, Finding) else told)
     asked = Variables()
     for one in seen:
-        asked.add_required(variables_of(one))
+        note_variables(one, asked)
     findings.update(not_given(asked))
     return Gathered([node for each in everything for node in each.nodes], list(findings))
 
 
-def _run_all(read: SourcesRead, outset: Outset, progress: Progress, *, assumed: bool) -> list[Outcome]:
+def _run_all(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: bool) -> list[Outcome]:
     """Every process of the plan, then the files that none imports, then the node classes, and those of frameworks, that none instantiates."""
     plan = read.plan
-    found: list[Outcome] = []
-    total = len(plan.entries)
-    for number, entry in enumerate(plan.entries):
-        progress("analysing", number, total)
-        if not entry.assumed or (assumed and not _is_made(read, entry, found)):
-            found.append(outcome_of(outset, entry))
-    progress("analysing", total, total)
+    found = _planned(read, runner, progress, assumed=assumed)
     entered = {code for each in found for code in each.seen.entered}
     for file in sorted(plan.related):
         module = read.sources.module(file)
         if module is not None and module.code.key not in entered:
-            found.append(outcome_of(outset, plan.for_file(file)))
+            found.append(runner.one(plan.for_file(file)))
             entered |= found[-1].seen.entered
-    for file, names in node_classes(each.seen for each in found).items() if assumed else ():
-        for name in names:  # nothing says that two of them share a process
-            found.append(outcome_of(outset, plan.for_class(file, name)))
-    for file, names in called_from_outside(each.seen for each in found).items():
-        for name in names:
-            each = outcome_of(outset, plan.for_framework(file, name, alone=len(names) == 1))
-            if each.makes_nodes:  # what it makes on nodes that it is given is told of its base (`unreached.py`)
-                found.append(each)
+    unmade = node_classes(each.seen for each in found) if assumed else {}
+    # nothing says that two of them share a process
+    made = [plan.for_class(file, name) for file, names in unmade.items() for name in names]
+    found += runner.all(made, lambda done: progress("analysing", done, len(made)))
+    offered = called_from_outside(each.seen for each in found)
+    called = [
+        plan.for_framework(file, name, alone=len(names) == 1) for file, names in offered.items() for name in names
+    ]
+    # what one makes on nodes that it is given is told of its base (`unreached.py`)
+    found += (
+        each for each in runner.all(called, lambda done: progress("analysing", done, len(called))) if each.makes_nodes
+    )
+    return found
+
+
+def _planned(read: SourcesRead, runner: Runner, progress: Progress, *, assumed: bool) -> list[Outcome]:
+    """The processes of the plan. A component is assumed to be loaded unless a process before it makes one."""
+    entries = read.plan.entries
+    known = [entry for entry in entries if not entry.assumed]
+
+    def tell(done: int) -> None:
+        progress("analysing", done, len(entries))
+
+    by_entry = dict(zip(known, runner.all(known, tell), strict=True))
+    found = [by_entry[entry] for entry in known]
+    left = [entry for entry in entries if entry.assumed and assumed and not _is_made(read, entry, found)]
+    by_entry.update(zip(left, runner.all(left, lambda done: tell(len(known) + done)), strict=True))
+    tell(len(entries))
+    for entry in left:
+        if not _is_made(read, entry, found):
+            found.append(by_entry[entry])
     return found
 
 

@@ -13,18 +13,19 @@ from __future__ import annotations
 
 import enum
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, Final, Generic, TypeVar
 
 __all__ = [
     "FLAG", "LINES", "NUMBER", "OPTION", "PLAIN", "TEXT", "Codec", "MalformedError", "loaded", "mapping", "maybe", "one_of", "pair", "record",
-    "sequence", "several", "text", "told_apart",
+    "sequence", "several", "text", "told_apart", "triple",
 ]  # fmt: skip
 
 T = TypeVar("T")
 U = TypeVar("U")
+V = TypeVar("V")
 E = TypeVar("E", bound=enum.Enum)
 
 Json = Any
@@ -150,13 +151,27 @@ def pair(first: Codec[T], second: Codec[U]) -> Codec[tuple[T, U]]:
     return Codec(write, read)
 
 
-def mapping(codec: Codec[T]) -> Codec[Mapping[str, T]]:
+def triple(first: Codec[T], second: Codec[U], third: Codec[V]) -> Codec[tuple[T, U, V]]:
+    """Three values."""
+
+    def write(value: tuple[T, U, V]) -> Json:
+        return [first.write(value[0]), second.write(value[1]), third.write(value[2])]
+
+    def read(value: Json) -> tuple[T, U, V]:
+        if value.__class__ is not list or len(value) != 3:
+            raise MalformedError
+        return first.read(value[0]), second.read(value[1]), third.read(value[2])
+
+    return Codec(write, read)
+
+
+def mapping(codec: Codec[T]) -> Codec[dict[str, T]]:
     """Values by texts, in their order."""
 
-    def write(values: Mapping[str, T]) -> Json:
+    def write(values: dict[str, T]) -> Json:
         return {key: codec.write(value) for key, value in values.items()}
 
-    def read(values: Json) -> Mapping[str, T]:
+    def read(values: Json) -> dict[str, T]:
         if values.__class__ is not dict:
             raise MalformedError
         return {key: codec.read(value) for key, value in values.items()}

@@ -21,8 +21,8 @@ from rosward.cache.codec import NUMBER, TEXT, Json, MalformedError, loaded, mapp
 from rosward.cache.records import NETWORK, SYSTEMS
 from rosward.cache.version import version_digest
 from rosward.result import Result
-from rosward.rules import INTERNAL_ERROR, TIME_LIMIT
-from rosward.source.disk import Look, Trace, digest, holds
+from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
+from rosward.source.disk import Look, Trace, by_how, digest, holds, looks_of
 from rosward.source.workspace import SourceFile
 
 if TYPE_CHECKING:
@@ -87,7 +87,9 @@ def _read(question: bytes, answer: bytes) -> Result | None:
 
 
 def _depends_on_the_machine(finding: Finding) -> bool:
-    return finding.code == INTERNAL_ERROR or (finding.code == "RW201" and TIME_LIMIT in finding.message)
+    return finding.code == INTERNAL_ERROR or (
+        finding.code == "RW201" and any(each in finding.message for each in (KILLED, TIME_LIMIT))
+    )
 
 
 # As a document
@@ -95,16 +97,13 @@ def _depends_on_the_machine(finding: Finding) -> bool:
 
 def written_looks(seen: Mapping[Look, str]) -> bytes:
     """What was seen, in one line."""
-    by_kind: dict[str, dict[str, str]] = {}
-    for (how, path), told in seen.items():
-        by_kind.setdefault(how, {})[path] = told
-    return text(by_kind)
+    return text(by_how(seen))
 
 
 def read_looks(line: bytes) -> dict[Look, str]:
     """The same again. Raises MalformedError."""
     found = _LOOKS.read(loaded(line))
-    return {(how, path): told for how, paths in found.items() for path, told in paths.items()}
+    return looks_of(found)
 
 
 def _written(result: Result) -> Json:

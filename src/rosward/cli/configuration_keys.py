@@ -210,6 +210,7 @@ NEVER: Final[Mapping[str, str]] = {
     "json": "it is `format`",
     "follow-links": "the file is part of the sources, and only the person running rosward decides where links may lead",
     "env-from-shell": "the file is part of the sources, and only the person running rosward decides what they learn about the shell",
+    "jobs": "it is a matter of the machine",
     **dict.fromkeys(
         ("no-cache", "cache-dir"),
         "the file is part of the sources, and only the person running rosward decides where results are kept",

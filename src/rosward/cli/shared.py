@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
+from rosward.cli.amounts import factor, jobs
 from rosward.cli.kept import add_cache, known_or, store_of
 from rosward.cli.progress import ProgressLine
 from rosward.network.enclave_mode import EnclaveMode
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from rosward.result import Result
     from rosward.source.exclude import Exclusion
 
-MOST_BUDGET: Final = 1_000
 MODES: Final = tuple(mode.value for mode in EnclaveMode)
 COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -110,10 +110,18 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--budget",
-        type=_factor,
+        type=factor,
         default=1.0,
         metavar="N",
         help="multiply the number of analysis steps per program by N; at the limit, the analysis stops with RW201 (default: 1)",
+    )
+    parser.add_argument(
+        "-j",
+        "--jobs",
+        type=jobs,
+        metavar="N",
+        default=None,
+        help="analyse with up to N processes at once; the result is the same (default: the number of cores)",
     )
     add_cache(parser)
     parser.add_argument(
@@ -155,16 +163,6 @@ def _of_shell(text: str) -> list[tuple[str, str]]:
     if missing:
         raise argparse.ArgumentTypeError(f"not set in this shell: {', '.join(missing)}")
     return [(name, os.environ[name]) for name in names]
-
-
-def _factor(text: str) -> float:
-    try:
-        factor = float(text)
-    except ValueError:
-        factor = 0.0
-    if not 0 < factor <= MOST_BUDGET:
-        raise argparse.ArgumentTypeError(f"{text!r} must be a number above 0 and at most {MOST_BUDGET}")
-    return factor
 
 
 def _pattern(text: str) -> str:
@@ -250,13 +248,22 @@ def extracted(
     assumed = not options.no_assumed
 
     def compute() -> Result:
+        from rosward.analysis.workers import cores
         from rosward.pipeline import NothingToReadError, UnknownRequestError, budget_of, extract
 
+        many = options.jobs or cores()
         budget = budget_of(options.budget)._replace(flow=flow, watched=watched)
         try:
             with ProgressLine(shown=shown) as progress:
                 return extract(
-                    *read, **given, budget=budget, unknown=unknown, **enclaves, assumed=assumed, progress=progress
+                    *read,
+                    **given,
+                    budget=budget,
+                    unknown=unknown,
+                    **enclaves,
+                    assumed=assumed,
+                    jobs=many,
+                    progress=progress,
                 )
         except (NothingToReadError, UnknownRequestError) as error:
             raise WrongUseError(str(error)) from error

@@ -21,8 +21,8 @@ from types import MappingProxyType
 from typing import Final, NamedTuple, final
 
 __all__ = [
-    "Look", "Trace", "Unread", "digest", "exists", "head", "holds", "is_executable", "is_file", "is_folder", "is_there", "listing", "read",
-    "real_path", "walk", "watching",
+    "Look", "Trace", "Unread", "by_how", "digest", "exists", "head", "holds", "is_executable", "is_file", "is_folder", "is_there", "listing",
+    "looks_of", "read", "real_path", "saw_elsewhere", "walk", "watching",
 ]  # fmt: skip
 
 Look = tuple[str, str]
@@ -252,6 +252,26 @@ def _not_regular(status: os.stat_result) -> str | None:
         if test(mode):
             return name
     return "something else"
+
+
+def by_how(seen: Mapping[Look, str]) -> dict[str, dict[str, str]]:
+    """The same as a document: what was seen, by how it was looked at, and by path."""
+    found: dict[str, dict[str, str]] = {}
+    for (how, path), told in seen.items():
+        found.setdefault(how, {})[path] = told
+    return found
+
+
+def looks_of(document: Mapping[str, Mapping[str, str]]) -> dict[Look, str]:
+    """The looks in such a document."""
+    return {(how, path): told for how, paths in document.items() for path, told in paths.items()}
+
+
+def saw_elsewhere(seen: Mapping[Look, str]) -> None:
+    """Note what another process saw on behalf of this one."""
+    trace = _WATCHED_BY.get()
+    if trace is not None:
+        trace.add(seen)
 
 
 def digest(data: bytes) -> str:
