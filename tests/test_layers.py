@@ -60,7 +60,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
     "git": frozenset({"git"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
-    "pipeline": frozenset({"analysis", "deployment", "enclaves", "network", "result"}) | _ENGINE,
+    "pipeline": frozenset({"analysis", "cache", "deployment", "enclaves", "network", "result"}) | _ENGINE,
     "cli": frozenset(
         {
             "cli",

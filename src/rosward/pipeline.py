@@ -26,6 +26,7 @@ from rosward.analysis.read import (
     silent,
 )
 from rosward.analysis.standalone import Gathered, of_sources
+from rosward.cache.store import Store
 from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
@@ -75,6 +76,7 @@ def extract(
     assumed: bool = True,
     budget: Budget | None = None,
     jobs: int = 1,
+    store: Store | None = None,
     progress: Progress | None = None,
 ) -> Result:
     """Read the sources under `paths` and return the network of nodes that they make.
@@ -97,6 +99,7 @@ def extract(
         assumed: whether the nodes of classes that nothing instantiates are in the result, each marked as assumed.
         budget: limits of the analysis; `Budget().times(4)` has four times the steps.
         jobs: so many processes of this machine work at once, where there is enough to do; the result is the same.
+        store: a cache; what is known of processes of which nothing has changed is taken from there.
         progress: called as the work goes on.
 
     Raises:
@@ -138,6 +141,7 @@ def extract(
             tell,
             assumed=assumed,
             jobs=jobs,
+            store=store,
         )
     )
     asked = asked_of(
@@ -179,6 +183,7 @@ def _extract(
     *,
     assumed: bool,
     jobs: int,
+    store: Store | None,
 ) -> Result:
     systems: tuple[LaunchSystem, ...] = ()
     if request.deploys:
@@ -186,7 +191,7 @@ def _extract(
 
         gathered, systems = of_request(request, read, progress)
     else:
-        gathered = of_sources(read, request.params, progress, assumed=assumed, jobs=jobs)
+        gathered = of_sources(read, request.params, progress, assumed=assumed, jobs=jobs, store=store)
     findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))
     workspace = read.workspace
     known = (*workspace.files, *workspace.launch_files, *workspace.cpp_sources)

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from rosward import Result, extract
 from rosward.analysis import outcome_form, runner, workers
-from rosward.analysis.outcome import Outcome, Outset, outcome_of
+from rosward.analysis.outcome import Done, Outcome, Outset, outcome_of
 from rosward.analysis.outcome_form import ANSWER, ENTRY, OUTCOME, SEEN, Answer
 from rosward.analysis.seen import AskedVariable, ClassSeen, Method, Seen
 from rosward.cache.codec import Codec, loaded, text
@@ -150,7 +150,7 @@ def test_a_worker_that_dies_costs_its_process(
     folder = workspace(tmp_path)
     whole = extract(folder)
 
-    def dying(outset: Outset, entry: Entry) -> Outcome:
+    def dying(outset: Outset, entry: Entry) -> Done:
         if entry.label == "demo0/p1":
             os.kill(os.getpid(), how)
         return outcome_of(outset, entry)
@@ -175,7 +175,7 @@ def test_what_fails_in_a_worker_fails_here(tmp_path: Path, monkeypatch: pytest.M
     """Without the net, the error is seen as it is without workers."""
     folder = workspace(tmp_path)
 
-    def failing(outset: Outset, entry: Entry) -> Outcome:
+    def failing(outset: Outset, entry: Entry) -> Done:
         if entry.label == "demo0/p1":
             raise ZeroDivisionError
         return outcome_of(outset, entry)
@@ -189,7 +189,7 @@ def test_what_fails_in_a_worker_fails_here(tmp_path: Path, monkeypatch: pytest.M
 def test_the_order_in_which_workers_end_does_not_matter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = workspace(tmp_path)
 
-    def slowly(outset: Outset, entry: Entry) -> Outcome:
+    def slowly(outset: Outset, entry: Entry) -> Done:
         import time
 
         time.sleep(random.Random(entry.label + str(os.getpid())).random() / 20)

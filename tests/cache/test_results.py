@@ -12,11 +12,13 @@ from typing import Any
 import pytest
 
 from rosward import Result, extract
-from rosward.cache.codec import text
+from rosward.analysis.outcome import Done, Outset, outcome_of
+from rosward.cache.codec import loaded, text
 from rosward.cache.results import _written as written
 from rosward.cache.results import keep_result, kept_result, question_of
 from rosward.cache.store import Store
 from rosward.cli import main
+from rosward.effects.entry import Entry
 from rosward.engine.budget import Budget
 from rosward.source.disk import watching
 
@@ -213,6 +215,114 @@ def test_what_the_machine_decides_is_not_kept(tmp_path: Path) -> None:
     assert any("s of analysis" in f.message for f in ask(paths=(folder,), **options).findings)
     ask(paths=(folder,), **options)
     assert ask.computed == 2
+
+
+# Processes alone
+
+
+class Running:
+    """Extracts with what a store knows of processes, and tells which were run."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.store = Store(str(folder))
+        self.ran: list[str] = []
+        monkeypatch.setattr("rosward.analysis.runner.outcome_of", self._noted)
+
+    def _noted(self, outset: Outset, entry: Entry) -> Done:
+        self.ran.append(entry.label)
+        return outcome_of(outset, entry)
+
+    def __call__(self, *paths: Path, **options: Any) -> Result:
+        self.ran.clear()
+        with watching():
+            return extract(*paths, store=self.store, **options)
+
+
+@pytest.mark.parametrize("flow", [False, True])
+@pytest.mark.parametrize("seed", range(5))
+def test_what_is_known_of_processes_is_what_they_would_add(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, seed: int, flow: bool
+) -> None:
+    rng = random.Random(f"processes {seed} {flow}")
+    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    budget = Budget(flow=flow)
+    for _ in range(12):
+        cold = extract(folder, budget=budget)
+        assert text(written(warm(folder, budget=budget))) == text(written(cold))
+        assert text(written(warm(folder, budget=budget))) == text(written(cold))
+        assert warm.ran == []
+        for _ in range(rng.randint(1, 2)):
+            _edit(folder, rng)
+
+
+def test_only_what_reads_a_changed_file_runs_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    warm(folder)
+    assert warm.ran == ["demo/listener", "demo/talker", "other/pump"]
+    for file, more, again in (
+        ("src/demo/demo/names.py", "# more\n", ["demo/talker"]),
+        ("src/demo/demo/listener.py", "# more\n", ["demo/listener"]),
+        ("src/demo/config/names.yaml", "# more\n", ["demo/talker"]),
+        ("src/other/msg/Thing.msg", "int32 number\n", ["demo/listener"]),
+        ("src/other/src/name.hpp", "// more\n", ["other/pump"]),
+        ("src/demo/package.xml", "<!-- more -->\n", []),
+    ):
+        with (folder / file).open("a", encoding="utf-8") as opened:
+            opened.write(more)
+        found = warm(folder)
+        assert warm.ran == again, file
+        assert text(written(found)) == text(written(extract(folder))), file
+        warm(folder)
+        assert warm.ran == []
+
+
+def test_what_would_now_be_found_runs_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file that was looked for in vain is there."""
+    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    (folder / "src/demo/demo/talker.py").write_text(
+        "import rclpy\n\n\ndef main():\n    try:\n        from demo import special\n        name = special.NAME\n"
+        "    except ImportError:\n        name = 'usual'\n    rclpy.create_node(name)\n",
+        encoding="utf-8",
+    )
+    assert "/usual" in {n.fqn for n in warm(folder).network.nodes}
+    (folder / "src/demo/demo/special.py").write_text("NAME = 'special'\n", encoding="utf-8")
+    assert "/special" in {n.fqn for n in warm(folder).network.nodes}
+    assert "demo/talker" in warm.ran
+    assert "demo/listener" not in warm.ran
+    (folder / "src/demo/demo/special.py").unlink()
+    assert "/usual" in {n.fqn for n in warm(folder).network.nodes}
+    assert "demo/talker" not in warm.ran  # it was so before
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        ["read"],
+        ["module"],
+        ["find", 1, 2, 3, 4],
+        ["__class__"],
+        ["find", 1, "b", 3],
+        ["listing", 1, 2],
+        ["read", "demo", "../../../../etc/passwd"],
+    ],
+    ids=str,
+)
+def test_a_question_that_has_no_meaning_is_not_answered(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, question: list[Any]
+) -> None:
+    """Somebody has written the questions of an entry: it is no entry."""
+    folder, warm = _write(tmp_path / "ws"), Running(tmp_path / "cache", monkeypatch)
+    kept = Store.keep
+
+    def forged(store: Store, kind: str, asked: bytes, answer: bytes) -> None:
+        head, _, rest = answer.partition(b"\n")
+        kept(store, kind, asked, text([*loaded(head)[:2], [question]]) + b"\n" + rest)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "keep", forged)
+        whole = warm(folder)
+    assert text(written(warm(folder))) == text(written(whole))
+    assert len(warm.ran) == 3
 
 
 # The command line

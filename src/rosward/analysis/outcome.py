@@ -12,6 +12,7 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.entry import Entry
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
+from rosward.engine.reads import Question
 from rosward.findings import Finding
 from rosward.guard import guarded
 from rosward.naming.collect import Process, collect
@@ -20,7 +21,7 @@ from rosward.ros.entities import Node
 from rosward.rules import Severity
 from rosward.source.location import Place
 
-__all__ = ["Outcome", "Outset", "outcome_of"]
+__all__ = ["Done", "Outcome", "Outset", "outcome_of"]
 
 
 class Outset(NamedTuple):
@@ -41,12 +42,20 @@ class Outcome(NamedTuple):
     seen: Seen
 
 
-def outcome_of(outset: Outset, entry: Entry) -> Outcome:
+class Done(NamedTuple):
+    """What a process adds, and what it asked of the sources."""
+
+    outcome: Outcome
+    questions: tuple[Question, ...] = ()
+
+
+def outcome_of(outset: Outset, entry: Entry) -> Done:
     """Run a process, and name what it makes. A probe that makes nothing, and has nothing to tell, adds nothing."""
     each = run(outset.library, entry, outset.budget, outset.configuration)
     seen = seen_of(each, outset.library)
+    questions = () if each.reads is None else each.reads.questions
     if entry.probe and not (each.log.nodes or each.log.entities or _tells(each)):
-        return Outcome((), (), bool(each.log.nodes), seen)
+        return Done(Outcome((), (), bool(each.log.nodes), seen), questions)
     process = Process(
         entry.package,
         entry.executable,
@@ -60,7 +69,7 @@ def outcome_of(outset: Outset, entry: Entry) -> Outcome:
         partial(collect, each.log, process, outset.distro), Place(entry.file), missing, net=outset.budget.net
     )
     nodes, doubts = ([], [made]) if isinstance(made, Finding) else made
-    return Outcome(tuple(nodes), (*each.log.findings, *doubts), bool(each.log.nodes), seen)
+    return Done(Outcome(tuple(nodes), (*each.log.findings, *doubts), bool(each.log.nodes), seen), questions)
 
 
 def _tells(probe: Run) -> bool:

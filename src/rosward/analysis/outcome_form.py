@@ -7,12 +7,28 @@ from typing import Final, NamedTuple
 
 from rosward.analysis.outcome import Outcome
 from rosward.analysis.seen import AskedVariable, ClassSeen, Method, Seen
-from rosward.cache.codec import FLAG, LINES, NUMBER, TEXT, mapping, maybe, pair, record, sequence, several, triple
+from rosward.cache.codec import (
+    FLAG,
+    LINES,
+    NUMBER,
+    TEXT,
+    Codec,
+    Json,
+    MalformedError,
+    mapping,
+    maybe,
+    pair,
+    record,
+    sequence,
+    several,
+    triple,
+)
 from rosward.cache.records import FINDINGS, NODES, PLACE, PLACES
 from rosward.effects.entry import Entry
+from rosward.engine.reads import Question
 from rosward.findings import Finding
 
-__all__ = ["ANSWER", "ENTRY", "OUTCOME", "SEEN", "Answer"]
+__all__ = ["ANSWER", "ENTRY", "OUTCOME", "QUESTIONS", "SEEN", "Answer"]
 
 ENTRY: Final = record(
     Entry, TEXT, TEXT, TEXT, LINES, maybe(TEXT), maybe(TEXT), TEXT, FLAG, FLAG, TEXT, TEXT
@@ -35,13 +51,23 @@ SEEN: Final = record(
 OUTCOME: Final = record(Outcome, NODES, FINDINGS, FLAG, SEEN)
 
 
+def _read_question(value: Json) -> Question:
+    if value.__class__ is not list or not value or any(each.__class__ not in (str, int) for each in value):
+        raise MalformedError
+    return tuple(value)
+
+
+QUESTIONS: Final = sequence(Codec(list, _read_question))
+
+
 class Answer(NamedTuple):
-    """What a worker answers: the outcome, and what it has read of the sources that nobody had read before it was asked.
+    """What a worker answers: what a process adds and what it asked, and what the worker has read of the sources that nobody had read before.
 
     `python`, `cpp`: files with the number of their lines; `findings` are of the sources, `stubs` of the library. `looks`: what it saw of the disk.
     """
 
     outcome: Outcome
+    questions: tuple[Question, ...]
     python: dict[str, int]
     cpp: dict[str, int]
     findings: tuple[Finding, ...]
@@ -49,4 +75,6 @@ class Answer(NamedTuple):
     looks: dict[str, dict[str, str]]
 
 
-ANSWER: Final = record(Answer, OUTCOME, mapping(NUMBER), mapping(NUMBER), FINDINGS, FINDINGS, mapping(mapping(TEXT)))
+ANSWER: Final = record(
+    Answer, OUTCOME, QUESTIONS, mapping(NUMBER), mapping(NUMBER), FINDINGS, FINDINGS, mapping(mapping(TEXT))
+)

@@ -14,12 +14,15 @@ from functools import partial
 from types import TracebackType
 from typing import Final, final
 
-from rosward.analysis.outcome import Outcome, Outset, outcome_of
+from rosward.analysis.known import Known
+from rosward.analysis.outcome import Done, Outcome, Outset, outcome_of
 from rosward.analysis.outcome_form import ANSWER, ENTRY, Answer
 from rosward.analysis.read import SourcesRead
 from rosward.analysis.seen import Seen
 from rosward.analysis.workers import Lost, Workers, can_fork
 from rosward.cache.codec import loaded, text
+from rosward.cache.store import Store
+from rosward.cache.version import version_digest
 from rosward.effects.entry import Entry
 from rosward.findings import Finding, Findings
 from rosward.rules import KILLED
@@ -41,14 +44,17 @@ def _behind(done: Callable[[int], None], before: int, number: int) -> None:
 
 @final
 class Runner:
-    """Runs processes, by so many workers. To be closed."""
+    """Runs processes, by so many workers, those of which the store knows nothing. To be closed."""
 
-    def __init__(self, read: SourcesRead, outset: Outset, jobs: int = 1) -> None:
+    def __init__(self, read: SourcesRead, outset: Outset, jobs: int = 1, store: Store | None = None) -> None:
         self._read = read
         self._outset = outset
         self._jobs = jobs
         self._began = time.thread_time()
         self._workers: Workers | None = None
+        # what a process with these depends on, its questions do not say
+        is_plain = outset.configuration is None and not read.models
+        self._known = Known(store, version_digest(), read, outset) if store is not None and is_plain else None
         self._exits = ExitStack()
         self.lost: set[str] = set()
         """The files of processes whose workers died."""
@@ -60,20 +66,34 @@ class Runner:
         self, _type: type[BaseException] | None, _error: BaseException | None, _trace: TracebackType | None
     ) -> None:
         self._exits.close()
+        if self._known is not None and _error is None:
+            self._known.keep()
 
     def one(self, entry: Entry) -> Outcome:
-        """What a process adds, which runs here."""
-        return outcome_of(self._outset, entry)
+        """What a process adds: what is known of it, or it runs here."""
+        return self.all([entry], lambda _: None)[0]
 
     def all(self, entries: Sequence[Entry], done: Callable[[int], None]) -> list[Outcome]:
         """What each of several processes adds, none of which depends on another. `done` is told how many there are so far."""
+        known = {} if self._known is None else {e: o for e in entries if (o := self._known.of(e)) is not None}
+        left = [entry for entry in entries if entry not in known]
         found: list[Outcome] = []
-        for number, entry in enumerate(entries):
-            if self._are_worth_it(len(entries) - number):
-                return [*found, *self._by_workers(entries[number:], partial(_behind, done, number))]
-            done(number)
-            found.append(self.one(entry))
-        return found
+        for number, entry in enumerate(left):
+            if self._are_worth_it(len(left) - number):
+                found += self._by_workers(left[number:], partial(_behind, done, len(known) + number))
+                break
+            done(len(known) + number)
+            found.append(self._here(entry))
+        known.update(zip(left, found, strict=True))
+        return [known[entry] for entry in entries]
+
+    def _here(self, entry: Entry) -> Outcome:
+        return self._done(entry, outcome_of(self._outset, entry))
+
+    def _done(self, entry: Entry, done: Done) -> Outcome:
+        if self._known is not None:
+            self._known.done(entry, done.questions, done.outcome)
+        return done.outcome
 
     def _are_worth_it(self, left: int) -> bool:
         if self._jobs < _FEW or left < _FEW:
@@ -93,14 +113,14 @@ class Runner:
 
     def _outcome(self, entry: Entry, answer: bytes | Lost | None) -> Outcome:
         if answer is None:
-            return self.one(entry)
+            return self._here(entry)
         if isinstance(answer, Lost):
             return self._lost(entry, answer)
         found = ANSWER.read(loaded(answer))
         self._read.sources.read_elsewhere(found.python, found.cpp, found.findings)
         self._read.library.findings.update(found.stubs)
         saw_elsewhere(looks_of(found.looks))
-        return found.outcome
+        return self._done(entry, Done(found.outcome, found.questions))
 
     def _lost(self, entry: Entry, lost: Lost) -> Outcome:
         """The process of a worker that died is not run again here: what killed the worker would kill everything."""
@@ -121,11 +141,12 @@ class Runner:
             Findings(library.findings),
         )
         with watching() as trace:
-            outcome = self.one(ENTRY.read(loaded(task)))
+            outcome, questions = outcome_of(self._outset, ENTRY.read(loaded(task)))
         return text(
             ANSWER.write(
                 Answer(
                     outcome,
+                    questions,
                     {file: lines for file, lines in sources.python_files.items() if file not in python},
                     {file: lines for file, lines in sources.cpp_files.items() if file not in cpp},
                     tuple(f for f in sources.findings if f not in findings),

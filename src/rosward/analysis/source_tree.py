@@ -14,7 +14,7 @@ from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
@@ -103,6 +103,16 @@ class SourceTree:
             source = self._files.get(file) or self.files.file(file)
             self._modules[file] = None if source is None else self._read(source.path, file)
         return self._modules[file]
+
+    def content(self, file: str) -> str:
+        """What tells the text of a module from any other; '' where there is none."""
+        source = self._files.get(file) or self.files.file(file)
+        if source is None:
+            return ""
+        made = self._generated.get(file)
+        data = read_bytes(source.path, file, limits.PYTHON_FILE if made is None else limits.PARAMETERS_FILE)
+        content = data.message if isinstance(data, Finding) else disk.digest(data)
+        return content if made is None else f"{content} {made}"
 
     def program(self, name: str) -> CppSymbols | None:
         """The names of a program in C++."""

@@ -16,6 +16,7 @@ from rosward.analysis.read import Progress, SourcesRead
 from rosward.analysis.runner import Runner
 from rosward.analysis.seen import note_variables
 from rosward.analysis.unreached import unreached_of
+from rosward.cache.store import Store
 from rosward.deployment.given import parameter_files
 from rosward.domain.values import Const
 from rosward.effects.entry import Entry
@@ -36,19 +37,25 @@ class Gathered(NamedTuple):
 
 
 def of_sources(
-    read: SourcesRead, params: Sequence[str], progress: Progress, *, assumed: bool = True, jobs: int = 1
+    read: SourcesRead,
+    params: Sequence[str],
+    progress: Progress,
+    *,
+    assumed: bool = True,
+    jobs: int = 1,
+    store: Store | None = None,
 ) -> Gathered:
     """The nodes of every executable, of files that nothing imports, and of node classes that nothing instantiates.
 
     `params` are parameter files for all of them; without `assumed`, node classes that nothing instantiates are left out. `jobs`: so many
-    processes of the sources are run at once.
+    processes of the sources are run at once. `store`: what is known of some of them.
     """
     findings = Findings()
     net = read.budget.net
     given = parameter_files(params, read.workspace.root, findings, net=net)
     configuration = replace(given, words=(Const("--ros-args"), *given.words)) if given.words else None
     outset = Outset(read.library, read.budget, configuration, read.distro)
-    with Runner(read, outset, jobs) as runner:
+    with Runner(read, outset, jobs, store) as runner:
         everything = _run_all(read, runner, progress, assumed=assumed)
     findings.update((*read.sources.findings, *read.plan.findings))
     for each in everything:

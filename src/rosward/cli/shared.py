@@ -246,6 +246,7 @@ def extracted(
     enclaves = _wanted_enclaves(getattr(options, "enclaves", None))
     unknown: UnknownNames = getattr(options, "unknown", "deny")
     assumed = not options.no_assumed
+    store = store_of(options)
 
     def compute() -> Result:
         from rosward.analysis.workers import cores
@@ -263,13 +264,14 @@ def extracted(
                     **enclaves,
                     assumed=assumed,
                     jobs=many,
+                    store=store,
                     progress=progress,
                 )
         except (NothingToReadError, UnknownRequestError) as error:
             raise WrongUseError(str(error)) from error
 
     asked = {**given, **enclaves, "paths": read, "unknown": unknown, "assumed": assumed}
-    result = known_or(compute, store_of(options), {**asked, "budget": options.budget, "flow": flow, "watched": watched})
+    result = known_or(compute, store, {**asked, "budget": options.budget, "flow": flow, "watched": watched})
     note_failures(options, result.findings)
     if options.command not in _LISTING:
         for finding in result.findings:

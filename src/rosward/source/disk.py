@@ -21,8 +21,8 @@ from types import MappingProxyType
 from typing import Final, NamedTuple, final
 
 __all__ = [
-    "Look", "Trace", "Unread", "by_how", "digest", "exists", "head", "holds", "is_executable", "is_file", "is_folder", "is_there", "listing",
-    "looks_of", "read", "real_path", "saw_elsewhere", "walk", "watching",
+    "Look", "Trace", "Unread", "by_how", "digest", "exists", "head", "holds", "is_executable", "is_file", "is_folder", "is_there", "is_torn",
+    "listing", "looks_of", "read", "real_path", "saw_elsewhere", "walk", "watching",
 ]  # fmt: skip
 
 Look = tuple[str, str]
@@ -272,6 +272,12 @@ def saw_elsewhere(seen: Mapping[Look, str]) -> None:
     trace = _WATCHED_BY.get()
     if trace is not None:
         trace.add(seen)
+
+
+def is_torn() -> bool:
+    """Whether something may have changed while it was looked at; so where nobody watches."""
+    trace = _WATCHED_BY.get()
+    return trace is None or trace.torn
 
 
 def digest(data: bytes) -> str:
