@@ -18,9 +18,12 @@ from rosward.ros.flows import STRENGTHS
 from .reported import reported, said_of
 
 _PROGRAM: Final = """
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import NamedTuple
 
+import numpy as np
 import rclpy
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -47,6 +50,13 @@ def remembered(value, kept=[]):
     return sum(kept)
 
 
+def masked(limit):
+    values = np.array([1.0, 2.0])
+    values = values * 2.0
+    values[values <= limit] = 0.0
+    return values.sum()
+
+
 class Robot(Node):
     def __init__(self):
         super().__init__('robot')
@@ -60,6 +70,12 @@ class Robot(Node):
 
     def all_but_a(self, **named):
         return sum(v for k, v in named.items() if k != 'a')
+
+    def say(self, value=0.0, arrived=None, late=0.0):
+        self.out.publish(Float64(data=late if isinstance(value, Float64) else value))
+
+    def say2(self, value, other, arrived):
+        self.out.publish(Float64(data=value + other))
 
     def on_in(self, msg):
 {does}
@@ -149,6 +165,43 @@ CASES: Final = {
         "self.declare_parameter('gain', 1.0)",
         "if msg.data > 1.0:\n    self.undeclare_parameter('gain')",
         "float(self.has_parameter('gain'))",
+        "control",
+    ),
+    "an array is written where a mask says so": Case(
+        "self.limit = 0.0",
+        "self.limit = msg.data",
+        "float(masked(self.limit))",
+    ),
+    "how much there is in lists of a list": Case(
+        "self.rows = [[], [0.0]]",
+        "if msg.data > 1.0:\n    self.rows[0].append(1.0)",
+        "float(len([v for row in self.rows for v in row]))",
+        "control",
+    ),
+    "the elements of objects of a list": Case(
+        "self.points = [Size(0.0), Size(1.0)]",
+        "self.points[0].width = msg.data",
+        "sum(p.width for p in self.points)",
+    ),
+    "what a partial function gives to a callback": Case(
+        "", "self.create_subscription(Float64, '/more', partial(self.say, msg.data), 10)", "0.0"
+    ),
+    "what a partial function gives by name": Case(
+        "", "self.create_subscription(Float64, '/more', partial(self.say, late=msg.data), 10)", "0.0"
+    ),
+    "what a partial function gives to a timer": Case(
+        "", "self.create_timer(1.0, partial(self.say, [msg.data][0], None))", "0.0"
+    ),
+    "what partial functions in each other give": Case(
+        "", "self.create_subscription(Float64, '/more', partial(partial(self.say2, msg.data), 1.0), 10)", "0.0"
+    ),
+    "the default of a callback": Case(
+        "", "self.create_subscription(Float64, '/more', lambda m, v=msg.data: self.say(v, m), 10)", "0.0"
+    ),
+    "an exception that a context swallows": Case(
+        "self.value = 0.0",
+        "with suppress(ValueError):\n    float(msg.data)\n    self.value = 1.0",
+        "self.value",
         "control",
     ),
     "which of several lists": Case(

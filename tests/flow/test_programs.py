@@ -25,6 +25,10 @@ PROGRAMS: Final[dict[str, Any]] = json.loads((HERE / "expected.json").read_text(
 
 Difference = tuple[str, str, str]
 """A sink, what is wrong there, and of which source."""
+TOO_MUCH: Final[dict[str, set[Difference]]] = {
+    # a message that was sent earlier still leads to the array, which therefore is not known to be a new one
+    "43_numpy.py": {(sink, "says too much", "topic:/limit") for sink in ("topic:/copy", "topic:/mean")},
+}
 
 
 def _lacking(claim: dict[str, Any], said: Said | None) -> set[Difference]:
@@ -74,4 +78,4 @@ def test_nothing_is_missing(program: str) -> None:
 @pytest.mark.parametrize("program", PROGRAMS)
 def test_nothing_is_too_much(program: str) -> None:
     """But for what is known to be; where that becomes better, the list above is to become shorter."""
-    assert _told(_differences(program, _beyond)) == ""
+    assert _differences(program, _beyond) == TOO_MUCH.get(program, set())

@@ -77,6 +77,9 @@ class Watcher(Protocol):
     def strange(self, name: str) -> None:
         """Code that nobody knows gets hold of something."""
 
+    def swallows(self, machine: Engine) -> None:
+        """The `with` that is running may swallow an exception."""
+
 
 class Engine(Machine, Protocol):
     """What runs the code of one process: its state, and each question that one module of the engine asks another."""

@@ -128,6 +128,7 @@ class Seen:
 
     `refs`: the objects that its results are,
     `parts`: those of each of several; `reasons` and `origins`: those of its results; `several`: it gave more than one value.
+    `swallows`: a `with` that may swallow an exception. `opaque`: something that nobody knows, and that may change.
     `effects`: the entities that it creates and what it sends, `scheduled`: the callbacks that it registers, each with the context of the turn.
     `alive`: control came out behind it. `callees`: the functions that it ran, `summaries`: those of which it took a summary.
     Of an operation of C++: `bound` are its calls, `made` the objects that it makes, each with what it is made of,
@@ -148,6 +149,7 @@ class Seen:
         "last",
         "made",
         "natives",
+        "opaque",
         "origins",
         "parts",
         "reasons",
@@ -156,6 +158,7 @@ class Seen:
         "several",
         "strange",
         "summaries",
+        "swallows",
         "wrote",
     )
 
@@ -165,6 +168,8 @@ class Seen:
         self.gave: Value | None = None  # the last one, of an operation that gives one
         self.refs: set[Place] = set()
         self.several = False
+        self.swallows = False
+        self.opaque = False
         self.parts: dict[int, set[Place]] = {}
         self.reasons: dict[Reason, None] = {}
         self.origins: dict[Origin, None] = {}
@@ -187,6 +192,8 @@ class Seen:
         """What was seen of the same operation in another activation counts too."""
         self.alive = self.alive or other.alive
         self.several = self.several or other.several
+        self.swallows = self.swallows or other.swallows
+        self.opaque = self.opaque or other.opaque
         self.refs |= other.refs
         self.cells |= other.cells
         self.wrote |= other.wrote
@@ -229,6 +236,7 @@ class Seen:
                 if option.__class__ is Const or option.__class__ is Text:
                     self.origins.update(dict.fromkeys(option.origins))
                 elif option.__class__ is Unknown:
+                    self.opaque = self.opaque or option.hint not in _UNCHANGING
                     self.reasons.update(dict.fromkeys(option.reasons))
                 elif option.__class__ is External:
                     self.externals[option.name] = None
@@ -237,6 +245,8 @@ class Seen:
             self.refs.update(places(value))
 
 
+_UNCHANGING: Final = frozenset(("str", "int", "float", "bool", "bytes", "complex", "NoneType"))
+"""Types whose objects never change."""
 _GATHERED: Final = (
     *("reasons", "origins", "effects", "externals", "scheduled", "functions", "calls", "callees"),
     *("bound", "made", "natives", "strange"),

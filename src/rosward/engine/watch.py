@@ -183,6 +183,10 @@ class Watch:
         key = (function.code.key, function.cells, given, named)
         self.at(machine).calls[key] = Called(function, given, named)
 
+    def swallows(self, machine: Engine) -> None:
+        """The `with` that is running may swallow an exception."""
+        self.at(machine).swallows = True
+
     # C++
 
     def wrote(self, address: int) -> None:

@@ -16,7 +16,7 @@ from rosward.flow.body import Attempt, Body, Point, joined
 from rosward.flow.calls import run_callees
 from rosward.flow.content import TooLongError
 from rosward.flow.marks import Mark, demoted
-from rosward.flow.reading import elements, narrowed
+from rosward.flow.reading import elements, narrowed, opaque
 from rosward.ir import ops
 
 if TYPE_CHECKING:
@@ -139,8 +139,9 @@ def for_each(walker: Walker, op: ops.ForEach, body: Body, seen: Seen) -> bool:
         item = elements(walker, iterable)
         given = run_callees(walker, op, body, seen)
         item = item if given is None else item.joined(given)
-        refs = frozenset(seen.refs) | frozenset(r for r in item.roots if not isinstance(r, int))
-        body.registers[op.item] = Mark(item.mask | body.pc, refs)
+        if seen.refs:  # C++: the interpretation has seen which
+            item = Mark(item.mask, frozenset(seen.refs) | opaque(item))
+        body.registers[op.item] = item.under(body.pc)
         return True
 
     def test() -> int:
@@ -270,8 +271,14 @@ def with_context(walker: Walker, op: ops.With, body: Body, seen: Seen) -> bool:
     if op.bind != ops.NO_REGISTER:
         given = context if entered is None else entered
         body.registers[op.bind] = Mark(given.mask | body.pc, given.roots | frozenset(seen.refs))
-    alive, tried = _try(walker, op.body, body)
-    if not alive:
+    outside = body.pc
+    alive, tried = _try(walker, op.body, body, handles=seen.swallows)
+    if seen.swallows:
+        body.pc = outside | body.left
+        after = joined(tried.point, walker.point(body) if alive else None)
+        assert after is not None
+        walker.go(body, after)
+    elif not alive:
         if not seen.alive:
             return False
         walker.go(body, tried.point)

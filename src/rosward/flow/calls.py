@@ -24,6 +24,7 @@ from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising
 from rosward.flow.released import callees, released
 from rosward.flow.ways import Way, each_way, either, joined_marks
@@ -48,14 +49,14 @@ def run_callees(
     inside = body.pc | pc
     ways: list[Way] = []
     called_here: set[str] = set()
-    for key, several in _by_code(seen).items():
+    for key, several in by_code(seen).items():
         function = several[0].function
         code = function.code
         if names and code.name not in names:
             continue
         marks = _all_bound(walker, op, body, several)
         if code.is_generator or code.is_coroutine:
-            _keep_arguments(walker, key, marks[0])
+            keep_arguments(walker, key, marks[0])
             made = Mark(inside, frozenset((("generator", key),)))
             result = made if result is None else result.joined(made)
             continue
@@ -77,14 +78,15 @@ def run_callees(
             ways.append(partial(walker.enter, activation, given, inside))
     for key, activations in waiting.items():
         if key not in called_here and (not names or activations[0].code.name in names):
-            ways += [partial(_resume, walker, op, body, a, inside) for a in activations]
+            ways += [partial(resume, walker, op, body, a, inside) for a in activations]
     return either(result, each_way(walker, ways))
 
 
 _FEW: Final = 8
 
 
-def _by_code(seen: Seen) -> dict[str, list[Called]]:
+def by_code(seen: Seen) -> dict[str, list[Called]]:
+    """The functions that an operation calls, those of one code together."""
     found: dict[str, list[Called]] = {}
     for called in seen.calls.values():
         found.setdefault(called.function.code.key, []).append(called)
@@ -108,7 +110,7 @@ def _perform(walker: Walker, body: Body, name: str, marks: list[Mark], result: M
     return given if result is None else result.joined(given)
 
 
-def _keep_arguments(walker: Walker, key: str, marks: list[Mark]) -> None:
+def keep_arguments(walker: Walker, key: str, marks: list[Mark]) -> None:
     """A generator or coroutine is made: it runs with these, when somebody advances it."""
     root: Root = ("arguments", key)
     for number, mark in enumerate(marks):
@@ -116,7 +118,7 @@ def _keep_arguments(walker: Walker, key: str, marks: list[Mark]) -> None:
         walker.memory.write(frozenset((root,)), number, old.joined(mark))
 
 
-def _resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: int) -> Mark:
+def resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: int) -> Mark:
     """A body that is run by something else than a call with arguments that are seen."""
     code = activation.code
     if code.is_generator or code.is_coroutine:
@@ -130,8 +132,6 @@ def _resume(walker: Walker, op: ops.Op, body: Body, activation: Activation, pc: 
 
 def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]:
     """The marks of the parameters, in the order of their registers."""
-    parameters = called.function.code.parameters
-    count = len(parameters.positional)
     spread = _spread_size(walker, op, body)
     given = [_handed(walker, op, body, h).under(spread) for h in called.args]
     named: dict[str, Mark] = {}
@@ -139,24 +139,39 @@ def _bound(walker: Walker, op: ops.Op, body: Body, called: Called) -> list[Mark]
         unknown = name in (LOOSE, ORDER, ANY)
         plain = name if unknown else name.removeprefix(MAYBE)
         named[plain] = _handed(walker, op, body, handed, "" if unknown else plain).under(spread)
+    made = Mark(body.registers[op.func].mask | spread if isinstance(op, ops.Call) else 0)
+    return in_parameters(walker, body, op.number, called.function, given, named, made, spread)
+
+
+def in_parameters(
+    walker: Walker,
+    body: Body,
+    site: int,
+    function: Function,
+    given: list[Mark],
+    named: dict[str, Mark],
+    made: Mark,
+    spread: int = 0,
+) -> list[Mark]:
+    """What stands in the parameters: the arguments, the defaults that are in what the function was `made` with, what `*` and `**` gather."""
+    parameters = function.code.parameters
+    count = len(parameters.positional)
     unnamed = NOTHING
     for name, mark in named.items():
         if name in (LOOSE, ORDER, ANY):
             unnamed = unnamed.joined(mark)
     marks = list(given[:count])
-    defaults = _defaults(
-        called.function, Mark(body.registers[op.func].mask | spread if isinstance(op, ops.Call) else 0)
-    )
+    defaults = _defaults(function, made)
     for name in parameters.positional[len(marks) :]:
         marks.append(named.get(name, defaults[name]).joined(unnamed))
     if parameters.vararg is not None:
-        root: Root = walker.shape.made(body.activation, op.number, "*", "tuple")
+        root: Root = walker.shape.made(body.activation, site, "*", "tuple")
         slots: dict[object, Mark] = dict(enumerate(given[count:]))
         walker.memory.place(root, Content(0, unnamed, body.pc | spread, slots))
         marks.append(Mark(body.pc, frozenset((root,))))
     marks += [named.get(name, defaults[name]).joined(unnamed) for name in parameters.kwonly]
     if parameters.kwarg is not None:
-        root = walker.shape.made(body.activation, op.number, "**", "tuple")
+        root = walker.shape.made(body.activation, site, "**", "tuple")
         further: dict[object, Mark] = {n: m for n, m in named.items() if n not in parameters.names}
         walker.memory.place(root, Content(0, unnamed, body.pc | spread, dict(further)))
         marks.append(Mark(body.pc, frozenset((root,))))
@@ -204,50 +219,6 @@ def _handed(walker: Walker, op: ops.Op, body: Body, handed: Handed, name: str = 
         mark = body.registers[register]
         found = found.joined(Mark(walker.memory.deep(mark), frozenset(r for r in mark.roots if not isinstance(r, int))))
     return found
-
-
-def begin(walker: Walker, activation: Activation, arguments: list[Mark], given: int, pc: int) -> Mark:
-    """A callback is called, with these arguments behind its receiver; what else it may be given depends on `given`."""
-    body = Body(activation, [], pc)
-    seen = activation.of(0)
-    walker.bodies.append(body)
-    try:
-        waiting = walker.bodies_of(seen)
-        ways: list[Way] = []
-        called_here: set[str] = set()
-        for key, several in _by_code(seen).items():
-            function = several[0].function
-            code = function.code
-            marks = joined_marks([_of_callback(called, arguments, given, pc) for called in several])
-            if code.is_generator or code.is_coroutine:
-                _keep_arguments(walker, key, marks)
-                continue
-            called_here.add(key)
-            if code.is_stub:
-                ways.append(partial(library.declared, walker, body, function, marks))
-            ways += [partial(walker.enter, activated, marks, pc) for activated in waiting.get(key, ())]
-        for key, activations in waiting.items():
-            if key not in called_here:
-                ways += [partial(_resume, walker, activation.code.entry, body, a, pc) for a in activations]
-        result = each_way(walker, ways)
-        return NOTHING if result is None else result.under(pc)
-    finally:
-        walker.bodies.pop()
-
-
-def _of_callback(called: Called, arguments: list[Mark], given: int, pc: int) -> list[Mark]:
-    """The marks of the parameters of a callback: its receiver, what it is called with, and what else there may be."""
-    first = len(called.args) - len(arguments)
-    marks = []
-    for number, handed in enumerate(called.args):
-        own = Mark(pc, frozenset(handed.refs))
-        if first < 0:
-            own = own.under(given)
-        elif number >= first:
-            own = own.joined(arguments[number - first])
-        marks.append(own)
-    missing = len(called.function.code.parameters.names) - len(marks)
-    return marks + [Mark(pc | given)] * missing
 
 
 # Calls as they are written
@@ -333,10 +304,11 @@ def _addresses(value: Value) -> Iterable[int]:
 def _register(walker: Walker, body: Body, seen: Seen, marks: list[Mark], pc: int) -> None:
     """Callbacks that are registered here run only where control is here, and may be given what is at hand."""
     for _, entry in seen.scheduled:
-        given = 0
+        given, callback = 0, NOTHING
         for mark in marks:
             given |= walker.memory.deep(mark) if entry.event not in _ARRIVING else 0
-        walker.register(entry, body.pc | pc, given)
+            callback = callback.joined(Mark(mark.mask, bound_in(mark)))
+        walker.register(entry, body.pc | pc, given, callback)
 
 
 _ARRIVING: Final = frozenset({"message", "service", "timer", "goal", "execute", "accepted", "cancel", "future"})

@@ -62,5 +62,13 @@ class NativeCall:
             self.walker.memory.write_any(places, content.whole, content.size)
         return Mark(self.pc, frozenset(places))
 
+    def computed(self, mask: int) -> Mark:
+        """A value that is made of this: an object that somebody may write to, unless it surely is none."""
+        if not self.seen.opaque:
+            return Mark(mask)
+        root = self._made()
+        self.walker.memory.renew(root)
+        return Mark(mask, frozenset((root,)))
+
     def _made(self) -> Root:
         return self.walker.shape.made(self.body.activation, self.op.number)

@@ -16,7 +16,7 @@ from rosward.domain.compound import BoundMethod, External, Native
 from rosward.domain.values import Value
 from rosward.effects.flows import Source
 from rosward.engine.seen import refs_of
-from rosward.flow import containers, library, parameters
+from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
 from rosward.flow.marks import NOTHING, Mark, demoted
@@ -93,10 +93,9 @@ def _native(call: NativeCall) -> Mark:
     given = library.perform(call.walker, call.name.removeprefix("builtins."), mask, call.pc)
     if done is not None:
         return done(call).under(given)
-    return Mark(
-        mask | given,
-        frozenset(call.walker.shape.made(call.body.activation, call.op.number, r) for r in (_kept(name),) if r),
-    )
+    if _kept(name):
+        return Mark(mask | given, frozenset((call.walker.shape.made(call.body.activation, call.op.number, name),)))
+    return call.computed(mask | given)
 
 
 def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks: list[Mark]) -> Mark | None:
@@ -107,8 +106,9 @@ def by_name(walker: Walker, op: ops.Op, body: Body, seen: Seen, name: str, marks
     return done(NativeCall(walker, op, body, seen, name, marks, []))
 
 
-def _kept(name: str) -> str:
-    return name if name in ("open", "io.open") else ""
+def _kept(name: str) -> bool:
+    """Whether what is done to the result later is told by its name."""
+    return name in ("open", "io.open")
 
 
 def _get_attribute(call: NativeCall) -> Mark:
@@ -177,7 +177,7 @@ def _of_library(call: NativeCall) -> Mark:
             break
         for mark in body.arguments:
             mask |= call.walker.memory.deep(Mark(mark.mask, mark.roots - nodes))
-    return Mark(mask)
+    return call.computed(mask)
 
 
 def _send_into(call: NativeCall) -> Mark:
@@ -242,6 +242,7 @@ _KNOWN: Final[dict[str, containers.Handler]] = {
     "_rosward.parameter": _parameter,
     **dict.fromkeys(("_rosward.set_parameter", "_rosward.undeclare_parameter"), _set_parameter),
     **dict.fromkeys(("_rosward.is_given", "rclpy.node.Node.has_parameter"), _has_parameter),
+    "functools.partial": partials.make,
     "collections._fill": fill,
     "_rosward.message": _arrives,
 }

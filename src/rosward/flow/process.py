@@ -18,9 +18,10 @@ from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
-from rosward.flow.calls import begin, send
+from rosward.flow.callbacks import begin
+from rosward.flow.calls import send
 from rosward.flow.content import Content, TooLongError
-from rosward.flow.marks import Mark, demoted, triggering
+from rosward.flow.marks import NOTHING, Mark, demoted, triggering
 from rosward.flow.memory import Memory
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
@@ -168,7 +169,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
         if arguments and entry.event == "service":  # the response is the last of them
             result = result.joined(arguments[-1])
     else:
-        result = begin(walker, root, arguments, given, pc)
+        result = begin(walker, root, arguments, _as_registered(walker, entry), given, pc)
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
@@ -194,6 +195,15 @@ def _argument(walker: Walker, entry: Scheduled, number: int, sources: tuple[Sour
     if isinstance(value, Ref) or entry.event in ("service", "execute"):
         return Mark(0, roots)
     return Mark(walker.given.get(entry, 0), roots)
+
+
+def _as_registered(walker: Walker, entry: Scheduled) -> Mark:
+    """What a callback is made of: the defaults of a function that is made on the spot, and what partial functions give."""
+    found = walker.callbacks.get(entry, NOTHING)
+    callback = entry.callback
+    while isinstance(callback, Partial):
+        callback = callback.function
+    return found if isinstance(callback, Function) else Mark(0, found.roots)
 
 
 def _beginning(callback: Value) -> Place | None:

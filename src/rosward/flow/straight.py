@@ -35,10 +35,12 @@ def plain(walker: Walker, op: Any, body: Body, seen: Seen) -> None:
     for register in reads(op):
         mask |= walker.memory.deep(body.registers[register])
     given = run_callees(walker, op, body, seen)
+    roots: frozenset[Root] = frozenset(seen.refs) if seen.refs else _NO_ROOTS
     if given is not None:
         mask |= given.mask
+        roots |= opaque(given)
     for register in writes(op):
-        body.registers[register] = Mark(mask, frozenset(seen.refs) if seen.refs else _NO_ROOTS)
+        body.registers[register] = Mark(mask, roots)
 
 
 def _compute(walker: Walker, op: Any, body: Body, seen: Seen) -> None:

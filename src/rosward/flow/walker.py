@@ -69,6 +69,7 @@ class Walker:
         self.arguments: dict[Activation, list[Mark]] = {}
         self.registered: dict[Scheduled, int] = {}  # what decides that a callback is registered
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
+        self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
@@ -147,12 +148,13 @@ class Walker:
             self._bodies[seen] = found
         return found
 
-    def register(self, entry: Scheduled, pc: int, given: int) -> None:
+    def register(self, entry: Scheduled, pc: int, given: int, callback: Mark = NOTHING) -> None:
         """A callback is registered where `pc` decides so, and may be `given` what is at hand there."""
-        before = self.registered.get(entry), self.given.get(entry)
+        before = self.registered.get(entry), self.given.get(entry), self.callbacks.get(entry)
         self.registered[entry] = (before[0] or 0) | pc
         self.given[entry] = (before[1] or 0) | given
-        if before != (self.registered[entry], self.given[entry]):
+        self.callbacks[entry] = callback.joined(before[2] or NOTHING)
+        if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
             self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:

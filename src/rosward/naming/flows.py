@@ -30,6 +30,7 @@ _NAMED: Final = {
     "result": EntityKind.ACTION_CLIENT,
 }
 """The kinds of sources and sinks that have ROS names, and by the rules of which entities these are completed."""
+_ANY_NAME: Final = "/*"
 Identities = Iterable[tuple[int, Identity]]
 """The address of each node of a process, with each full name that it may have."""
 
@@ -81,10 +82,14 @@ class _Names:
             yield End(kind, name or (given is not None and text_of(given)) or "")
             return
         identities = [i for address, i in self._known if address == node]
+        any_ = False
         for identity in [self._identity] if node == self._address or not identities else identities:
             for option in name_options(given):
                 for text, _ in resolved(entity, option, identity, self._distro, Place("", 0), Findings()):
+                    any_ = True
                     yield End(kind, text)
+        if not any_:  # no node can have this name: only a parameter that is set makes it one
+            yield End(kind, _ANY_NAME)
 
 
 def _sinks(flow: Flow, names: _Names) -> Iterator[NodeSink]:

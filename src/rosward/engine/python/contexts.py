@@ -120,6 +120,7 @@ def _leave_raising(
             continue
         swallows = machine.truth(answer)
         if swallows is not False:
+            _note(machine, context)
             after = join_into(machine, after, machine.snapshot(frame))
         if swallows is not True:
             throw(machine, exception)
@@ -133,6 +134,7 @@ def _leave_raising(
         return after
     swallows = machine.truth(answer)
     if swallows is not False:
+        _note(machine, context)
         # What Python may raise anywhere makes nothing conditional by the mere chance that something unknown swallows it.
         done = after.state.done if after is not None and _unknown(context) else None
         after = join_into(machine, after, machine.snapshot(frame))
@@ -141,6 +143,12 @@ def _leave_raising(
     if swallows is not True:
         leave_unseen(machine, Snapshot(frame.registers, machine.state), catcher.level, importing=catcher.importing)
     return after
+
+
+def _note(machine: Engine, context: Value) -> None:
+    """An exception may be swallowed, and not by the mere chance that something unknown does."""
+    if machine.watch is not None and not _unknown(context):
+        machine.watch.swallows(machine)
 
 
 def _is_file(context: Value) -> bool:

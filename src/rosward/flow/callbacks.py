@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A callback is called, with what it was made of: what arrives, what a partial function gives it, and its defaults.
+
+partial(self.on, name)               `name` is the first argument, what arrives is the second
+lambda msg, t=name: self.send(t)     `name` is the default of `t`
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from rosward.flow import library
+from rosward.flow.body import Body
+from rosward.flow.calls import by_code, in_parameters, keep_arguments, resume
+from rosward.flow.marks import NOTHING, Mark
+from rosward.flow.partials import Given, bound_in
+from rosward.flow.ways import Way, each_way, joined_marks
+
+if TYPE_CHECKING:
+    from rosward.engine.seen import Activation, Called
+    from rosward.flow.walker import Walker
+
+
+def begin(walker: Walker, activation: Activation, arguments: list[Mark], callback: Mark, given: int, pc: int) -> Mark:
+    """A callback is called as it was registered, with these arguments behind what it has; what else it may be given depends on `given`."""
+    body = Body(activation, [], pc)
+    seen = activation.of(0)
+    walker.bodies.append(body)
+    try:
+        waiting = walker.bodies_of(seen)
+        ways: list[Way] = []
+        called_here: set[str] = set()
+        for key, several in by_code(seen).items():
+            function = several[0].function
+            code = function.code
+            marks = joined_marks([_of_callback(walker, body, called, arguments, callback, given) for called in several])
+            if code.is_generator or code.is_coroutine:
+                keep_arguments(walker, key, marks)
+                continue
+            called_here.add(key)
+            if code.is_stub:
+                ways.append(partial(library.declared, walker, body, function, marks))
+            ways += [partial(walker.enter, activated, marks, pc) for activated in waiting.get(key, ())]
+        for key, activations in waiting.items():
+            if key not in called_here:
+                ways += [partial(resume, walker, activation.code.entry, body, a, pc) for a in activations]
+        result = each_way(walker, ways)
+        return NOTHING if result is None else result.under(pc)
+    finally:
+        walker.bodies.pop()
+
+
+def _of_callback(
+    walker: Walker, body: Body, called: Called, arguments: list[Mark], callback: Mark, given: int
+) -> list[Mark]:
+    """What stands in the parameters of a callback: its receiver, what a partial function gives, what it is called with."""
+    partials = Given(walker, bound_in(callback))
+    first = len(called.args) - len(arguments)
+    receivers = int(bool(called.args) and bool(called.args[0].refs) and first > 0 and partials.positional < first)
+    marks = []
+    for number, handed in enumerate(called.args):
+        own = Mark(body.pc, frozenset(handed.refs))
+        if first < 0:
+            own = own.under(given)
+        elif number >= first:
+            own = own.joined(arguments[number - first])
+        elif number >= receivers:
+            own = own.joined(partials.at(number - receivers, first - receivers))
+        marks.append(own)
+    named = {name: Mark(body.pc, frozenset(h.refs)).joined(partials.named(name)) for name, h in called.keywords}
+    made = Mark(body.pc | given | callback.mask)
+    return in_parameters(walker, body, 0, called.function, marks, named, made)
