@@ -36,7 +36,9 @@ CLAIMS: Final = {
     **dict.fromkeys(("RW102", "RW104"), (L, W)),
     "RW103": (F, E),
     "RW107": (L, N),  # nobody can say more
-    **dict.fromkeys(("RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW210", "RW212", "RW299"), (M, E)),
+    **dict.fromkeys(
+        ("RW201", "RW202", "RW203", "RW204", "RW206", "RW207", "RW208", "RW210", "RW212", "RW214", "RW299"), (M, E)
+    ),
     "RW205": (K, N),  # surely not run
     **dict.fromkeys(("RW209", "RW213"), (F, W)),
     "RW211": (K, N),

@@ -161,6 +161,12 @@ _TABLE: Final = (
         "The client library raises TypeError here: send the type that the entity was created with.",
     ),
     Rule(
+        "RW214",
+        "wrong mark in a model",
+        _E,
+        "Correct it: what it should say is missing from what is known of the library.",
+    ),
+    Rule(
         "RW299",
         "internal error",
         _E,

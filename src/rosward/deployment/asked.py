@@ -19,7 +19,7 @@ from rosward.source.text import place_name, read_bytes, readable_path
 __all__ = ["asked_of"]
 
 _OWN: Final = Path(__file__).parent.parent / "models"
-_FOLDERS: Final = ("nodes", "stubs")
+_FOLDERS: Final = ("nodes", "stubs", "marks")
 _SUFFIXES: Final = (".pyi", ".yaml")
 _MOST_FILES: Final = 10_000
 _DIGITS: Final = 16

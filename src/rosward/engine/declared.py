@@ -30,12 +30,12 @@ def is_model(function: Function) -> bool:
     return function.code.file.startswith(MODEL_PREFIX)
 
 
-_SENDS: Final = Const("sends")
+_HARMLESS: Final = (Const("sends"), Const("pure"))
 
 
 def may_raise(machine: Engine, function: Function, registers: list[Value]) -> bool:
     """Whether a function of a model, which shows nothing of what it does, may raise an exception."""
-    declares = any(isinstance(e, Tuple) and e.items[0] != _SENDS for e in function.effects)
+    declares = any(isinstance(e, Tuple) and e.items[0] not in _HARMLESS for e in function.effects)
     if not is_model(function) or not (function.code.is_stub or declares):
         return False
     facts = machine.library.facts

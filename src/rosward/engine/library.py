@@ -58,6 +58,7 @@ class Library:
         self.ground = self._models.ground
         self.facts = self._models.facts
         self.creating = self.facts.creating
+        self.marks = self._models.marks
         self._natives = models.natives
         self._constants = Constants()
         self._found: dict[tuple[str, int, str], FoundModule | None] = {}

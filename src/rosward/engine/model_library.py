@@ -33,6 +33,7 @@ from rosward.ir import ops
 from rosward.ir.program import Module
 from rosward.models.facts import LibraryFacts, marked
 from rosward.models.native import NativeFunction
+from rosward.models.stub_marks import StubMarks, wrong_marks
 from rosward.models.tables import Models
 from rosward.source.definitions import Definition
 from rosward.source.location import Place
@@ -93,6 +94,11 @@ class ModelLibrary:
         self._natives = models.natives
         self._folders = folders
         self._stubs = StubFiles(folders, net=net)
+        self.marks = StubMarks(folders)
+        for folder in folders:
+            self._stubs.findings.update(
+                wrong_marks(folder, MODEL_PREFIX, lambda name: f"_rosward.{name}" in models.natives)
+            )
         self._net = net
         self._constants = Constants()
         self._models: dict[str, ModuleValue] = {}

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rosward.ir.program import Module
     from rosward.models.facts import LibraryFacts
     from rosward.models.native import NativeFunction
+    from rosward.models.stub_marks import StubMarks
     from rosward.source.definitions import Definition
 
 
@@ -39,6 +40,10 @@ class Shared(Protocol):
     @property
     def facts(self) -> LibraryFacts:
         """What the marks of stubs say of libraries."""
+
+    @property
+    def marks(self) -> StubMarks:
+        """What stubs say of how information flows through functions of libraries."""
 
     @property
     def creating(self) -> frozenset[str]:

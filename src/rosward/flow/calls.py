@@ -65,7 +65,7 @@ def run_callees(
         if code.file.startswith("models:") and not code.is_stub:
             result = _perform(walker, body, name, marks[0], result)
         mine = waiting.get(key, ())
-        if walker.hurries and code.file.startswith("models:") and library.is_pure(name):
+        if walker.hurries and code.file.startswith("models:") and walker.shape.said(name).pure:
             computed = library.computed(walker, body, name, marks[0])
             result = computed if result is None else result.joined(computed)
             continue
@@ -101,7 +101,8 @@ def _all_bound(walker: Walker, op: ops.Op, body: Body, several: list[Called]) ->
 
 def _perform(walker: Walker, body: Body, name: str, marks: list[Mark], result: Mark | None) -> Mark | None:
     """What is known by its name of a function that a model has as code."""
-    if not library.effects_of(name):
+    said = walker.shape.said(name)
+    if not (said.sinks or said.sources):
         return result
     mask = 0
     for mark in marks:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
+from rosward.domain.unknown import Cause
 from rosward.engine.seen import Seen
 from rosward.flow import cpp_making, cpp_outside, straight
 from rosward.flow.body import Body
@@ -25,9 +26,10 @@ from rosward.flow.cpp_values import (
     value,
     write,
 )
+from rosward.flow.library import name_of, perform, stop
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot, slot_of
-from rosward.flow.outside import out
+from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
 from rosward.ir import cpp, ops
 from rosward.ir.check import reads
@@ -167,8 +169,13 @@ def _assign(walker: Walker, op: cpp.Assign, body: Body, seen: Seen) -> None:
     given = acts(walker, op, body, seen, [target, source], certain=True) if is_busy(seen) else None
     mark = value(walker, source)
     written = copied(mark, seen).under(under_choice(body, target))
+    before = value(walker, target)
     if op.operator != "=":
-        written = written.joined(value(walker, target))
+        written = written.joined(before)
+    elif body.pc:  # a timer that nobody holds any more runs no more
+        for root in before.roots:
+            if isinstance(root, int) and walker.shape.class_name(root):
+                stop(walker, root, body.pc)
     own = any(b.function.code.name.startswith("operator") and "=" in b.function.code.name for b in seen.bound.values())
     if given is not None and not own:
         written = written.under(given.mask)
@@ -207,10 +214,12 @@ def _lambda(walker: Walker, op: cpp.MakeLambda, body: Body, seen: Seen) -> None:
 def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen: Seen) -> None:
     marks = [body.registers[a.register] for a in op.arguments]
     pc = 0
+    called: tuple[str, ...] = ()
     if isinstance(op, cpp.InvokeMember):
         walker.run(op.seen, body)
         function = body.registers[op.obj]
         marks = [function, *marks]
+        called = _methods(walker, function, op.name, seen)
         if len({b.function.code.key for b in seen.bound.values()}) > 1:
             pc = demoted(value(walker, function).mask)
     else:
@@ -218,12 +227,19 @@ def _invoke(walker: Walker, op: cpp.Invoke | cpp.InvokeMember, body: Body, seen:
         pc = demoted(value(walker, function).mask)
         if not seen.effects and (nameless(function) or slots(function) or function.mask & ~body.pc):
             marks = [*marks, Mark(function.mask, nameless(function) | slots(function))]
-    given = acts(walker, op, body, seen, marks, pc=pc)
+    given = acts(walker, op, body, seen, marks, pc=pc, called=called)
     if given is None:
         given = Mark(walker.memory.deep(value(walker, operands(body, reads(op)))))
     mark = settled(walker, copied(given, seen), seen, body)
     mask = mark.mask | pc | arising(walker, seen)
     body.registers[op.dst] = Mark(mask, mark.roots)
+
+
+def _methods(walker: Walker, owner: Mark, method: str, seen: Seen) -> tuple[str, ...]:
+    """The dotted names of a method of objects of which only their classes are known by name: by what made them, else by why they are not."""
+    named = {name_of(root) for root in value(walker, owner).roots} - {"", "object"}
+    named = named or {reason.subject.replace("::", ".") for reason in seen.reasons if reason.cause is Cause.CALL}
+    return tuple(sorted(f"{name}.{method}" for name in named))
 
 
 def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
@@ -233,7 +249,7 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
         return
     left, right = body.registers[op.left], body.registers[op.right]
     held, other = value(walker, left), value(walker, right)
-    kind = _stream(walker, held)
+    kind = cpp_outside.stream(walker, held)
     mask = walker.memory.deep(other) | body.pc
     if op.operator == "<<" and kind:
         if kind != "text":
@@ -242,6 +258,9 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
             walker.memory.write_any([r for r in held.roots if isinstance(r, int)] or slots(left), Mark(mask), mask)
         body.registers[op.dst] = Mark(left.mask, left.roots)
         return
+    if op.operator == ">>" and kind == "file":
+        read = comes_in(walker, "file")
+        walker.memory.write_any(slots(right), Mark(read), read)
     if is_busy(seen):
         given = acts(walker, op, body, seen, [left, right], certain=True)
         mark = Mark(walker.memory.deep(held) | mask) if given is None else given
@@ -253,29 +272,14 @@ def _binary(walker: Walker, op: ops.Binary, body: Body, seen: Seen) -> None:
     if seen.wrote:
         cpp_outside.natives(walker, body, seen, [left, right])
     if op.operator in ("<<", ">>") and seen.reasons:  # an operator that nobody knows
+        for name in _methods(walker, left, f"operator{op.operator}", seen):
+            mask |= perform(walker, name, mask, body.pc)
         for one, two in ((left, other), (right, held)):
             walker.memory.write_any(nameless(one) | slots(one), two.under(mask), mask)
     straight.plain(walker, op, body, seen)
     body.registers[op.dst] = settled(
         walker, body.registers[op.dst].joined(Mark(0, nameless(held) | nameless(other))), seen, body
     )
-
-
-_STREAMS: Final = {"std.cout": "stdout", "std.cerr": "stdout", "std.clog": "stdout", "std.wcout": "stdout"}
-
-
-def _stream(walker: Walker, mark: Mark) -> str:
-    """What kind of stream a value is; '' where it is none."""
-    for root in mark.roots:
-        if not isinstance(root, int):
-            if root[0] == "external" and root[1] in _STREAMS:
-                return _STREAMS[str(root[1])]
-            continue
-        record = walker.shape.record(root)
-        name = str(getattr(getattr(record, "cls", None), "name", ""))
-        if name.endswith("stream"):
-            return "file" if "fstream" in name else "text"
-    return ""
 
 
 def _computed(walker: Walker, op: Any, body: Body, seen: Seen) -> None:

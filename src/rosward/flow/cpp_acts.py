@@ -21,9 +21,20 @@ if TYPE_CHECKING:
 
 
 def acts(
-    walker: Walker, op: ops.Op, body: Body, seen: Seen, marks: list[Mark], *, pc: int = 0, certain: bool = False
+    walker: Walker,
+    op: ops.Op,
+    body: Body,
+    seen: Seen,
+    marks: list[Mark],
+    *,
+    pc: int = 0,
+    certain: bool = False,
+    called: tuple[str, ...] = (),
 ) -> Mark | None:
-    """All that an operation does besides: what it makes, calls, writes; what that gives. None where it does nothing."""
+    """All that an operation does besides: what it makes, calls, writes; what that gives. None where it does nothing.
+
+    `called`: what is called where it is a method of an object of which only the class is known by name.
+    """
     everything = NOTHING
     for mark in marks:
         everything = everything.joined(mark)
@@ -37,7 +48,7 @@ def acts(
     cpp_calls.sends(walker, body, seen, marks)
     for done in (
         cpp_outside.natives(walker, body, seen, marks, keys),
-        cpp_outside.strange(walker, op.number, body, seen, marks),
+        cpp_outside.strange(walker, op.number, body, seen, marks, called),
     ):
         if done is not None:
             result = done if result is None else result.joined(done)

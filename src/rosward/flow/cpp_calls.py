@@ -22,7 +22,6 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import HOLDS
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot
 from rosward.flow.ways import Way, each_way, either, joined_marks
@@ -118,7 +117,7 @@ def _enter(walker: Walker, activation: Activation, function: Function, given: li
         marks.append(Mark(mark.mask, frozenset(places) | nameless(mark) if places or not mark.roots else mark.roots))
     result = walker.enter(activation, marks, pc)
     if function.code.file.startswith("models:"):
-        result = result.under(_effects(walker, named(function), given, pc))
+        result = result.under(_effects(walker, function, given, pc))
         result = _held(walker, function, given, result)
     return result
 
@@ -127,7 +126,7 @@ def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -
     """A model leaves out what a value of the library is made of: it is in it all the same."""
     name, nodes = named(function), walker.shape.nodes
     makes = function.code.name == function.module.name.rpartition(".")[2]
-    if not makes and not name.startswith(HOLDS):
+    if not makes and not walker.shape.said(name).holds:
         return result
     mask = 0
     for mark in given[1:] if makes else given:
@@ -140,14 +139,22 @@ def _held(walker: Walker, function: Function, given: list[Mark], result: Mark) -
     return result.under(mask)
 
 
-def _effects(walker: Walker, name: str, given: list[Mark], pc: int) -> int:
-    """What is known of a function of a library by its name."""
-    if not library.effects_of(name):
+def _effects(walker: Walker, function: Function, given: list[Mark], pc: int) -> int:
+    """What marks say of a function of a library."""
+    name = named(function)
+    said = walker.shape.said(name)
+    for root in given[0].roots if said.stops and given else ():
+        library.stop(walker, root, pc | demoted(given[0].mask))
+    if not (said.sinks or said.sources or said.changes):
         return 0
     mask = pc
     for mark in given[1:]:
         mask |= walker.memory.deep(mark)
-    return library.perform(walker, name, mask, pc)
+    brought = library.perform(walker, name, mask, pc)
+    for parameter, mark in zip(function.code.parameters.names, given, strict=False):
+        if parameter in said.changes or "*" in said.changes:
+            walker.memory.write_any(mark.roots, Mark(mask | brought), mask)
+    return brought
 
 
 def _thunk(walker: Walker, activation: Activation, everything: Mark, pc: int) -> Mark:
@@ -172,7 +179,7 @@ def _declared(walker: Walker, body: Body, function: Function, marks: list[Mark])
     for number, mark in enumerate(marks):
         roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
         mask |= walker.memory.deep(Mark(mark.mask, roots))
-    return Mark(mask | library.perform(walker, named(function), mask, body.pc))
+    return Mark(mask | _effects(walker, function, marks, body.pc))
 
 
 def given_to(walker: Walker, bound: Bound, known: dict[int, Mark], everything: Mark, pc: int) -> list[Mark]:

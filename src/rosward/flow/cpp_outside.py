@@ -19,8 +19,8 @@ from rosward.flow.cpp_values import (
     slots,
     value,
 )
-from rosward.flow.marked_cpp import LOGS, PURE, READS, SIZES, STORES
-from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import out
 from rosward.flow.reading import arising
@@ -57,6 +57,13 @@ def natives(walker: Walker, body: Body, seen: Seen, marks: list[Mark], keys: tup
         if name.startswith(LOGS):
             _log(walker, body, marks)
         brought |= library.perform(walker, name, whole.mask, body.pc)
+        kind = stream(walker, near) if name in _WRITES else ""
+        kind = _STREAMS.get(name.rpartition(".")[0], kind)
+        if kind not in ("", "text"):
+            out(walker, kind, whole.mask)
+        if name.endswith(".reset"):  # what nobody holds any more runs no more
+            for root in near.roots:
+                library.stop(walker, root, body.pc | demoted(near.mask))
         brought |= _of_library(walker) if name == "rosward.unknown" else 0
         brought |= _arrives(walker, body, seen, name)
         if name.startswith("rosward."):
@@ -183,9 +190,32 @@ def _log(walker: Walker, body: Body, marks: list[Mark]) -> None:
     out(walker, "log", mask)
 
 
-def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[Mark]) -> Mark | None:
+_WRITES: Final = frozenset(f"std.stringstream.{name}" for name in ("write", "put"))
+"""How streams are written to but by `<<`."""
+_STREAMS: Final = {"std.cout": "stdout", "std.cerr": "stdout", "std.clog": "stdout", "std.wcout": "stdout"}
+
+
+def stream(walker: Walker, mark: Mark) -> str:
+    """What kind of stream a value is; '' where it is none."""
+    for root in mark.roots:
+        if not isinstance(root, int):
+            if root[0] == "external" and root[1] in _STREAMS:
+                return _STREAMS[str(root[1])]
+            continue
+        record = walker.shape.record(root)
+        name = str(getattr(getattr(record, "cls", None), "name", ""))
+        if name.endswith("stream"):
+            return "file" if "fstream" in name else "text"
+    return ""
+
+
+def strange(
+    walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[Mark], called: tuple[str, ...] = ()
+) -> Mark | None:
     """Code that nobody knows: it may write to all that it is passed, and give any of it. None where none runs."""
-    names = [n.replace("::", ".") for n in seen.strange]
+    names: list[str] = []
+    for name in seen.strange:
+        names += called if called and name.startswith("something unknown") else (name.replace("::", "."),)
     if not names:
         return None
     memory = walker.memory
@@ -205,6 +235,9 @@ def strange(walker: Walker, op_number: int, body: Body, seen: Seen, marks: list[
         given |= library.perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op_number, names[0])
     memory.renew(root)
-    if not all(n.startswith(PURE) or library.is_pure(n) for n in names):
-        memory.write_any(reached, Mark(mask, behind), mask)
+    known = [walker.shape.said(n) for n in names]
+    if all(said.releases for said in known):
+        return Mark(body.pc | given, frozenset((root,)))
+    if not all(said.is_known and not said.changes for said in known):
+        memory.write_any(reached, Mark(mask | given, behind), mask | given)
     return Mark(mask | given, behind | {root})

@@ -8,13 +8,10 @@ cv2.rectangle(image, …)           nobody knows: the image, and the result, may
 
 from __future__ import annotations
 
-import re
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
-from rosward.flow import marked_cpp
-from rosward.flow.marked import FUNCTIONS, MUTATORS, PURE, STOPS, WRITES, Effect
-from rosward.flow.marks import Mark, Root, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import owners_of
 
@@ -28,32 +25,6 @@ _KNOWN: Final = ("rclpy.", "tf2_ros.", "builtins.")
 """Their methods keep nothing of what they are given that they give back later, unless a model says so."""
 _FEW: Final = 12
 """So many objects the result of an unknown call is said to be itself; it leads to more."""
-
-
-class _Pattern(NamedTuple):
-    pattern: re.Pattern[str]
-    effect: Effect
-
-
-def _pattern(name: str) -> str:
-    return re.escape(name).replace(r"\*\*", r"[\w.]+").replace(r"\*", r"\w*")
-
-
-_PATTERNS: Final = tuple(
-    _Pattern(re.compile("(?:" + "|".join(map(_pattern, e.names.split())) + r")\Z"), e)
-    for e in (*FUNCTIONS, *marked_cpp.FUNCTIONS)
-)
-_PURE: Final = re.compile("(?:" + "|".join(PURE.split()).replace(".", r"\.").replace("*", r"[\w.]*") + r")\Z")
-
-
-def effects_of(name: str) -> list[Effect]:
-    """What a function of a library does, by its dotted name."""
-    return [p.effect for p in _PATTERNS if p.pattern.match(name)]
-
-
-def is_pure(name: str) -> bool:
-    """Whether a function only computes from what it is given."""
-    return _PURE.match(name) is not None and name not in WRITES
 
 
 def name_of(root: Root) -> str:
@@ -71,13 +42,13 @@ def name_of(root: Root) -> str:
 
 
 def perform(walker: Walker, name: str, mask: int, pc: int) -> int:
-    """What is known of a function by its name: its sinks get the mask; the sources of its result."""
+    """What marks say of a function: its sinks get the mask; the sources of its result."""
+    said = walker.shape.said(name)
+    for kind in said.sinks:
+        out(walker, kind, mask | pc)
     given = 0
-    for effect in effects_of(name):
-        if effect.sink:
-            out(walker, effect.sink, mask | pc)
-        if effect.source:
-            given |= comes_in(walker, effect.source)
+    for kind in said.sources:
+        given |= comes_in(walker, kind)
     return given
 
 
@@ -90,25 +61,37 @@ def declared(walker: Walker, body: Body, function: Function, marks: list[Mark]) 
         roots = frozenset(r for r in mark.roots if r not in nodes) if number == 0 else mark.roots
         mask |= walker.memory.deep(Mark(mark.mask, roots))
     given = perform(walker, name, mask, body.pc)
-    if name in STOPS and marks:
-        for root in (marks[-1] if function.code.name.startswith("destroy") and len(marks) > 1 else marks[0]).roots:
+    said = walker.shape.said(name)
+    for parameter in said.stops:
+        for root in _given_as(parameter, function, marks).roots:
             stop(walker, root, body.pc | demoted(marks[0].mask))
-    if "." in function.code.qualname and marks and not name.startswith(_KNOWN):
+    if "." in function.code.qualname and marks and not said.is_known and not name.startswith(_KNOWN):
         walker.memory.write_any(marks[0].roots - nodes, Mark(mask))
+    for parameter in said.changes:
+        changed = _given_as(parameter, function, marks)
+        walker.memory.write_any(changed.roots - nodes, Mark(mask | given), mask)
+    if said.releases:
+        mask = body.pc
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
     return Mark(mask | given, frozenset((root,)))
 
 
+def _given_as(parameter: str, function: Function, marks: list[Mark]) -> Mark:
+    """What a parameter is given."""
+    names = function.code.parameters.names
+    number = names.index(parameter) if parameter in names else 0
+    return marks[number] if number < len(marks) else NOTHING
+
+
 def computed(walker: Walker, body: Body, name: str, marks: list[Mark]) -> Mark:
-    """A function that only computes, taken as a whole: what it gives may be a view of what it is given; few write to their object."""
+    """A function that only computes, taken as a whole: what it gives may be a view of what it is given; some write to their object."""
     mask = body.pc
     for mark in marks:
         mask |= walker.memory.deep(mark)
     roots = frozenset[Root]().union(*(m.roots for m in marks))
-    if name.rpartition(".")[2] in MUTATORS:
-        walker.memory.write_any(marks[0].roots, Mark(mask, roots - marks[0].roots))
-        return Mark(mask, marks[0].roots)
+    if marks and walker.shape.said(name).changes:
+        walker.memory.write_any(marks[0].roots, Mark(mask, roots - marks[0].roots), mask)
     root = walker.shape.made(body.activation, body.at.number, name)
     walker.memory.renew(root)
     if len(roots) > _FEW:
@@ -136,12 +119,15 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         given |= perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op.number, names[0] if names else "")
     walker.memory.renew(root)
-    if names and all(is_pure(n) or (effects_of(n) and n not in WRITES) for n in names):
+    known = [walker.shape.said(n) for n in names]
+    if known and all(said.releases for said in known):
+        return Mark(body.pc | given, frozenset((root,)))
+    if known and all(said.is_known and not said.changes for said in known):
         return Mark(mask | given, frozenset((root,)))
     reached: set[Root] = set()
     for mark in everything:
         reached.update(walker.memory.reached(mark))
-    walker.memory.write_any(reached, Mark(mask), mask)
+    walker.memory.write_any(reached, Mark(mask | given), mask)
     behind = frozenset[Root]().union(*(m.roots for m in everything))
     if len(behind) > _FEW:
         walker.shape.melt(behind)

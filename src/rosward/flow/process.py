@@ -21,8 +21,9 @@ from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.callbacks import begin
 from rosward.flow.calls import send
 from rosward.flow.content import Content, TooLongError
-from rosward.flow.marks import NOTHING, Mark, demoted, triggering
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, triggering
 from rosward.flow.memory import Memory
+from rosward.flow.said import wrong_marks
 from rosward.flow.shape import MeltedError, Shape
 from rosward.flow.walker import Handler, Walker
 from rosward.ir import ops
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 
     from rosward.engine.interpreter import Interpreter
     from rosward.engine.scheduled import Scheduled
-    from rosward.engine.watch import Watch
+    from rosward.engine.watch import Registered, Watch
 
 _ROUNDS: Final = 40
 _STEPS_EACH: Final = 2
@@ -89,6 +90,7 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
         assumed = data - walker.sources.apart(mask)[0]
         flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed))
     walker.close()
+    machine.log.findings.update(wrong_marks(machine))
     return ProcessFlows(tuple(flows), complete)
 
 
@@ -157,7 +159,7 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for source in sources:
         pc |= walker.sources.trigger(source) if source.kind != "main" else 0
     registered = walker.watch.entries.get(entry)
-    for owner in (*registered.receivers, *registered.by.refs) if registered is not None else ():
+    for owner in _owners(entry, registered):
         pc |= demoted(walker.stopped.get(owner, 0))
     arguments = [_argument(walker, entry, n, sources) for n in range(len(entry.args or ()))]
     if entry.event in _ANSWERS:
@@ -233,6 +235,18 @@ def _sources(walker: Walker, entry: Scheduled) -> Iterator[Source]:
     else:
         arriving = [Source(kind[0], node=e.address, given=e.name) for e in walker.shape.entities if e.kind == kind[1]]
         yield from _arriving(walker, entry) or arriving or [Source("thread")]
+
+
+def _owners(entry: Scheduled, registered: Registered | None) -> Iterator[Root]:
+    """The objects that stop a callback where they are stopped: its timer, its subscription."""
+    if registered is None:
+        return
+    yield from registered.receivers
+    yield from registered.by.refs
+    if entry.event == "timer":  # in C++ it is handed on with the callback
+        yield from (root for value in entry.args or () for root in refs_of(value))
+    elif entry.event in ("message", "service"):  # and these are made beside it
+        yield from (made for seen in (registered.among.seen.values() if registered.among else ()) for made in seen.made)
 
 
 def _arriving(walker: Walker, entry: Scheduled) -> list[Source]:

@@ -13,11 +13,13 @@ from rosward.effects.flows import Source
 from rosward.engine.seen import Activation, refs_of
 from rosward.flow.marks import Root
 from rosward.flow.remembered import Tracker
+from rosward.flow.said import marks_of
 from rosward.flow.trail import Trail
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj
     from rosward.engine.interpreter import Interpreter
+    from rosward.models.flow_marks import FlowMark
 
 _CONTAINERS: Final = ("list", "set", "dict")
 _NAMES: Final = {
@@ -71,6 +73,7 @@ class Shape:
             self._parts.setdefault(owner, []).append(address)
         self._inside = {owner: address for address, owner in self.inner.items()}
         self._named: dict[str, list[tuple[int, str]]] | None = None
+        self._said = marks_of(machine)
         self._held: dict[int, list[int]] = {}
         self._classes: dict[int, tuple[int, ...]] = {}
 
@@ -179,6 +182,16 @@ class Shape:
     def is_native(self, name: str) -> bool:
         """Whether a function of a library has a model in code."""
         return self._machine.library.native(name) is not None
+
+    def class_name(self, address: int) -> str:
+        """The dotted name of the class of an object, where that is one of a model; else ''."""
+        obj = self.record(address)
+        cls = None if obj is None else obj.cls
+        return f"{cls.module}.{cls.qualname}" if isinstance(cls, Class) and cls.stub else ""
+
+    def said(self, name: str) -> FlowMark:
+        """What marks say of a function of a library, by its dotted name."""
+        return self._said(name)
 
     def entity(self, root: object, kind: str) -> Source | None:
         """What arrives at an object of the client library, by the name that it keeps; None where it is none of that kind."""

@@ -15,6 +15,7 @@ from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
 from rosward.flow.containers import taken_out
 from rosward.flow.content import Content
+from rosward.flow.library import name_of
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.reading import arising, constant, elements, narrowed, opaque, part_of, run
 from rosward.ir import ops
@@ -100,6 +101,14 @@ def _of_base(seen: Seen) -> bool:
     return not seen.refs and any(reason.cause is not Cause.MESSAGE for reason in seen.reasons)
 
 
+def _of_model(walker: Walker, op: ops.LoadAttr, body: Body, root: int) -> Mark:
+    """What an object of a library has under a name, and its model does not know: `program.stdin`."""
+    name = walker.shape.class_name(root)
+    return (
+        Mark(0, frozenset((walker.shape.made(body.activation, op.number, f"{name}.{op.name}"),))) if name else NOTHING
+    )
+
+
 def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None:
     owner = body.registers[op.obj]
     if op.name == "__dict__":  # the same slots by another way
@@ -118,6 +127,8 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
                 found = found.joined(memory.of(cls).read(op.name))
             if op.name not in content.slots and _of_base(seen):
                 found = Mark(found.mask, found.roots | {("of", root, op.name)})
+            if seen.reasons and not seen.refs and not any(name_of(r) for r in found.roots):
+                found = found.joined(_of_model(walker, op, body, root))
         elif root[0] == "external":
             found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))
         else:

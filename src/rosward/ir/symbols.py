@@ -19,6 +19,7 @@ from rosward.ir.program import Code, ParameterSymbol, Scope, Signature, Template
 
 __all__ = [
     "BaseSymbol",
+    "Marked",
     "ParameterSymbol",
     "Scope",
     "Signature",
@@ -53,6 +54,15 @@ class BaseSymbol(NamedTuple):
     type: Code
     pack: bool = False
     virtual: bool = False
+
+
+class Marked(NamedTuple):
+    """What the attributes of a declaration say, by their names; `is_scope`: a class or namespace, of all that is in it."""
+
+    words: Mapping[str, tuple[str, ...]]
+    place: Place
+    is_scope: bool = False
+    parameters: tuple[str, ...] = ()
 
 
 class Symbol(Protocol):
@@ -181,3 +191,7 @@ class Symbols(Protocol):
     @property
     def main(self) -> Symbol | None:
         """The function `main`."""
+
+    @property
+    def marked(self) -> Mapping[str, Marked]:
+        """The declarations with attributes that say how information flows, by dotted names; those of libraries as well that have no model."""

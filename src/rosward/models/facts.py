@@ -74,7 +74,7 @@ class LibraryFacts(NamedTuple):
 def marked(folder: Path) -> LibraryFacts:
     """What the marks of the stubs in a folder say; what cannot be read says nothing here, and is told where it is imported."""
     found = LibraryFacts()
-    for file in _stubs(folder):
+    for file in stub_names(folder):
         data = read_bytes(folder / file, file, limits.STUB_FILE)
         if not isinstance(data, Finding) and any(word in data for word in _WORDS):
             try:
@@ -87,7 +87,8 @@ def marked(folder: Path) -> LibraryFacts:
     return found
 
 
-def _stubs(folder: Path) -> Iterator[str]:
+def stub_names(folder: Path) -> Iterator[str]:
+    """The stubs in a folder, in a fixed order."""
     count = 0
     for above, inner, names in disk.walk(folder):
         inner.sort()

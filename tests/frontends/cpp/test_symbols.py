@@ -153,7 +153,7 @@ def test_words_and_marks() -> None:
     members = {m.name: m for m in node.members}
     assert node.marks == {"node_class": ()}
     assert members["create"].marks == {"creator": ("pub", "x")}
-    assert members["f"].marks == {"pure": ()}
+    assert members["f"].marks == {"abstract": ()}
     assert members["f"].virtual
     assert members["r"].reference
     assert members["r"].leading == 1

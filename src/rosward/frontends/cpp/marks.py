@@ -23,7 +23,7 @@ _SPECIFIERS: Final = frozenset(
 _CLAUSES: Final = {
     "default_method_clause": "default",
     "delete_method_clause": "delete",
-    "pure_virtual_clause": "pure",
+    "pure_virtual_clause": "abstract",
     "delete_expression": "delete",
 }
 _OURS: Final = "rosward"
@@ -34,14 +34,14 @@ def marks_of(node: Node, whole: Node) -> Mapping[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
     for child in (*whole.children, *(node.children if node != whole else ())):
         if child.type == "attribute_declaration":
-            found.update(_ours(child))
+            found.update(ours(child))
         elif child.type in _CLAUSES:
             found[_CLAUSES[child.type]] = ()
     value = _value(whole)
     if value is not None and value.type in _CLAUSES:
         found[_CLAUSES[value.type]] = ()
     elif value is not None and value.text == b"0":
-        found["pure"] = ()
+        found["abstract"] = ()
     return found
 
 
@@ -54,7 +54,8 @@ def _value(whole: Node) -> Node | None:
     return value
 
 
-def _ours(declaration: Node) -> Iterator[tuple[str, tuple[str, ...]]]:
+def ours(declaration: Node) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """The attributes of models among those of a declaration."""
     for attribute in declaration.named_children:
         if text_of(attribute.child_by_field_name("prefix")) == _OURS:
             listed = next((c for c in attribute.named_children if c.type == "argument_list"), None)

@@ -8,10 +8,11 @@ that there are models of, one of both counts: mostly the models, which say in fe
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple, final
 
 from rosward.findings import Finding
+from rosward.frontends.cpp.flow_marks import own_marks
 from rosward.frontends.cpp.model_headers import YIELDING, library_of
 from rosward.frontends.cpp.parse import CppParser
 from rosward.frontends.cpp.prepared import Prepared
@@ -91,7 +92,8 @@ class SymbolStore:
                 else:
                     findings[file] = None
         models = dict.fromkeys(m for m in self._models if library_of(m) not in replaced)
-        return Linked(CppSymbols({**models, **found}, self._merged), tuple(prepared.values()), tuple(findings))
+        symbols = CppSymbols({**models, **found}, self._merged, partial(own_marks, self._parser))
+        return Linked(symbols, tuple(prepared.values()), tuple(findings))
 
     def _clashes(self, file: FileSymbols) -> frozenset[str]:
         """The libraries of which a file of the sources defines a class that their models have, or a part of one."""

@@ -189,7 +189,7 @@ class CppSymbol:
 
     @cached_property
     def marks(self) -> Mapping[str, tuple[str, ...]]:
-        """The attributes of a model, and `default`, `delete`, `pure` for `= default`, `= delete`, `= 0`."""
+        """The attributes of a model, and `default`, `delete`, `abstract` for `= default`, `= delete`, `= 0`."""
         found: dict[str, tuple[str, ...]] = {}
         for other in self.others:
             found.update(other.marks)

@@ -8,15 +8,16 @@ The files of a program are put together when a scope of it is asked for; what tw
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from hashlib import blake2b
 from typing import Final, final
 
+from rosward.frontends.cpp.flow_marks import marked
 from rosward.frontends.cpp.same import Merged
 from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.frontends.cpp.symbol_file import FileSymbols
-from rosward.ir.symbols import Scope, SymbolKind
+from rosward.ir.symbols import Marked, Scope, SymbolKind
 
 _TYPES: Final = frozenset({SymbolKind.CLASS, SymbolKind.ENUM})
 _LITERALS: Final = frozenset(
@@ -35,10 +36,14 @@ _LITERALS: Final = frozenset(
 
 @final
 class CppSymbols:
-    """See `ir.symbols.Symbols`. `merged` is what is known of declarations that are one, for all programs."""
+    """See `ir.symbols.Symbols`. `merged` is what is known of declarations that are one, for all programs; `described` says how
+    information flows through libraries that are part of no program."""
 
-    def __init__(self, files: Iterable[FileSymbols], merged: Merged) -> None:
+    def __init__(
+        self, files: Iterable[FileSymbols], merged: Merged, described: Callable[[], Mapping[str, Marked]] = dict
+    ) -> None:
         self.files = tuple(dict.fromkeys(files))
+        self._described = described
         self._merged = merged
         self._scopes: dict[Scope, dict[str, list[CppSymbol]]] = {}
         self._used: dict[Scope, Sequence[CppSymbol]] = {}
@@ -95,6 +100,14 @@ class CppSymbols:
     def main(self) -> CppSymbol | None:
         """The function `main`."""
         return next((s for s in self.at((), "main") if s.kind is SymbolKind.FUNCTION and s.defined), None)
+
+    @cached_property
+    def marked(self) -> Mapping[str, Marked]:
+        """The declarations with attributes that say how information flows, by dotted names; what a file of the program says goes first."""
+        found = dict(self._described())
+        for file in self.files:
+            found.update(marked(file))
+        return found
 
     @cached_property
     def _spaces(self) -> frozenset[Scope]:

@@ -56,6 +56,12 @@ def _for_the_reader(call: NativeCall) -> Value:
     return call.args[0] if call.args else NONE
 
 
+def _of_flow(call: NativeCall) -> Value:
+    """A mark with words, which `models.marked_stubs` reads: it changes nothing of what it stands on."""
+    given = call.args[0] if call.args else NONE
+    return given if isinstance(given, Function) else Partial(Native("_rosward.reads_only"), (), ())
+
+
 def _raises_nothing(call: NativeCall) -> Value:
     """A mark of a function; of a module `models.facts` reads it."""
     return _marker("raises_nothing")(call) if isinstance(call.args[0], Function) else NONE
@@ -134,6 +140,7 @@ NATIVES: Final[dict[str, NativeFunction]] = {
     "_rosward.pure": _marker("pure"),
     "_rosward.changes": _changes,
     "_rosward.raises_nothing": _raises_nothing,
+    **dict.fromkeys(("_rosward.sink", "_rosward.source", "_rosward.stops", "_rosward.releases"), _of_flow),
     **dict.fromkeys(
         (
             "_rosward.reads_only",

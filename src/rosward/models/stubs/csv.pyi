@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`csv`: rows of text that stands in the program, or in a file of the sources (models/python/std/tables.py)."""
-from _rosward import ask, native, unknown
+from _rosward import ask, native, sink, unknown
 
 @native
 def _rows(lines, dialect, options): ...
@@ -56,12 +56,15 @@ class DictReader:
 class _Writer:
     def __init__(self, f):
         self._file = f
+    @sink("file")
     def writerow(self, row):
         ask(self._file, 'write', unknown('call', 'text that a library writes', 'str'))
         return unknown('call', 'what a writer returns')
+    @sink("file")
     def writerows(self, rows):
         for row in rows:
             self.writerow(row)
+    @sink("file")
     def writeheader(self):
         return self.writerow(())
 def writer(fileobj, dialect='excel', *args, **kwargs):

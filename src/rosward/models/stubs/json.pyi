@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """`json`: text that stands in the program is read, files are not (models/python/std/data.py)."""
 
-from _rosward import ask, reads_only, unknown
+from _rosward import ask, pure, reads_only, sink, unknown
 
 import json
+
+pure(__name__)
 
 reads_only(__name__)
 
@@ -13,6 +15,7 @@ class JSONDecodeError(ValueError):
         self.doc = doc
         self.pos = pos
 
+@sink("file")
 def dump(obj, fp, *, skipkeys=False, ensure_ascii=True, check_circular=True, allow_nan=True, cls=None, indent=None, separators=None,
          default=None, sort_keys=False, **kw):
     json.dumps(obj, cls=cls, default=default)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """numpy: an array of known items can be iterated and indexed; all arithmetic is unknown."""
-from _rosward import either, native, reads_only, unknown
+from _rosward import either, native, pure, reads_only, unknown
+
+pure(__name__)
 
 @native
 def _elements(items, dtype): ...

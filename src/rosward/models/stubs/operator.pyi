@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`operator`: the operators as functions; most of them in models/python/std/numbers.py."""
-from _rosward import reads_only, unknown
+from _rosward import pure, reads_only, unknown
+
+pure(__name__)
 
 def neg(a, /):
     return -a

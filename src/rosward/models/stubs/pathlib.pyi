@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pathlib`: a path is its text."""
-from _rosward import native, reads_only, unknown
+from _rosward import native, reads_only, sink, source, unknown
 import os
 
 @native
@@ -110,6 +110,7 @@ class Path(PurePath):
         return Path(_absolute(self._text))
     def expanduser(self):
         return Path(_expanduser(self._text))
+    @source("file")
     def readlink(self):
         return Path(unknown('file', self._text, 'str'))
     def exists(self):
@@ -124,13 +125,17 @@ class Path(PurePath):
     def samefile(self, other_path) -> bool: ...
     def open(self, mode='r', buffering=-1, encoding=None, errors=None, newline=None):
         return open(self._text, mode)
+    @source("file")
     def read_text(self, encoding=None, errors=None):
         return _read_text(self._text)
+    @source("file")
     def read_bytes(self):
         return unknown('file', self._text, 'bytes')
     @reads_only
+    @sink("file")
     def write_text(self, data, encoding=None, errors=None, newline=None) -> int: ...
     @reads_only
+    @sink("file")
     def write_bytes(self, data) -> int: ...
     def _below(self):
         for name in os.listdir(self._text):
@@ -142,27 +147,39 @@ class Path(PurePath):
     def rglob(self, pattern):
         return self._below()
     @reads_only
+    @source("file")
     def stat(self, *, follow_symlinks=True): ...
     @reads_only
+    @source("file")
     def lstat(self): ...
     @reads_only
+    @source("file")
     def owner(self) -> str: ...
     @reads_only
+    @sink("file")
     def mkdir(self, mode=0o777, parents=False, exist_ok=False) -> None: ...
     @reads_only
+    @sink("file")
     def rmdir(self) -> None: ...
     @reads_only
+    @sink("file")
     def touch(self, mode=0o666, exist_ok=True) -> None: ...
     @reads_only
+    @sink("file")
     def unlink(self, missing_ok=False) -> None: ...
     @reads_only
+    @sink("file")
     def chmod(self, mode, *, follow_symlinks=True) -> None: ...
     @reads_only
+    @sink("file")
     def symlink_to(self, target, target_is_directory=False) -> None: ...
     @reads_only
+    @sink("file")
     def hardlink_to(self, target) -> None: ...
+    @sink("file")
     def rename(self, target):
         return Path(target)
+    @sink("file")
     def replace(self, target):
         return Path(target)
 

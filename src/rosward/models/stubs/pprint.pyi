@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`pprint`: prints, no more."""
 
-from _rosward import ask, reads_only, unknown
+from _rosward import ask, reads_only, sink, unknown
 
+@sink("stdout")
 def pprint(object, stream=None, *args, **kwargs):
     ask(stream, 'write', unknown('call', 'text that a library writes', 'str'))
 def pp(object, stream=None, *args, **kwargs):

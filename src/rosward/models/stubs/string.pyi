@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`string`: its constants, and templates."""
-from _rosward import ask, native, overridden, reads_only, unknown
+from _rosward import ask, native, overridden, pure, reads_only, unknown
+
+pure(__name__)
 
 @native
 def _substitute(template, mapping, safe): ...

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`sys`: the command line, the end of the program, the standard streams (`exit`: models/python/std/processes.py)."""
-from _rosward import native, reads_only, unknown
+from _rosward import native, reads_only, sink, source, unknown
 
 reads_only(__name__)
 
@@ -12,8 +12,11 @@ def _read(): ...
 class _Input:
     """Standard input."""
     name = '<stdin>'
+    @source("stdin")
     def read(self, size=-1, /) -> str: return _read()
+    @source("stdin")
     def readline(self, size=-1, /) -> str: return _read()
+    @source("stdin")
     def readlines(self, hint=-1, /): return unknown('input', 'standard input', 'list')
     def __iter__(self): return iter(unknown('input', 'standard input', 'list'))
     def fileno(self) -> int: ...
@@ -22,7 +25,9 @@ class _Input:
 
 class _Output:
     """Standard output and error."""
+    @sink("stdout")
     def write(self, text, /) -> int: ...
+    @sink("stdout")
     def writelines(self, lines, /) -> None: ...
     def flush(self) -> None: ...
     def fileno(self) -> int: ...

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`os`: the environment, paths, and programs that are started (also models/python/std/processes.py)."""
-from _rosward import default, either, environment, reads_only, spins, unknown, unset
+from _rosward import default, either, environment, reads_only, sink, source, spins, unknown, unset
 from _rosward.launch import removed, set_variable, variable
 from os import path as path
 
@@ -22,11 +22,13 @@ class _Environ:
         if key in self._set:
             return self._set[key]
         return _GONE if unset(key) else environment(key)
+    @source("env")
     def __getitem__(self, key):
         known = self._known(key)
         if known is _GONE:
             raise KeyError(key)
         return unknown('environment', key, 'str') if known is None else known
+    @source("env")
     def get(self, key, default=None):
         known = self._known(key)
         if known is _GONE:
@@ -48,6 +50,7 @@ class _Environ:
         set_variable(key, value)
     def __delitem__(self, key):
         self._remove(key)
+    @source("env")
     def __contains__(self, key):
         known = self._known(key)
         return unknown('environment', key, 'bool') if known is None else known is not _GONE
@@ -73,6 +76,7 @@ def _read(key, value):
 environ = _Environ()
 environb = unknown('environment', 'os.environb', 'dict')
 
+@source("env")
 def getenv(key, default=None):
     return environ.get(key, default)
 def putenv(name, value, /):
@@ -99,22 +103,36 @@ O_CREAT = 64
 O_NONBLOCK = 2048
 O_NOCTTY = 256
 
+@sink("file")
 def mkdir(path, mode=0o777, *, dir_fd=None) -> None: ...
+@sink("file")
 def makedirs(name, mode=0o777, exist_ok=False) -> None: ...
+@sink("file")
 def remove(path, *, dir_fd=None) -> None: ...
+@sink("file")
 def unlink(path, *, dir_fd=None) -> None: ...
+@sink("file")
 def rmdir(path, *, dir_fd=None) -> None: ...
+@sink("file")
 def removedirs(name) -> None: ...
+@sink("file")
 def rename(src, dst, *, src_dir_fd=None, dst_dir_fd=None) -> None: ...
+@sink("file")
 def replace(src, dst, *, src_dir_fd=None, dst_dir_fd=None) -> None: ...
+@sink("file")
 def symlink(src, dst, target_is_directory=False, *, dir_fd=None) -> None: ...
+@sink("file")
 def chmod(path, mode, *, dir_fd=None, follow_symlinks=True) -> None: ...
 def chdir(path) -> None: ...
+@source("file")
 def access(path, mode, *, dir_fd=None, effective_ids=False, follow_symlinks=True) -> bool: ...
+@source("file")
 def stat(path, *, dir_fd=None, follow_symlinks=True): ...
 @spins
+@sink("process")
 def kill(pid, signal, /) -> None: ...
 @spins
+@sink("process")
 def killpg(pgid, signal, /) -> None: ...
 def getpgid(pid) -> int: ...
 def getlogin() -> str: ...
@@ -122,7 +140,9 @@ def getloadavg(): ...
 def isatty(fd, /) -> bool: ...
 def open(path, flags, mode=0o777, *, dir_fd=None) -> int: ...
 def close(fd) -> None: ...
+@source("file")
 def read(fd, length, /) -> bytes: ...
+@sink("file")
 def write(fd, data, /) -> int: ...
 def pipe(): return (unknown('live', 'os.pipe', 'int'), unknown('live', 'os.pipe', 'int'))
 def nice(increment, /) -> int: ...

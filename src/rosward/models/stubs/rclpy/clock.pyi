@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import IntEnum
 
-from _rosward import calls, raises_nothing, reads_only
+from _rosward import calls, raises_nothing, reads_only, source
 
 from rclpy.clock_type import ClockType as ClockType
 from rclpy.context import Context
@@ -61,6 +61,7 @@ class Clock:
     @property
     def handle(self): ...
 
+    @source("clock")
     def now(self) -> Time: ...
 
     @calls("pre_callback", event="time jump", args=())

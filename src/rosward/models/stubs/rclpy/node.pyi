@@ -36,6 +36,7 @@ from _rosward import (
     resolve_name,
     schedule,
     set_parameter,
+    stops,
     undeclare_parameter,
     unknown,
 )
@@ -475,12 +476,15 @@ class Node:
     @reads_only
     def destroy_publisher(self, publisher) -> bool: ...
     @reads_only
+    @stops("subscription")
     def destroy_subscription(self, subscription) -> bool: ...
     @reads_only
     def destroy_client(self, client) -> bool: ...
     @reads_only
+    @stops("service")
     def destroy_service(self, service) -> bool: ...
     @reads_only
+    @stops("timer")
     def destroy_timer(self, timer) -> bool: ...
     @reads_only
     def destroy_guard_condition(self, guard) -> bool: ...

@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import create, reads_only, resolve_name, sends
+from _rosward import create, reads_only, resolve_name, sends, stops
 
 from rclpy.service_introspection import ServiceIntrospectionState
 
@@ -44,6 +44,7 @@ class Service:
     @property
     def logger_name(self) -> str: ...
 
+    @stops
     def destroy(self) -> None: ...
 
     def __enter__(self):

@@ -6,7 +6,7 @@ Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), j
 
 from enum import Enum
 
-from _rosward import message, reads_only, resolve_name, schedule
+from _rosward import message, reads_only, resolve_name, schedule, stops
 
 from rclpy.subscription_content_filter_options import ContentFilterOptions
 
@@ -37,6 +37,7 @@ class Subscription:
     @property
     def handle(self): ...
 
+    @stops
     def destroy(self) -> None: ...
 
     @property

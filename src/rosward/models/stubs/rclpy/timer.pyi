@@ -4,7 +4,7 @@
 Read from rclpy 9.1.2 (kilted) and the branches humble (3.3.15), iron (4.1.7), jazzy (7.1.3) and rolling (8.0.0, December 2024).
 """
 
-from _rosward import calls, raises_nothing, reads_only
+from _rosward import calls, raises_nothing, reads_only, stops
 
 from rclpy.clock_type import ClockType
 from rclpy.time import Time
@@ -32,6 +32,7 @@ class Timer:
     @property
     def handle(self): ...
 
+    @stops
     def destroy(self) -> None: ...
 
     @property
@@ -45,7 +46,9 @@ class Timer:
 
     def is_ready(self) -> bool: ...
     def is_canceled(self) -> bool: ...
+    @stops
     def cancel(self) -> None: ...
+    @stops
     def reset(self) -> None: ...
     def time_since_last_call(self) -> int: ...
     def time_until_next_call(self) -> int: ...

@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import reads_only
+from _rosward import reads_only, source
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration as Duration
@@ -30,17 +30,23 @@ class Buffer(BufferCore, BufferInterface):
     def time_jump_callback(self, time_jump) -> None: ...
     def set_transform(self, transform, authority) -> None: ...
     def set_transform_static(self, transform, authority) -> None: ...
+    @source("tf")
     def lookup_transform(self, target_frame, source_frame, time, timeout=Duration()) -> TransformStamped: ...
+    @source("tf")
     async def lookup_transform_async(self, target_frame, source_frame, time) -> TransformStamped: ...
+    @source("tf")
     def lookup_transform_full(
         self, target_frame, target_time, source_frame, source_time, fixed_frame, timeout=Duration()
     ) -> TransformStamped: ...
+    @source("tf")
     async def lookup_transform_full_async(
         self, target_frame, target_time, source_frame, source_time, fixed_frame
     ) -> TransformStamped: ...
+    @source("tf")
     def can_transform(
         self, target_frame, source_frame, time, timeout=Duration(), return_debug_tuple=False
     ) -> bool: ...
+    @source("tf")
     def can_transform_full(
         self,
         target_frame,

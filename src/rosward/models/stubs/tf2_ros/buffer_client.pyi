@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import creator, reads_only
+from _rosward import creator, reads_only, source
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.action.client import ActionClient
@@ -25,11 +25,15 @@ class BufferClient(BufferInterface):
         self.check_frequency = check_frequency
         self.timeout_padding = timeout_padding
 
+    @source("tf")
     def lookup_transform(self, target_frame, source_frame, time, timeout=Duration()) -> TransformStamped: ...
+    @source("tf")
     def lookup_transform_full(
         self, target_frame, target_time, source_frame, source_time, fixed_frame, timeout=Duration()
     ) -> TransformStamped: ...
+    @source("tf")
     def can_transform(self, target_frame, source_frame, time, timeout=Duration()) -> bool: ...
+    @source("tf")
     def can_transform_full(
         self, target_frame, target_time, source_frame, source_time, fixed_frame, timeout=Duration()
     ) -> bool: ...

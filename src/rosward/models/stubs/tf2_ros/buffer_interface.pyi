@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import reads_only
+from _rosward import reads_only, source
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
@@ -16,15 +16,21 @@ class BufferInterface:
     def __init__(self):
         self.registration = TransformRegistration()
 
+    @source("tf")
     def transform(self, object_stamped, target_frame, timeout=Duration(), new_type=None): ...
+    @source("tf")
     def transform_full(
         self, object_stamped, target_frame, target_time, fixed_frame, timeout=Duration(), new_type=None
     ): ...
+    @source("tf")
     def lookup_transform(self, target_frame, source_frame, time, timeout=Duration()) -> TransformStamped: ...
+    @source("tf")
     def lookup_transform_full(
         self, target_frame, target_time, source_frame, source_time, fixed_frame, timeout=Duration()
     ) -> TransformStamped: ...
+    @source("tf")
     def can_transform(self, target_frame, source_frame, time, timeout=Duration()) -> bool: ...
+    @source("tf")
     def can_transform_full(
         self, target_frame, target_time, source_frame, source_time, fixed_frame, timeout=Duration()
     ) -> bool: ...

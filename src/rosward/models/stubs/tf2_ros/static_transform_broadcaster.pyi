@@ -4,7 +4,7 @@
 Read from ros2/geometry2, branches humble (2024-08), iron (2024-08), jazzy (2024-10) and rolling (2024-10).
 """
 
-from _rosward import creator, reads_only
+from _rosward import creator, reads_only, sink
 
 from rclpy.qos import DurabilityPolicy as DurabilityPolicy, HistoryPolicy as HistoryPolicy, QoSProfile as QoSProfile
 from tf2_msgs.msg import TFMessage
@@ -19,4 +19,5 @@ class StaticTransformBroadcaster:
             qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
         self.pub_tf = node.create_publisher(TFMessage, "/tf_static", qos)
 
+    @sink("tf")
     def sendTransform(self, transform) -> None: ...

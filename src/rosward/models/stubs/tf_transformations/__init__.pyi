@@ -4,7 +4,9 @@
 Read from DLu/tf_transformations 1.1.1.
 """
 
-from _rosward import changes, reads_only
+from _rosward import changes, pure, reads_only
+
+pure(__name__)
 
 TRANSLATION_IDENTITY = [0.0, 0.0, 0.0]
 ZOOM_IDENTITY = [1.0, 1.0, 1.0]

@@ -60,9 +60,9 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(TimerBase)
   TimerBase() {}
   virtual ~TimerBase() {}
-  void cancel() {}
+  [[rosward::stops]] void cancel() {}
   bool is_canceled();
-  void reset() {}
+  [[rosward::stops]] void reset() {}
   bool is_ready();
   virtual bool is_steady();
   std::chrono::nanoseconds time_until_trigger();

@@ -125,7 +125,7 @@ public:
   const NodeOptions & get_node_options() const {return _options;}
   std::shared_ptr<Context> get_context() {return _options.context();}
   Clock::SharedPtr get_clock() const {return std::make_shared<Clock>(RCL_ROS_TIME);}
-  Time now() const {return Time();}
+  [[rosward::source("clock")]] Time now() const {return Time();}
   bool get_use_intra_process_default() const {return _options.use_intra_process_comms();}
   bool get_enable_topic_statistics_default() const {return _options.enable_topic_statistics();}
 

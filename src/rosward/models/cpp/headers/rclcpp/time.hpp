@@ -5,7 +5,7 @@
 
 namespace rclcpp
 {
-class Duration
+class [[rosward::holds]] Duration
 {
 public:
   template<typename T>
@@ -35,7 +35,7 @@ public:
   rmw_time_t to_rmw_time() const {return rmw_time_t();}
 };
 
-class Time
+class [[rosward::holds]] Time
 {
 public:
   Time() {}
@@ -71,7 +71,7 @@ class Clock
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Clock)
   explicit Clock(rcl_clock_type_t clock_type = RCL_SYSTEM_TIME) {}
-  Time now() const {return Time();}
+  [[rosward::source("clock")]] Time now() const {return Time();}
   bool sleep_until(Time until, std::shared_ptr<Context> context = nullptr) {return true;}
   bool sleep_for(Duration rel_time, std::shared_ptr<Context> context = nullptr) {return true;}
   bool started();

@@ -78,9 +78,9 @@ class SerializationBase
 {
 public:
   template<typename MessageT>
-  void serialize_message(const MessageT & ros_message, SerializedMessage * serialized_message) const {}
+  [[rosward::changes("serialized_message")]] void serialize_message(const MessageT & ros_message, SerializedMessage * serialized_message) const {}
   template<typename MessageT>
-  void deserialize_message(const SerializedMessage * serialized_message, MessageT * ros_message) const
+  [[rosward::changes("ros_message")]] void deserialize_message(const SerializedMessage * serialized_message, MessageT * ros_message) const
   {
     rosward::fill(ros_message);
   }

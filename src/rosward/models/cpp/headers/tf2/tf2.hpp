@@ -3,7 +3,7 @@
 //
 // Read from ros2/geometry2, branches humble to rolling (tf2/include/tf2/exceptions.h, buffer_core.h).
 
-namespace tf2
+namespace [[rosward::holds, rosward::pure]] tf2
 {
 class TransformException : public std::runtime_error
 {
@@ -25,12 +25,12 @@ public:
   explicit BufferCore(const ArgsT & ... args) {}
   virtual ~BufferCore() {}
   template<typename... ArgsT>
-  geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
+  [[rosward::holds, rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>
-  bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
+  [[rosward::holds, rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
   template<typename... ArgsT>
   bool setTransform(const ArgsT & ... args) {return true;}
   void setUsingDedicatedThread(bool value) {}

@@ -67,14 +67,14 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(BufferInterface)
   virtual ~BufferInterface() {}
   template<typename... ArgsT>
-  geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
+  [[rosward::source("tf")]] geometry_msgs::msg::TransformStamped lookupTransform(const ArgsT & ... args) const
   {
     return rosward::message<geometry_msgs::msg::TransformStamped>();
   }
   template<typename... ArgsT>
-  bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
+  [[rosward::source("tf")]] bool canTransform(const ArgsT & ... args) const {return rosward::unknown("live", "whether a transform is there", "bool");}
   template<typename InT, typename... ArgsT>
-  InT transform(const InT & in, const ArgsT & ... args) const {return in;}
+  [[rosward::source("tf")]] InT transform(const InT & in, const ArgsT & ... args) const {return in;}
 };
 
 class Buffer : public BufferInterface
@@ -196,7 +196,7 @@ public:
     _advertise(node_topics, qos);
   }
   template<typename T>
-  void sendTransform(const T & transform) {}
+  [[rosward::sink("tf")]] void sendTransform(const T & transform) {}
   template<typename NodeT>
   void _advertise(const NodeT & node, const rclcpp::QoS & qos)
   {
@@ -224,7 +224,7 @@ public:
     _advertise(node_topics, qos);
   }
   template<typename T>
-  void sendTransform(const T & transform) {}
+  [[rosward::sink("tf")]] void sendTransform(const T & transform) {}
   template<typename NodeT>
   void _advertise(const NodeT & node, const rclcpp::QoS & qos)
   {
@@ -277,7 +277,7 @@ public:
   void clear() {}
 };
 
-inline auto fromMsg(const builtin_interfaces::msg::Time & time) {return rosward::unknown("call", "time");}
+[[rosward::holds]] inline auto fromMsg(const builtin_interfaces::msg::Time & time) {return rosward::unknown("call", "time");}
 template<typename T>
 auto fromRclcpp(const T & time) {return rosward::unknown("call", "time");}
 template<typename T>

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// C and POSIX: sockets, files, devices, programs.
+
+[[rosward::sink("network")]] ssize_t send();
+[[rosward::sink("network")]] ssize_t sendto();
+[[rosward::sink("network")]] ssize_t sendmsg();
+[[rosward::sink("network")]] ssize_t sendall();
+[[rosward::source("network"), rosward::changes]] ssize_t recv();
+[[rosward::source("network"), rosward::changes]] ssize_t recvfrom();
+[[rosward::source("network"), rosward::changes]] ssize_t recvmsg();
+[[rosward::sink("file")]] size_t fwrite();
+[[rosward::sink("file")]] int fprintf();
+[[rosward::sink("file")]] int fputs();
+[[rosward::sink("file")]] int fputc();
+[[rosward::sink("stdout")]] int printf();
+[[rosward::sink("stdout")]] int puts();
+[[rosward::sink("stdout")]] int putchar();
+[[rosward::source("file"), rosward::changes]] size_t fread();
+[[rosward::source("file", "process"), rosward::changes]] char * fgets();
+[[rosward::sink("process"), rosward::source("process")]] int system();
+[[rosward::sink("process"), rosward::source("process")]] FILE * popen();
+[[rosward::sink("process")]] int execv();
+[[rosward::sink("process")]] int execvp();
+[[rosward::sink("device")]] ssize_t write();
+[[rosward::sink("device")]] int ioctl();
+[[rosward::sink("device")]] int tcsetattr();
+[[rosward::source("device"), rosward::changes]] ssize_t read();
+[[rosward::sink("device")]] void digitalWrite();
+[[rosward::sink("device")]] void softPwmWrite();
+[[rosward::sink("device")]] int gpioWrite();
+[[rosward::source("device")]] int digitalRead();
+[[rosward::source("device")]] int gpioRead();
+[[rosward::source("clock")]] int clock_gettime();
+[[rosward::source("clock")]] int gettimeofday();
+[[rosward::source("random")]] int rand();
+[[rosward::source("random")]] double drand48();
+[[rosward::source("stdin")]] int getchar();
+[[rosward::source("stdin"), rosward::changes]] int scanf();
+[[rosward::source("file"), rosward::changes]] int fscanf();
+[[rosward::source("env")]] char * getenv();

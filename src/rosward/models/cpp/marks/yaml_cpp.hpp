@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// yaml-cpp: files.
+
+namespace YAML
+{
+[[rosward::source("file")]] Node LoadFile();
+}

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: Apache-2.0
+"""grpc: remote calls, over the network."""
+
+from _rosward import sink, source
+
+sink("network", __name__)
+source("network", __name__)

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0
+"""picamera2: a camera."""
+
+from _rosward import source
+
+source("device", __name__)

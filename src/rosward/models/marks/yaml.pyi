@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+"""PyYAML: its models in code."""
+
+from _rosward import sink, source
+
+@source("file")
+def load(stream, Loader): ...
+@source("file")
+def safe_load(stream): ...
+@sink("pickle")
+def unsafe_load(stream): ...
+@sink("file")
+def dump_all(documents, stream=None, **kwds): ...
