@@ -144,7 +144,7 @@ def analysed(folder: Path, **files: str) -> rosward.Result:
         (f"self.link.keep(msg.data); {SEND.format('self.other.receive()')}", {"topic:/out; data device"}),
         (f"self.link.check(msg.data); {SEND.format('self.link.receive()')}", {"topic:/out; data device"}),
         (SEND.format("str(self.link.check(msg.data))"), {"topic:/out; data topic:/in"}),
-        (f"b = String(); self.link.fill(b, msg.data); self.out.publish(b)", {"topic:/out; data topic:/in"}),
+        ("b = String(); self.link.fill(b, msg.data); self.out.publish(b)", {"topic:/out; data topic:/in"}),
         (SEND.format("digest(msg.data)"), {"topic:/out"}),
         (f"if msg.data: {SEND.format('digest(msg.data)')}", {"topic:/out; control topic:/in"}),
         (SEND.format("scale(msg.data, 2)"), {"topic:/out; data topic:/in"}),

@@ -56,14 +56,14 @@ if True:
     def digest(data): ...
 def plain(): ...
 '''
-OTHER = '''
+OTHER = """
 from _rosward import sink
 from link import Base as Far2
 class Far:
     @sink("process")
     def run(self): ...
-'''
-COMPUTING = '''
+"""
+COMPUTING = """
 from _rosward import pure
 pure(__name__)
 class Array:
@@ -75,7 +75,7 @@ class Array:
     def fill(self, x):
         self._changed()
 def f(x): ...
-'''
+"""
 
 
 @pytest.fixture

@@ -51,7 +51,7 @@ METHODS = {
 OF_ENTRIES = {"is_dir", "is_file", "is_symlink"}
 """What an entry of a listing knows: that was noted with the listing."""
 
-OWN = {"source/interfaces.py", "frontends/cpp/model_headers.py"}
+OWN = {"source/interfaces.py", "frontends/cpp/flow_marks.py", "frontends/cpp/model_headers.py"}
 """They read files of rosward itself."""
 
 
