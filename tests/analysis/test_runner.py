@@ -22,6 +22,8 @@ from rosward.cache.codec import Codec, loaded, text
 from rosward.cache.results import _written as written
 from rosward.effects.entry import Entry
 from rosward.engine.budget import Budget
+from rosward.findings import Finding
+from rosward.rules import RULES
 from rosward.source.disk import holds, watching
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system cannot fork")
@@ -204,6 +206,14 @@ def test_the_order_in_which_workers_end_does_not_matter(tmp_path: Path, monkeypa
 # The form of what is sent
 
 st.register_type_strategy(str, st.text(st.characters(), max_size=5))
+st.register_type_strategy(Finding, st.builds(Finding, code=st.sampled_from(sorted(RULES))))
+st.register_type_strategy(
+    Outcome, st.builds(Outcome, nodes=st.just(()))
+)  # nodes have a law of their own in tests/cache
+QUESTIONS = st.lists(st.lists(st.text(max_size=3) | st.integers(), min_size=1, max_size=3).map(tuple), max_size=3).map(
+    tuple
+)
+st.register_type_strategy(Answer, st.builds(Answer, questions=QUESTIONS))
 FORMS: dict[type[Any], Codec[Any]] = {
     Entry: ENTRY,
     ClassSeen: outcome_form.CLASS,
