@@ -275,6 +275,11 @@ CASES: Final = {
     "an array from memory": Case(
         "self.grid = np.zeros(4)\nself.same = np.asarray(self.grid)", "self.same[0] = msg.data", "self.grid[0]"
     ),
+    "a function of arrays that is told where to write": Case(
+        "self.grid = np.zeros(4) * 2.0",
+        "np.add(self.grid, msg.data, out=self.grid)",
+        "self.grid[0]",
+    ),
     "the body of a loop over a generator": Case(
         "self.value = 0.0", "for _ in self.inner(1.0):\n    self.value = msg.data", "self.value"
     ),

@@ -11,9 +11,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from rosward.domain.values import Function
+from rosward.flow import arrays
 from rosward.flow.marks import NOTHING, Mark, Root, demoted
 from rosward.flow.outside import comes_in, out
-from rosward.flow.reading import opaque, owners_of
+from rosward.flow.reading import owners_of
 
 if TYPE_CHECKING:
     from rosward.flow.body import Body
@@ -121,12 +122,12 @@ def unknown(walker: Walker, op: ops.Call, body: Body, function: Mark, marks: lis
         given |= perform(walker, name, mask, body.pc)
     root = walker.shape.made(body.activation, op.number, names[0] if names else "")
     walker.memory.renew(root)
+    arrays.change(walker.memory, op, names, marks, everything[-1], mask)
     known = [walker.shape.said(n) for n in names]
     if known and all(said.releases for said in known):
         return Mark(body.pc | given, frozenset((root,)))
     if known and all(said.is_known and not said.changes for said in known):
-        views = frozenset(r for m in everything for r in opaque(m) if r[0] == "made")  # `grid.reshape(2, 2)`
-        return Mark(mask | given, views | {root})
+        return Mark(mask | given, arrays.viewed(names, everything) | {root})
     reached: set[Root] = set()
     for mark in everything:
         reached.update(walker.memory.reached(mark))

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions on arrays that compute only, but for two things: some give a view of what they get, and some write their result into it.
+
+a.reshape(2, 2)[0, 0] = v        what is written to the view, stands in `a`
+numpy.add(b, c, out=a)           `a` holds `b` and `c`
+a.fill(v)                        `a` holds `v`
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Final
+
+from rosward.flow.marks import Mark, Root
+
+if TYPE_CHECKING:
+    from rosward.flow.memory import Memory
+    from rosward.ir import ops
+
+_VIEWS: Final = frozenset(
+    (
+        *("reshape", "ravel", "view", "transpose", "squeeze", "swapaxes", "asarray", "asanyarray", "ascontiguousarray"),
+        *("frombuffer", "atleast_1d", "atleast_2d", "atleast_3d", "broadcast_to", "broadcast_arrays", "expand_dims"),
+        *("split", "array_split", "hsplit", "vsplit", "dsplit", "diagonal", "flip", "fliplr", "flipud", "rot90"),
+        *("moveaxis", "rollaxis", "real", "imag", "array", "matrix", "asmatrix", "require", "sliding_window_view"),
+        *("astype", "newbyteorder", "getfield", "nditer", "ndenumerate", "vectorize", "apply_along_axis"),
+    )
+)
+_CHANGE: Final = frozenset(("fill", "sort", "put", "partition", "resize", "itemset", "setfield", "byteswap", "seed"))
+"""Methods that write to their object."""
+_INTO_THIRD: Final = frozenset(
+    (
+        *("add", "subtract", "multiply", "divide", "true_divide", "floor_divide", "power", "mod", "remainder", "dot"),
+        *("maximum", "minimum", "fmax", "fmin", "hypot", "arctan2", "logical_and", "logical_or", "logical_xor"),
+        *("bitwise_and", "bitwise_or", "bitwise_xor", "greater", "less", "equal", "matmul"),
+    )
+)
+"""Functions of two numbers each, which write into a third argument."""
+
+
+def viewed(names: Iterable[str], given: Iterable[Mark]) -> frozenset[Root]:
+    """The objects that the result of functions of these names may be a view of."""
+    if not any(name.startswith("numpy.") and name.rpartition(".")[2] in _VIEWS for name in names):
+        return frozenset()
+    return frozenset[Root]().union(*(mark.roots for mark in given))
+
+
+def change(memory: Memory, op: ops.Call, names: Iterable[str], marks: list[Mark], owner: Mark, mask: int) -> None:
+    """Functions of these names write what they get to what they get."""
+    changed = [m for a, m in zip(op.arguments, marks, strict=False) if a.kind == "keyword" and a.name in ("out", "dst")]
+    for name in names:
+        method = name.rpartition(".")[2]
+        if method in _CHANGE and not name.startswith(_MODULES):
+            changed.append(owner)
+        elif method in _INTO_THIRD and name.startswith("numpy.") and len(marks) > 2:
+            changed.append(marks[2])
+    for each in changed:
+        memory.write_any(each.roots, Mark(mask), mask)
+
+
+_MODULES: Final = ("numpy.random.", "numpy.sort", "numpy.put", "numpy.partition", "numpy.resize")
+"""Functions of the same names that are no methods."""
