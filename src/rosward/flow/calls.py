@@ -23,7 +23,7 @@ from rosward.flow.body import Body
 from rosward.flow.constructed import construct
 from rosward.flow.content import Content
 from rosward.flow.failing import may_fail
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
 from rosward.flow.partials import bound_in
 from rosward.flow.reading import arising, leads
 from rosward.flow.released import callees, released
@@ -262,9 +262,7 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
         result = result.joined(computed)
         if walker.attempts:
             walker.attempts[-1].mask |= computed.mask
-    roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(
-        ("external", name) for name in seen.externals
-    )
+    roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(map(of_library, seen.externals))
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))

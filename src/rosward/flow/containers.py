@@ -42,10 +42,15 @@ def _extend(call: NativeCall) -> Mark:
     for argument in call.marks[1:]:
         found = elements(call.walker, argument).under(call.pc)
         size = call.pc | argument.mask | memory.size(argument.roots)
-        for root in argument.roots:
-            for key, mark in memory.of(root).slots.items():
+        slots: dict[object, Mark] = {}
+        several = [memory.of(root).slots for root in argument.roots]
+        for each in several:
+            for key, mark in each.items():
                 if isinstance(key, str):
-                    memory.write(call.mark(0).roots, key, mark.under(call.pc))
+                    slots[key] = mark.under(call.pc).joined(slots.get(key, NOTHING))
+        if slots:
+            perhaps = {key for key in slots if any(key not in each for each in several)}
+            memory.write_each(call.mark(0).roots, slots, perhaps)
         memory.write_any(call.mark(0).roots, found if not _is_keyed(call, argument) else NOTHING, size)
     for given, mark in zip(call.op.arguments, call.marks[1:], strict=False):
         if given.kind == "keyword":

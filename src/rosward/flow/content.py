@@ -59,3 +59,12 @@ Layer = dict[Root, Content]
 
 class TooLongError(Exception):
     """The walk takes more steps, or a loop more turns, than it may."""
+
+
+def fewer(layers: tuple[Layer, ...]) -> tuple[Layer, ...]:
+    """The same in fewer layers. The oldest, which others share, stays as long as it is the larger part."""
+    oldest, *newer = layers
+    later: Layer = {}
+    for layer in newer:
+        later.update(layer)
+    return (oldest, later) if 2 * len(later) < len(oldest) else ({**oldest, **later},)

@@ -27,7 +27,7 @@ from rosward.flow.cpp_values import (
     write,
 )
 from rosward.flow.library import name_of, perform, stop
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
 from rosward.flow.memory import is_slot, slot_of
 from rosward.flow.outside import comes_in, out
 from rosward.flow.reading import arising, constant
@@ -57,7 +57,7 @@ def _name(walker: Walker, op: cpp.Name, body: Body, seen: Seen) -> None:
             found = found.joined(field(walker, root, name))
         for address, key in walker.shape.named(name):
             found = found.joined(walker.memory.read((address,), key))
-    extern = frozenset[Root](("external", n) for n in seen.externals)
+    extern = frozenset(map(of_library, seen.externals))
     roots = frozenset(seen.refs) | nameless(found) | extern
     if seen.reasons and not op.slot:
         roots |= found.roots

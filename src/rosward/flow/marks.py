@@ -5,7 +5,6 @@
     if msg.data > 3: out.data = 1  control: the content decides what is in it, or whether it is sent
     self.ready = True              trigger: only that the message arrived counts
 
-from rosward.effects.flows import Source
 Each source of a process has three bits, from strong to weak. A union is `|`; what decides a branch is demoted by a shift.
 """
 
@@ -25,6 +24,16 @@ _EVENTS: Final = frozenset(("main", "timer", "thread", "parameters"))
 
 Root = int | tuple[object, ...]
 """Where content stands: the address of an object, or a name for what has no address (the result of an unknown call, a tuple)."""
+
+
+_MOST_PARTS: Final = 8
+
+
+def of_library(name: str) -> Root:
+    """Something of a library, by its dotted name. Where the name is longer than any (`node.left.right.left`), its end is all the same."""
+    if name.count(".") < _MOST_PARTS:
+        return ("external", name)
+    return ("external", ".".join((*name.split(".", _MOST_PARTS)[:_MOST_PARTS], "*")))
 
 
 class Mark(NamedTuple):

@@ -10,11 +10,12 @@ another object (`msg.header`) has the base of that attribute until it is written
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Final, final
 
-from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, TooLongError, both
+from rosward.flow.content import EMPTY, NO_SLOTS, Content, Layer, TooLongError, both, fewer
 from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.remembered import Looked
 from rosward.flow.shape import MELTED, Shape
 
 
@@ -33,18 +34,7 @@ def slot_of(root: Root) -> tuple[Root, object, object]:
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
-
-
 _MOST_LAYERS: Final = 6
-
-
-def _fewer(layers: tuple[Layer, ...]) -> tuple[Layer, ...]:
-    """The same in fewer layers. The oldest, which others share, stays as long as it is the larger part."""
-    oldest, *newer = layers
-    later: Layer = {}
-    for layer in newer:
-        later.update(layer)
-    return (oldest, later) if 2 * len(later) < len(oldest) else ({**oldest, **later},)
 
 
 @final
@@ -54,13 +44,14 @@ class Memory:
     A copy shares all layers that were written before; joining two looks at those that were written since.
     """
 
-    __slots__ = ("_own", "_shared", "log", "shape")
+    __slots__ = ("_looked", "_own", "_shared", "log", "shape")
 
     def __init__(self, shape: Shape) -> None:
         self.shape = shape
         self.log: Layer | None = None  # where each write is noted too, for who may come in between
         self._own: Layer = {}
         self._shared: tuple[Layer, ...] = ()
+        self._looked: dict[frozenset[Root], Looked] = {}  # since the last write; shared by copies that are still alike
 
     def copy(self) -> Memory:
         """An independent copy."""
@@ -68,9 +59,11 @@ class Memory:
             self._shared = (*self._shared, self._own)
             self._own = {}
             if len(self._shared) > _MOST_LAYERS:
-                self._shared = _fewer(self._shared)
+                self._shared = fewer(self._shared)
         copy = Memory(self.shape)
         copy._shared, copy.log = self._shared, self.log
+        if self._looked:  # an empty one would be shared beyond the next write
+            copy._looked = self._looked
         return copy
 
     def known(self, root: Root) -> Content | None:
@@ -85,6 +78,8 @@ class Memory:
 
     def _put(self, root: Root, content: Content) -> None:
         self._own[root] = content
+        if self._looked:
+            self._looked = {}
         tracker = self.shape.tracker
         if tracker is not None:
             tracker.writes.add(root)
@@ -218,19 +213,33 @@ class Memory:
 
     def write(self, roots: frozenset[Root], key: object, mark: Mark) -> None:
         """Something is written under a key: in the place of what stood there, where it is surely one object."""
+        self.write_each(roots, {key: mark})
+
+    def write_each(
+        self, roots: frozenset[Root], marks: Mapping[object, Mark], perhaps: Collection[object] = ()
+    ) -> None:
+        """The same under several keys, under some of them only `perhaps`."""
         sure = self.is_one(roots)
         trail = self.shape.trail
-        if trail is not None and (mask := mark.mask | self.base(mark.roots)):
-            trail.keep(mask, key)
+        if trail is not None:
+            for key, mark in marks.items():
+                if mask := mark.mask | self.base(mark.roots):
+                    trail.keep(mask, key)
         for root in roots:
             if is_slot(root):
-                self._write_slot(root, mark, sure=key is None and len(roots) == 1)
+                for key, mark in marks.items():
+                    self._write_slot(root, mark, sure=key is None and len(roots) == 1)
                 continue
             content = self._opened(root)
-            old = content.slots.get(key)
-            new = mark if sure else mark.joined(content.read(key) if old is None else old)
-            if new != old:
-                self._put(root, content._replace(slots={**content.slots, key: new}))
+            slots: dict[object, Mark] = {}
+            for key, mark in marks.items():
+                old = content.slots.get(key)
+                replaced = sure and key not in perhaps
+                new = mark if replaced else mark.joined(content.read(key) if old is None else old)
+                if new != old:
+                    slots[key] = new
+            if slots:
+                self._put(root, content._replace(slots={**content.slots, **slots}))
 
     def write_any(self, roots: Iterable[Root], mark: Mark, size: int = 0) -> None:
         """Something is written under a key that is not known, or added."""
@@ -332,26 +341,40 @@ class Memory:
 
     def deep(self, mark: Mark) -> int:
         """All that a value depends on, with what it leads to; but not what nodes hold that it leads to."""
-        mask = mark.mask
-        seen: set[Root] = set()
-        work = set(mark.roots)
-        known = {id(mark.roots)}
+        if not mark.roots:
+            return mark.mask
+        tracker = self.shape.tracker
+        looked = self._looked.get(mark.roots)
+        if looked is None:
+            looked = self._looked[mark.roots] = self._look(mark.roots)
+        elif tracker is not None and looked.tracker is not tracker:
+            for root, content in looked.reads.items():
+                tracker.read(root, content)
+            looked.tracker = tracker
+            self.shape.spent += 1
+        return mark.mask | looked.mask
+
+    def _look(self, roots: frozenset[Root]) -> Looked:
+        """All that these lead to."""
+        mask = 0
+        seen: Layer = {}
+        work = set(roots)
+        known = {id(roots)}
         nodes = self.shape.nodes
         while work:
             if len(seen) > _MOST:
                 raise TooLongError
             root = work.pop()
-            seen.add(root)
-            content = self.of(root)
+            content = seen[root] = self.of(root)
             mask |= content.base | content.any.mask | content.size
             for each in (content.any, *content.slots.values()):
                 mask |= each.mask
                 if each.roots and id(each.roots) not in known:  # many objects share what they lead to
                     known.add(id(each.roots))
-                    work |= each.roots - seen - nodes
+                    work |= each.roots - seen.keys() - nodes
             work.update(r for r in self.shape.held(root) if r not in seen)
         self.shape.spent += len(seen)
-        return mask
+        return Looked(mask, seen, self.shape.tracker)
 
     def reached(self, mark: Mark) -> Iterator[Root]:
         """The objects that a value leads to, but for nodes that it does not lead to at once."""

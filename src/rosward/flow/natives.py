@@ -19,7 +19,7 @@ from rosward.engine.seen import refs_of
 from rosward.flow import containers, library, parameters, partials
 from rosward.flow.constructed import fill
 from rosward.flow.content import Content
-from rosward.flow.marks import NOTHING, Mark, demoted
+from rosward.flow.marks import NOTHING, Mark, demoted, of_library
 from rosward.flow.native_call import NativeCall
 from rosward.flow.outside import out
 from rosward.flow.reading import arising, elements, owners_of
@@ -44,7 +44,7 @@ def apply(walker: Walker, op: ops.Call, body: Body, seen: Seen, callee: Value, m
             return _message(NativeCall(walker, op, body, seen, callee.name, marks, registers))
         if walker.shape.is_native(callee.name):
             return _native(NativeCall(walker, op, body, seen, callee.name, marks, registers))
-        named = Mark(function.mask, frozenset((("external", callee.name),)))
+        named = Mark(function.mask, frozenset((of_library(callee.name),)))
         return library.unknown(walker, op, body, named, marks)
     if isinstance(callee, BoundMethod):
         assert isinstance(callee.function, Native)

@@ -62,3 +62,15 @@ class Remembered(NamedTuple):
     result: Mark
     raising: int
     beside: int
+
+
+@final
+class Looked:
+    """What a look through all that some roots lead to has found, and who knows already that it was read."""
+
+    __slots__ = ("mask", "reads", "tracker")
+
+    def __init__(self, mask: int, reads: Layer, tracker: Tracker | None) -> None:
+        self.mask = mask
+        self.reads = reads
+        self.tracker = tracker

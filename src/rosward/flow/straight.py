@@ -15,7 +15,7 @@ from rosward.flow.body import Body
 from rosward.flow.calls import call, run_callees
 from rosward.flow.content import Content
 from rosward.flow.library import name_of
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, of_library
 from rosward.flow.reading import arising, constant, elements, leads, narrowed, opaque, part_of, run
 from rosward.ir import ops
 from rosward.ir.check import reads, writes
@@ -92,7 +92,7 @@ def _store_global(walker: Walker, op: ops.StoreGlobal, body: Body, _seen: Seen) 
 
 def external(_walker: Walker, seen: Seen) -> frozenset[Root]:
     """Something of a library, by its dotted name."""
-    return frozenset(("external", name) for name in seen.externals)
+    return frozenset(map(of_library, seen.externals))
 
 
 def _of_base(seen: Seen) -> bool:
@@ -129,7 +129,7 @@ def _load_attr(walker: Walker, op: ops.LoadAttr, body: Body, seen: Seen) -> None
             if seen.reasons and not seen.refs and not any(map(name_of, found.roots)):
                 found = found.joined(_of_model(walker, op, body, root))
         elif root[0] == "external":
-            found = Mark(0, frozenset((("external", f"{root[1]}.{op.name}"),)))
+            found = Mark(0, frozenset((of_library(f"{root[1]}.{op.name}"),)))
         else:
             found = Mark(found.mask, found.roots | {part_of(root, op.name)})
         mask |= found.mask
