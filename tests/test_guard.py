@@ -27,7 +27,7 @@ from rosward.outputs.formats import FORMATS
 from rosward.outputs.report.packed import document_in
 from rosward.pipeline import Result
 from rosward.rules import RULES, Severity
-from rosward.source import discover as discovery
+from rosward.source import packages
 
 NODE = """\
 import rclpy
@@ -133,7 +133,7 @@ def failing(*_: object, **__: object) -> Any:
 
 @pytest.mark.parametrize(
     ("module", "name", "lost"),
-    [(discovery, "describe", ""), (includes, "read_xml", "more.launch.xml"), (declarations, "read_package", "")],
+    [(packages, "describe", ""), (includes, "read_xml", "more.launch.xml"), (declarations, "read_package", "")],
 )
 def test_a_reader_costs_what_it_reads(
     workspace: Path, monkeypatch: pytest.MonkeyPatch, module: Any, name: str, lost: str

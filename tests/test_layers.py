@@ -18,7 +18,7 @@ from typing import Final, NamedTuple
 ROOT: Final = Path(__file__).parent.parent / "src" / "rosward"
 LONGEST: Final = 400
 
-_TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "safe"})
+_TEXT = frozenset({"source", "findings", "rules", "one_cause", "guard", "holes", "records", "safe"})
 _DOMAIN = frozenset({"domain", "ir"}) | _TEXT
 _NAMING = frozenset({"naming", "effects", "ros"}) | _DOMAIN
 _ENGINE = frozenset({"engine", "models", "frontends", "ir"}) | _NAMING
@@ -29,9 +29,10 @@ _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "s
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
     "safe": frozenset(),
-    "source": _TEXT,
+    "records": frozenset(),
+    "source": _TEXT | {"_version"},
     "findings": _TEXT,
-    "rule": frozenset(),
+    "rule": frozenset({"records"}),
     "rules": frozenset({"rule", "rules_of_systems"}),
     "rules_of_systems": frozenset({"rule"}),
     "one_cause": _TEXT,
@@ -56,7 +57,7 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "diff": frozenset({"diff"}) | _POLICIES,
     "explanation": frozenset({"explanation", "enclaves", "influence", "suppression"}) | _POLICIES,
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
-    "git": frozenset({"git"}),
+    "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
     "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
     "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})
@@ -76,6 +77,11 @@ ON_DEMAND: Final = {
     ("analysis/process.py", "rosward.flow.process"),
     ("analysis/process.py", "rosward.engine.watch"),
     ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
+    ("analysis/source_tree.py", "rosward.source.parameter_module"),
+    ("analysis/source_tree.py", "rosward.source.yaml_nodes"),
+    ("source/discover.py", "rosward.source.packages"),
+    ("deployment/given.py", "rosward.deployment.parameter_files"),
+    ("outputs/report/page.py", "rosward.outputs.report.frame"),
 }
 """What is imported in a function because most runs do not need it."""
 

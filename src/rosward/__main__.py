@@ -2,8 +2,6 @@
 """`python -m rosward`."""
 # PYTHON_ARGCOMPLETE_OK
 
-import sys
+from rosward.cli import program
 
-from rosward.cli import main
-
-sys.exit(main())
+program()

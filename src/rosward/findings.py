@@ -9,8 +9,9 @@ RW4xx policies that are checked, RW5xx running systems.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple, final
+from typing import final
 
+from rosward.records import NamedTuple
 from rosward.rules import RULES, Rule
 from rosward.source.location import Place
 

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable
-from typing import Final, NamedTuple, TypeVar
+from typing import Final, TypeVar
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.rules import Severity
 
 __all__ = ["OneCause", "alike", "by_cause", "more_of"]

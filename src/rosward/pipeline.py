@@ -10,10 +10,9 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.read import (
@@ -40,6 +39,7 @@ from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.graph import Network
 from rosward.network.labels import labelled
 from rosward.network.launch_tree import LaunchSystem
+from rosward.records import NamedTuple, dataclass, replace
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.rules import Severity
 from rosward.source.exclude import Exclusion

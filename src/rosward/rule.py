@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import enum
-from typing import NamedTuple
+
+from rosward.records import NamedTuple
 
 
 class Severity(enum.Enum):

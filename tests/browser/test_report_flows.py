@@ -13,7 +13,7 @@ from outputs.networks import node, pub, sub
 
 from rosward.findings import Finding
 from rosward.network.connect import connect
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.source.location import Place
 
 from .reports import click, drawn, opened, renewed, settle, shapes, title, written

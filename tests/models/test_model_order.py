@@ -22,7 +22,8 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.domain.compound import Tuple
 from rosward.domain.heap import Obj
 from rosward.domain.values import Choice, Class, Const, Function, ModuleValue, Ref, Text, Unknown
-from rosward.engine import model_library
+from rosward.engine import spare
+from rosward.engine.kept_models import KeptModels, kept_models
 from rosward.engine.library import Library
 from rosward.engine.model_library import ModelLibrary
 from rosward.engine.model_units import units
@@ -48,8 +49,8 @@ def _library(names: Iterable[str]) -> ModelLibrary:
     return library
 
 
-def _module(library: ModelLibrary, name: str) -> ModuleValue:
-    found = library.find(name, 0, None)
+def _module(library: ModelLibrary | KeptModels, name: str) -> ModuleValue:
+    found = library.model(name)
     assert found is not None
     return library.load_model(found)
 
@@ -60,7 +61,7 @@ def _needed(name: str) -> tuple[str, ...]:
     return tuple(sorted({member for unit in units(_READ, name) for member in unit}))
 
 
-def _shape(library: ModelLibrary, name: str) -> object:
+def _shape(library: ModelLibrary | KeptModels, name: str) -> object:
     """All that can be reached from a module."""
     numbers: dict[int, int] = {}
     shapes: list[object] = []
@@ -119,15 +120,25 @@ def test_no_program_changes_a_model(tmp_path: Path) -> None:
     cases = [c for name in ("builtin_subclasses", "classes", "functions") for c in read_cases(CASES / f"{name}.md")]
     for number, case in enumerate(cases):
         assert run_case(case, tmp_path / str(number)) == case.expected
-    (used,) = model_library._SPARE
-    fresh = _library(used._models)
-    assert [name for name in used._models if _shape(used, name) != _shape(fresh, name)] == []
+    (used,) = spare._SPARE
+    fresh = _library(MODELS)
+    assert [name for name in MODELS if _shape(used, name) != _shape(fresh, name)] == []
 
 
-def test_models_in_use_are_nobody_elses(tmp_path: Path) -> None:
+def test_models_that_are_kept_are_those_that_are_run() -> None:
+    kept = kept_models(own_models())
+    assert kept is not None
+    fresh = _library(MODELS)
+    assert [name for name in MODELS if _shape(kept, name) != _shape(fresh, name)] == []
+    assert [c.dotted for c in kept.node_classes] == [c.dotted for c in fresh.node_classes]
+
+
+def test_models_in_use_are_nobody_elses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def library(*, net: bool = True) -> Library:
         return Library(SourceTree(discover([tmp_path])), own_models(), net=net)
 
+    monkeypatch.setenv("ROSWARD_CACHE", "")  # so that they are run here
+    spare._SPARE.clear()
     first, second = library(), library()
     assert first._models is not second._models
     first.given_back()
@@ -135,6 +146,7 @@ def test_models_in_use_are_nobody_elses(tmp_path: Path) -> None:
     second.given_back()
     third = library()
     assert third._models is second._models
+    assert isinstance(third._models, ModelLibrary)
     third._models._waiting.add("left in the middle")
     third.given_back()
     assert library()._models is not third._models

@@ -10,7 +10,8 @@ from typing import Any, Final
 import jsonschema
 
 from rosward.network.graph import Network
-from rosward.outputs.report.document import Background, report_document
+from rosward.outputs.report.background import Background
+from rosward.outputs.report.document import report_document
 from rosward.outputs.report.page import document_text
 
 SCHEMA: Final = json.loads((resources.files("rosward.outputs") / "schemas" / "report.schema.json").read_text())

@@ -36,10 +36,11 @@ from rosward.outputs.graphs.svg import graph_svg
 from rosward.outputs.policies.permissions import permissions
 from rosward.outputs.policies.policy import policies, policy_xml
 from rosward.outputs.policies.starts import starts_text
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.outputs.report.packed import document_in
 from rosward.outputs.report.page import report_html
 from rosward.outputs.terminal.launch_tree import launch_tree_text
+from rosward.outputs.terminal.paper import Drawn
 from rosward.outputs.terminal.summary import summary
 from rosward.ros.entities import EntityKind, Parameter, Resolution
 from rosward.source.location import Place
@@ -71,7 +72,7 @@ EVIL: Final = {
     "template": "a{{ 7 * 7 }}${7*7}<%= 7 %>b",
     "long": "a" * 20_000 + "b",
 }
-HIDDEN: Final = re.compile("[\ud800-\udfff]|" + safe._CONTROL.pattern)
+HIDDEN: Final = re.compile("[\ud800-\udfff]|" + safe._CONTROL)
 
 
 def network_of(text: str) -> Network:
@@ -125,7 +126,8 @@ def judged_of(text: str) -> list[Judged]:
 
 def shown(text: str) -> str:
     console = io.StringIO()
-    summary(network_of(text), Console(file=console, soft_wrap=True, no_color=True), verbose=True, written=[text])
+    paper = Drawn(Console(file=console, soft_wrap=True, no_color=True))
+    summary(network_of(text), paper, verbose=True, written=[text])
     return console.getvalue()
 
 
@@ -263,7 +265,7 @@ def test_both_lists_of_invisible_characters_agree() -> None:
     )
     (pattern,) = re.findall(r"const HIDDEN =\s*/\[(.*)\]/gu;", script)
     pattern = re.sub(r"\\u\{([0-9a-f]+)\}", lambda m: f"\\U{int(m[1], 16):08x}", pattern)
-    theirs, ours = re.compile(f"[{pattern}]"), safe._CONTROL
+    theirs, ours = re.compile(f"[{pattern}]"), re.compile(safe._CONTROL)
     differ = [
         f"U+{code:04X}"
         for code in range(sys.maxunicode + 1)
@@ -279,6 +281,6 @@ def test_every_character_of_no_width_is_on_the_list() -> None:
         f"U+{code:04X}"
         for code in range(sys.maxunicode + 1)
         if unicodedata.category(chr(code)) in ("Cc", "Cf", "Cs", "Zl", "Zp") and code not in seen
-        if not safe._CONTROL.match(chr(code))
+        if not re.match(safe._CONTROL, chr(code))
     ]
     assert missing == []

@@ -32,4 +32,4 @@ def test_launch_tree(tmp_path: Path) -> None:
 def test_json_is_written_in_one_place() -> None:
     outputs = Path(__file__).parents[2] / "src" / "rosward" / "outputs"
     writers = {p.relative_to(outputs).as_posix() for p in outputs.rglob("*.py") if "json.dumps" in p.read_text()}
-    assert writers == {"documents/json_text.py", "report/page.py"}
+    assert writers == {"documents/json_text.py", "report/frame.py", "report/page.py"}

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rosward.network.connect import connect
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.outputs.report.packed import packed
 from rosward.outputs.report.source_lines import source_lines
 from rosward.source.location import Place

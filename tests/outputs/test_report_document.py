@@ -16,7 +16,8 @@ from rosward.enclaves.widened import Widened
 from rosward.network.connect import connect
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.outputs.policies.policy import policies
-from rosward.outputs.report.document import Background, report_document
+from rosward.outputs.report.background import Background
+from rosward.outputs.report.document import report_document
 from rosward.outputs.report.page import document_text
 from rosward.ros.entities import EntityKind, Parameter, Qos, Resolution
 from rosward.source.location import Place

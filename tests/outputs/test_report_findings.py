@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from rosward.findings import Finding
 from rosward.network.connect import connect
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.ros.entities import EntityKind, Node, Qos, Resolution
 from rosward.source.location import Place
 

@@ -16,7 +16,7 @@ from laws import examples
 from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.graph import Network
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.outputs.report.page import report_html
 from rosward.ros.flows import STRENGTHS, End, NodeSink
 from rosward.source.location import Place

@@ -12,6 +12,7 @@ from rich.console import Console
 from rosward.findings import Finding
 from rosward.network.connect import connect
 from rosward.network.graph import Network
+from rosward.outputs.terminal.paper import Drawn, Plain
 from rosward.outputs.terminal.summary import summary
 from rosward.source.location import Place
 
@@ -20,7 +21,10 @@ from .networks import fleet, talker_and_listener
 
 def printed(network: Network, verbose: bool = False, written: tuple[str, ...] = ()) -> str:
     stream = io.StringIO()
-    summary(network, Console(file=stream, width=60), verbose, written)
+    summary(network, Drawn(Console(file=stream, width=60)), verbose, written)
+    plain = io.StringIO()
+    summary(network, Plain(plain), verbose, written)
+    assert plain.getvalue() == stream.getvalue()
     return stream.getvalue()
 
 

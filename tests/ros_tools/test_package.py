@@ -83,7 +83,7 @@ def test_colcon_is_told_what_pyproject_says(told: dict[str, Any]) -> None:
     assert (told["name"], told["version"], told["license"]) == (PROJECT["name"], PROJECT["version"], PROJECT["license"])
     assert told["install_requires"] == PROJECT["dependencies"]
     assert told["python_requires"] == PROJECT["requires-python"]
-    assert told["entry_points"]["console_scripts"] == ["rosward = rosward.cli:main"]
+    assert told["entry_points"]["console_scripts"] == ["rosward = rosward.cli:program"]
     assert told["entry_points"]["sros2.verb"] == ["extract_policy = rosward.ros2_security:ExtractPolicyVerb"]
 
 

@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 from rosward.deployment.started import Started
 from rosward.domain.unknown import Origin
@@ -21,6 +21,7 @@ from rosward.domain.values import Choice, Const, Text
 from rosward.effects.shell import ORIGIN, Shell
 from rosward.effects.variables import Variables, listed
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 
 __all__ = ["Executed", "in_each_case"]
 

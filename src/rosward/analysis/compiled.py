@@ -15,7 +15,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.analysis.plugins import Plugins, plugins_of
 from rosward.analysis.ros_headers import RosHeaders
@@ -26,6 +26,7 @@ from rosward.frontends.cpp.model_headers import PREFIX, model_headers, modelled
 from rosward.frontends.cpp.preprocess import Preprocessor
 from rosward.frontends.cpp.program import Linked, SymbolStore
 from rosward.guard import guarded
+from rosward.records import NamedTuple
 from rosward.source.cmake.programs import Builds, Program, Unit
 from rosward.source.location import Place
 from rosward.source.text import place_name

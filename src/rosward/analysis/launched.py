@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
 
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.plan import Plan
@@ -39,6 +38,7 @@ from rosward.naming.collect import Process, collect
 from rosward.naming.command_line import read_words
 from rosward.naming.doubts import unknown_arguments
 from rosward.network.launch_tree import LaunchSystem
+from rosward.records import NamedTuple
 from rosward.ros.distro import DEFAULT_DISTRO, Distro
 from rosward.ros.entities import Interface, Node
 from rosward.rules import INTERNAL_ERROR

@@ -9,7 +9,7 @@ file that no other imports, of which nothing else starts    probed: runs the fil
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
@@ -17,6 +17,7 @@ from rosward.engine.library import Library
 from rosward.findings import Finding
 from rosward.ir import ops
 from rosward.ir.program import Module
+from rosward.records import NamedTuple
 from rosward.ros.entities import assumed_label
 from rosward.source.standard_library import STANDARD_LIBRARY
 from rosward.source.workspace import ExecutableKind, SourceFile, Workspace

@@ -9,8 +9,7 @@ nothing instantiates. Each of those is instantiated with unknown arguments, and 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import External
 from rosward.domain.state import join_states
@@ -33,6 +32,7 @@ from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.ir.program import OpKey
 from rosward.models.readers import creates_nothing
+from rosward.records import NamedTuple, dataclass
 from rosward.source.location import Place
 from rosward.source.standard_library import STANDARD_LIBRARY
 

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.analysis.plan import Plan, make_plan, plain_plan
 from rosward.analysis.source_tree import SourceTree
@@ -20,6 +20,7 @@ from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.guard import Steps
 from rosward.models.tables import own_models
+from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.exclude import Exclusion, exclusions_of

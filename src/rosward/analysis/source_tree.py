@@ -20,10 +20,8 @@ from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
 from rosward.source.interfaces import InterfaceIndex
 from rosward.source.location import Place
-from rosward.source.parameter_module import parameter_module
 from rosward.source.text import place_name, read_bytes, read_source
 from rosward.source.workspace import Package, SourceFile, Workspace
-from rosward.source.yaml_nodes import Malformed
 
 if TYPE_CHECKING:
     from rosward.analysis.compiled import Compiled
@@ -131,6 +129,9 @@ class SourceTree:
 
     def _generate(self, path: Path, file: str) -> Module | None:
         """The module that the build makes of the description in a file."""
+        from rosward.source.parameter_module import parameter_module
+        from rosward.source.yaml_nodes import Malformed
+
         data = read_bytes(path, file, limits.PARAMETERS_FILE)
         if isinstance(data, Finding):
             self.findings.add(data)

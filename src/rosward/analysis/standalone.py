@@ -7,9 +7,7 @@ The effects of each process become nodes (`naming/collect.py`). For launched sys
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
 
 from rosward.analysis.process import Run, called_from_outside, node_classes, run
 from rosward.analysis.read import Progress, SourcesRead
@@ -22,6 +20,7 @@ from rosward.effects.variables import Variables, not_given
 from rosward.findings import Finding, Findings
 from rosward.guard import guarded
 from rosward.naming.collect import Process, collect
+from rosward.records import NamedTuple, replace
 from rosward.ros.entities import Node
 from rosward.rules import Severity
 from rosward.source.location import Place

@@ -15,7 +15,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.analysis.cases import Executed, in_each_case
 from rosward.analysis.read import SourcesRead
@@ -41,6 +41,7 @@ from rosward.findings import Finding, Findings
 from rosward.guard import Steps, guarded
 from rosward.models.file_paths import Location, path_of
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
+from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.rules import UNREAD_ARGUMENT
 from rosward.source.location import Place

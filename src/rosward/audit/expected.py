@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterable, Sequence
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.audit.graph import LiveEntity, part_of_action
 from rosward.findings import Finding
 from rosward.policies.granted import name_to_grant
 from rosward.policies.match import Pattern
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.json_fields import UnreadableError
 

@@ -11,9 +11,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind, Qos
 
 __all__ = [

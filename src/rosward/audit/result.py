@@ -7,9 +7,9 @@ Audit(differences=(Difference("/rogue", "", Finding("RW501", …)),), tools=(Too
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 __all__ = ["Audit", "AuditCounts", "Difference", "Tool", "Unjudged", "Unseen"]

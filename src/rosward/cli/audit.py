@@ -7,44 +7,35 @@ import argparse
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
-from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
-    WrongUseError,
-    add_deployment,
-    add_format,
-    add_sources,
-    extracted,
-    refusing,
-    request_of,
-)
+from rosward.cli.shared import WrongUseError, add_deployment, add_format, add_sources, extracted, refusing, request_of
 from rosward.cli.snapshot import add_looks
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.outputs.formats import OF_FINDINGS
+from rosward.records import NamedTuple
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 
 if TYPE_CHECKING:
     from rosward.audit.accepted import Accepted
     from rosward.audit.graph import LiveGraph
     from rosward.audit.result import Audit
-    from rosward.cli.shared import Commands
     from rosward.findings import Finding
     from rosward.ros.entities import Node
     from rosward.suppression.judge import Judged, SourceTexts
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "audit",
-        help="compare a running robot with its sources",
-        description="Report which running nodes and entities the sources do not explain, and which expected ones are not running. "
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = (
+        "Report which running nodes and entities the sources do not explain, and which expected ones are not running. "
         "The running system is described by a snapshot or by output of `ros2 node info`. "
-        "Without either, rosward inspects the live graph, which needs rclpy.",
-        epilog="Exit status: 0 everything that runs is explained, and everything expected runs; 1 differences found; "
-        "2 usage error or nothing to read; 3 internal error.",
+        "Without either, rosward inspects the live graph, which needs rclpy."
+    )
+    parser.epilog = (
+        "Exit status: 0 everything that runs is explained, and everything expected runs; 1 differences found; "
+        "2 usage error or nothing to read; 3 internal error."
     )
     parser.set_defaults(run=refusing(_run))
     running = parser.add_argument_group("running system (default: the live graph)")

@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING
 
 from rosward.cli.reviewing import add_output_file, add_review, deliver, findings_text, reviewed, write_baseline
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_enclaves,
@@ -21,25 +19,25 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.outputs.formats import OF_FINDINGS
 
 if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
     from rosward.explanation.checked import Checked
     from rosward.pipeline import Result
     from rosward.policies.records import Policy
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "check",
-        help="check an existing policy against the sources",
-        usage="%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]",
-        description="Report which permissions the policy is missing and which ones the code never uses. "
-        "Arguments that end in .xml are policies (SROS2 policies or DDS permissions); the other paths are the sources.",
-        epilog="Exit status: 0 the policy matches the code exactly; 1 findings that are not in the baseline; 2 usage error or nothing to read; "
-        "3 internal error.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.usage = "%(prog)s [options] POLICY.xml|permissions.xml… [PATH…]"
+    parser.description = (
+        "Report which permissions the policy is missing and which ones the code never uses. "
+        "Arguments that end in .xml are policies (SROS2 policies or DDS permissions); the other paths are the sources."
+    )
+    parser.epilog = (
+        "Exit status: 0 the policy matches the code exactly; 1 findings that are not in the baseline; 2 usage error or nothing to read; "
+        "3 internal error."
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)

@@ -12,18 +12,13 @@ argcomplete knows commands, options and choices from the parser by itself; here 
 from __future__ import annotations
 
 import argparse
-import json
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import MODES
-from rosward.rules import RULES
-from rosward.source import limits
-from rosward.source.discover import discover
-from rosward.source.text import read_bytes
-from rosward.source.workspace import SourceFile, Workspace
+if TYPE_CHECKING:
+    from rosward.source.workspace import SourceFile, Workspace
 
 __all__ = ["complete", "offer"]
 
@@ -92,6 +87,8 @@ def _enclaves(prefix: str, **_: object) -> list[str]:
     """How they are chosen, or the file that assigns them."""
     from argcomplete.completers import FilesCompleter
 
+    from rosward.cli.shared import MODES
+
     return [*MODES, *FilesCompleter(("toml",))(prefix)]
 
 
@@ -115,12 +112,16 @@ def _executables(parsed_args: argparse.Namespace, **_: object) -> list[str]:
 
 
 def _sources(parsed_args: argparse.Namespace) -> Workspace:
+    from rosward.source.discover import discover
+
     paths = [Path(path) for path in getattr(parsed_args, "paths", None) or () if os.path.lexists(path)]
     return discover(paths or [Path()])
 
 
 def _names(**_: object) -> list[str]:
     """What `explain` can be asked for: what the last result has in it, and codes of findings."""
+    from rosward.rules import RULES
+
     return sorted({*(name for kind, name in _last_result() if kind != "parameter"), *RULES})
 
 
@@ -156,6 +157,11 @@ def _last_flows() -> Iterator[tuple[str, str]]:
 
 
 def _document(path: Path) -> object:
+    import json
+
+    from rosward.source import limits
+    from rosward.source.text import read_bytes
+
     data = read_bytes(os.fspath(path), os.fspath(path), limits.COMPLETED_FILE)
     try:
         return json.loads(data) if isinstance(data, bytes) else {}

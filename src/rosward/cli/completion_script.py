@@ -5,12 +5,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from rosward.cli.shared import COMPLETE, WrongUseError
-
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
+from rosward.cli.shared import WrongUseError
+from rosward.cli.status import COMPLETE
 
 _SHELLS: Final = ("bash", "zsh", "fish")
 _WHERE: Final = """\
@@ -23,15 +21,11 @@ Or, for this shell alone: eval "$(rosward completion bash)", rosward completion 
 Completion needs an additional package: pip install 'rosward[completion]'."""
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "completion",
-        help="print a shell completion script",
-        description="Print a script that makes a shell complete commands, options, launch files and names.",
-        epilog=_WHERE,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Print a script that makes a shell complete commands, options, launch files and names."
+    parser.epilog = _WHERE
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.set_defaults(run=_run)
     parser.add_argument("shell", choices=_SHELLS, metavar="SHELL", help=", ".join(_SHELLS))
 

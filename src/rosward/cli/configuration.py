@@ -17,11 +17,12 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.cli.configuration_file import ConfigurationFile, read_configuration
 from rosward.cli.configuration_keys import KEYS, Value
 from rosward.cli.shared import WrongUseError
+from rosward.records import NamedTuple
 
 __all__ = ["apply", "leave_open"]
 

@@ -12,11 +12,12 @@ import difflib
 import os
 from collections.abc import Collection, Mapping
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.cli.configuration_keys import KEYS, Value, WrongValueError
 from rosward.cli.shared import WrongUseError
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.text import read_bytes
 from rosward.source.toml import read_toml

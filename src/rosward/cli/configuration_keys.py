@@ -12,20 +12,23 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from rosward.cli.shared import MODES
-from rosward.influence.policy import Policy, PolicyError, read_policy
+from rosward.records import NamedTuple
 from rosward.ros.distro import DISTROS
 from rosward.rules import RULES
 from rosward.source.exclude import Exclusion, PatternError, pattern_of
 from rosward.source.surroundings import SurroundingsError, checked_variable
 from rosward.suppression.ignore_in import IgnoreIn
 
+if TYPE_CHECKING:
+    from rosward.influence.policy import Policy
+
 __all__ = ["KEYS", "NEVER", "Key", "Value", "WrongValueError"]
 
-Value = str | bool | list[str] | list[tuple[str, str]] | list[Exclusion] | list[IgnoreIn] | Policy
-Reader = Callable[[object, Path], Value]
+Value: TypeAlias = "str | bool | list[str] | list[tuple[str, str]] | list[Exclusion] | list[IgnoreIn] | Policy"
+Reader: TypeAlias = "Callable[[object, Path], Value]"
 
 
 class WrongValueError(Exception):
@@ -140,6 +143,8 @@ def _ignore_in(value: object, folder: Path) -> list[IgnoreIn]:
 
 
 def _flow(value: object, _folder: Path) -> Policy:
+    from rosward.influence.policy import PolicyError, read_policy
+
     try:
         return read_policy(value)
     except PolicyError as error:

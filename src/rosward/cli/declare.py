@@ -11,11 +11,11 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import COMPLETE, WrongUseError, with_exit_status
+from rosward.cli.shared import WrongUseError, with_exit_status
+from rosward.cli.status import COMPLETE
 from rosward.safe import printable
 
 if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
     from rosward.declaring.sketch import Sketch
 
 _PACKAGE: Final = re.compile(r"[A-Za-z0-9_-]{1,200}")
@@ -23,15 +23,13 @@ _ENDINGS: Final = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".hxx", ".
 _MOST_FILES: Final = 500
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "declare",
-        help="create a declaration of a node that is not analysed (RW314)",
-        description="Write DIR/nodes/PKG.yaml, or add to it, with what PKG/EXE creates: from a running robot, from a search of its source, "
-        "or as a skeleton to fill in. Review the file, delete the line `open`, and pass the folder with --models DIR. Nothing is executed.",
-        epilog="Exit status: 0 written; 2 usage error, or already declared.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = (
+        "Write DIR/nodes/PKG.yaml, or add to it, with what PKG/EXE creates: from a running robot, from a search of its source, "
+        "or as a skeleton to fill in. Review the file, delete the line `open`, and pass the folder with --models DIR. Nothing is executed."
     )
+    parser.epilog = "Exit status: 0 written; 2 usage error, or already declared."
     parser.set_defaults(run=with_exit_status(_run))
     parser.add_argument("program", metavar="PKG/EXE", help="the executable, or PKG/namespace::Class for a component")
     parser.add_argument(

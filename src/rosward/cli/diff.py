@@ -4,36 +4,24 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
 
 from rosward.cli.reviewing import add_output_file, deliver
-from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
-    add_deployment,
-    add_enclaves,
-    add_format,
-    add_sources,
-    note_failures,
-    with_exit_status,
-)
+from rosward.cli.shared import add_deployment, add_enclaves, add_format, add_sources, note_failures, with_exit_status
 from rosward.cli.sides import differences
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.guard import Steps
 
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
 
-
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "diff",
-        help="compare two commits, folders, networks or policies",
-        usage="%(prog)s [options] OLD NEW\n       %(prog)s [options] --git REV..REV [PATH…]",
-        description="Report which nodes, entities and permissions were gained and lost between two network.json files, two policies, two folders, "
-        "or two commits. Folders and commits are analysed with the same options. Nothing is executed, and the work tree is only read.",
-        epilog="Exit status: 0 compared; 1 new permissions and --fail-on new-rights; 2 usage error or unreadable input; "
-        "3 internal error.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.usage = "%(prog)s [options] OLD NEW\n       %(prog)s [options] --git REV..REV [PATH…]"
+    parser.description = (
+        "Report which nodes, entities and permissions were gained and lost between two network.json files, two policies, two folders, "
+        "or two commits. Folders and commits are analysed with the same options. Nothing is executed, and the work tree is only read."
+    )
+    parser.epilog = (
+        "Exit status: 0 compared; 1 new permissions and --fail-on new-rights; 2 usage error or unreadable input; "
+        "3 internal error."
     )
     parser.set_defaults(run=with_exit_status(_run))
     parser.add_argument(

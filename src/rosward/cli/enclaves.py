@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 
 from rosward.cli.reviewing import write_file
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_format,
@@ -20,19 +18,15 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 
 if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
     from rosward.enclaves.suggestion import Suggestion
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "enclaves",
-        help="suggest which processes can share an enclave, and at what price",
-        description="Commands for the enclaves of a system.",
-    )
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Commands for the enclaves of a system."
     questions = parser.add_subparsers(dest="question", metavar="QUESTION", required=True)
     suggest = questions.add_parser(
         "suggest",

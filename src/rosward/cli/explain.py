@@ -8,8 +8,6 @@ import sys
 from typing import TYPE_CHECKING
 
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_enclaves,
@@ -20,21 +18,17 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 
 if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
     from rosward.deployment.request import Request
     from rosward.explanation.answers import Answer
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "explain",
-        help="explain why a name is in the result",
-        description="Explain where a topic, service, action, node, enclave, finding or line comes from, and which policy rule it causes.",
-        epilog="Exit status: 0 found; 1 no such name; 2 usage error or nothing to read; 3 internal error.",
-    )
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Explain where a topic, service, action, node, enclave, finding or line comes from, and which policy rule it causes."
+    parser.epilog = "Exit status: 0 found; 1 no such name; 2 usage error or nothing to read; 3 internal error."
     parser.set_defaults(run=refusing(_run))
     parser.add_argument(
         "name",

@@ -5,14 +5,11 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from rosward.cli.reviewing import add_review, findings_text, reviewed_result, scan_of, write_baseline
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_enclaves,
@@ -23,14 +20,15 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.guard import Steps
-from rosward.influence.policy import Policy
 from rosward.outputs.formats import BY_NAME, DEFAULT_FORMATS, FORMATS, OF_FINDINGS
+from rosward.records import replace
 
 if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
     from rosward.enclaves.widened import Widenings
-    from rosward.outputs.report.document import Background
+    from rosward.influence.policy import Policy
+    from rosward.outputs.report.background import Background
     from rosward.pipeline import Result
     from rosward.suppression.judge import Reviewed
 
@@ -38,14 +36,14 @@ FORMAT_NAMES: Final = (*BY_NAME, "none")
 _WORDS: Final = "; ".join((*(f"{each.name}: {each.what}" for each in FORMATS), "none: no file"))
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "extract",
-        help="write the graph, the policies and a report",
-        description="Analyse files, packages or workspaces and write the computation graph, the SROS2 policies and a report.",
-        epilog="Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
-        "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299).",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = (
+        "Analyse files, packages or workspaces and write the computation graph, the SROS2 policies and a report."
+    )
+    parser.epilog = (
+        "Exit status: 0 complete; 1 written but incomplete (an unknown name, an unreadable file, a limit), or as set by --fail-on; "
+        "2 usage error or nothing to read; 3 written, but an internal error affected a part of it (RW299)."
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)
@@ -107,14 +105,14 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.outputs.report.document import Background
+    from rosward.outputs.report.background import Background
     from rosward.rules import Severity
     from rosward.suppression.judge import SourceTexts
 
     request = request_of(options)
-    policy: Policy = options.flow or Policy()
-    watched = frozenset(policy.functions)
-    flowing = bool(options.flows or policy.rules or policy.releases)
+    policy: Policy | None = options.flow or None
+    watched = frozenset(policy.functions if policy else ())
+    flowing = bool(options.flows or (policy and (policy.rules or policy.releases)))
     result = extracted(options, options.paths, request, shown=not options.quiet, flow=flowing, watched=watched)
     if flowing:
         result = with_flows_checked(result, policy)
@@ -137,14 +135,15 @@ def _run(options: argparse.Namespace) -> int:
     return INCOMPLETE if any(f.rule.severity.rank <= enough for f in found.new) else COMPLETE
 
 
-def with_flows_checked(result: Result, policy: Policy) -> Result:
+def with_flows_checked(result: Result, policy: Policy | None) -> Result:
     """The same network, with what its flows break of the rules of the project among its findings."""
     from rosward.influence.check import check
     from rosward.influence.graph import graph_of
+    from rosward.influence.policy import Policy
     from rosward.network.connect import with_findings
 
     nodes = result.network.nodes
-    return replace(result, network=with_findings(result.network, check(nodes, graph_of(nodes), policy)))
+    return replace(result, network=with_findings(result.network, check(nodes, graph_of(nodes), policy or Policy())))
 
 
 def compacted(result: Result, options: argparse.Namespace) -> tuple[Result, Widenings]:
@@ -187,7 +186,7 @@ def _write(
             ),
             options.output,
             options.format,
-            scan_of(found.shown, options),
+            scan_of(found.shown, options) if any(name in OF_FINDINGS for name in options.format) else None,
         )
     except OSError as error:
         raise WrongUseError(f"cannot write to {options.output}: {error.strerror or error}") from error
@@ -200,16 +199,14 @@ def _write(
 
 def summarise(result: Result, found: Reviewed, written: list[str], options: argparse.Namespace) -> None:
     """Print what was found, and what was written."""
-    from rich.console import Console
-
+    from rosward.outputs.terminal.paper import standard_output
     from rosward.outputs.terminal.summary import Unread, summary
 
-    console = Console(soft_wrap=not sys.stdout.isatty())
     network = replace(result.network, findings=found.new)
     unasked = 0 if result.systems else result.launch_files
     summary(
         network,
-        console,
+        standard_output(),
         options.verbose,
         written,
         found,

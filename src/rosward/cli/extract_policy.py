@@ -16,12 +16,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from rosward.cli.commands import COMMANDS
 from rosward.cli.configuration import apply, leave_open
 from rosward.cli.extract import add_compact, compacted, summarise
 from rosward.cli.reviewing import add_review, reviewed_result, write_baseline, write_file
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_enclaves,
@@ -32,6 +31,7 @@ from rosward.cli.shared import (
     request_of,
     with_exit_status,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.source import limits
 from rosward.source.text import read_bytes
@@ -90,11 +90,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from rosward.cli import command_line
     from rosward.outputs.policies.policy import policy_xml
     from rosward.suppression.judge import SourceTexts
 
-    options.command, options.commands = "extract_policy", command_line().get_default("commands")
+    options.command, options.commands = "extract_policy", tuple(COMMANDS)
     apply(options)
     check_paths(options)
     if options.distro not in DISTROS:

@@ -8,22 +8,12 @@ import sys
 from typing import TYPE_CHECKING, Final
 
 from rosward.cli.reviewing import add_review, findings_text, reviewed, write_baseline, write_file
-from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
-    WrongUseError,
-    add_deployment,
-    add_enclaves,
-    add_sources,
-    extracted,
-    refusing,
-    request_of,
-)
+from rosward.cli.shared import WrongUseError, add_deployment, add_enclaves, add_sources, extracted, refusing, request_of
+from rosward.cli.status import COMPLETE, INCOMPLETE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from rosward.cli.shared import Commands
     from rosward.findings import Finding
     from rosward.influence.graph import FlowGraph, Vertex
     from rosward.influence.policy import Policy
@@ -41,14 +31,14 @@ _FILES: Final = {
 }
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "flow",
-        help="show what each output is made of",
-        description="Show which inputs of each node flow into which of its outputs, and what reaches what across the system. "
-        "Data: the content is in it. Decided by: the content decides what is sent, or whether. Triggered by: only its arrival counts.",
-        epilog="Exit status: 0 complete; 1 with --check, a rule is broken; 2 usage error or nothing to read; 3 internal error.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = (
+        "Show which inputs of each node flow into which of its outputs, and what reaches what across the system. "
+        "Data: the content is in it. Decided by: the content decides what is sent, or whether. Triggered by: only its arrival counts."
+    )
+    parser.epilog = (
+        "Exit status: 0 complete; 1 with --check, a rule is broken; 2 usage error or nothing to read; 3 internal error."
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)

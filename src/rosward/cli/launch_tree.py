@@ -5,11 +5,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
     WrongUseError,
     add_deployment,
     add_format,
@@ -19,20 +16,16 @@ from rosward.cli.shared import (
     refusing,
     request_of,
 )
+from rosward.cli.status import COMPLETE, INCOMPLETE
 from rosward.guard import Steps
 
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
 
-
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "launch-tree",
-        help="print what launch files start",
-        description="Print what launch files start as a tree, with the source of each value. Nothing is executed.",
-        epilog="Exit status: 0 everything is known; 1 something is unknown; 2 usage error or nothing to read; "
-        "3 internal error.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Print what launch files start as a tree, with the source of each value. Nothing is executed."
+    parser.epilog = (
+        "Exit status: 0 everything is known; 1 something is unknown; 2 usage error or nothing to read; "
+        "3 internal error."
     )
     parser.set_defaults(run=refusing(_run))
     add_sources(parser)

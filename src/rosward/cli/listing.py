@@ -5,34 +5,20 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from rosward.cli.shared import (
-    COMPLETE,
-    INCOMPLETE,
-    add_deployment,
-    add_enclaves,
-    add_format,
-    add_sources,
-    extracted,
-    refusing,
-    request_of,
-)
-
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
+from rosward.cli.shared import add_deployment, add_enclaves, add_format, add_sources, extracted, refusing, request_of
+from rosward.cli.status import COMPLETE, INCOMPLETE
 
 _KINDS: Final = ("nodes", "topics", "services", "actions", "packages", "parameters")
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "list",
-        help="print nodes, topics, services, actions, packages or parameters as a table",
-        description="Print all entries of one kind, one per line; - marks an empty field.",
-        epilog="Exit status: 0 complete; 1 something may be missing (run extract for details); 2 usage error or nothing to read; "
-        "3 internal error.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Print all entries of one kind, one per line; - marks an empty field."
+    parser.epilog = (
+        "Exit status: 0 complete; 1 something may be missing (run extract for details); 2 usage error or nothing to read; "
+        "3 internal error."
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument("kind", choices=_KINDS, metavar="KIND", help=", ".join(_KINDS))

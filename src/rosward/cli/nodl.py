@@ -5,22 +5,17 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
-from rosward.cli.shared import COMPLETE, INCOMPLETE, WrongUseError, add_sources, extracted, refusing
-
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
+from rosward.cli.shared import WrongUseError, add_sources, extracted, refusing
+from rosward.cli.status import COMPLETE, INCOMPLETE
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "nodl",
-        help="write the interface of an executable as NoDL",
-        description="Write the interface of an executable of the workspace as NoDL 2 documents, one per node.",
-        epilog="Exit status: 0 complete; 1 the interface is partially unknown; 2 usage error or no such executable; "
-        "3 internal error.",
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Write the interface of an executable of the workspace as NoDL 2 documents, one per node."
+    parser.epilog = (
+        "Exit status: 0 complete; 1 the interface is partially unknown; 2 usage error or no such executable; "
+        "3 internal error."
     )
     parser.set_defaults(run=refusing(_run))
     parser.add_argument("executable", metavar="PKG/EXE", help="the executable")

@@ -11,11 +11,8 @@ rosward extract --unkown=deny                             rosward extract: error
 from __future__ import annotations
 
 import argparse
-import difflib
 from collections.abc import Sequence
 from typing import Any, NoReturn, final
-
-from rosward.safe import printable
 
 __all__ = ["CommandParser"]
 
@@ -35,12 +32,16 @@ class CommandParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and where the options are told; status 2."""
+        from rosward.safe import printable
+
         self.exit(2, f"{self.prog}: error: {printable(message)}\nSee `{self.prog} --help` for usage.\n")
 
     def _takes_paths(self) -> bool:
         return any(action.dest == "paths" and action.nargs == "*" for action in self._actions)
 
     def _meant(self, words: Sequence[str]) -> str:
+        import difflib
+
         known = [name for action in self._actions for name in action.option_strings if name.startswith("--")]
         unknown = [word.partition("=")[0] for word in words if word.startswith("--")]
         close = [name for word in unknown for name in difflib.get_close_matches(word, known, n=1)]

@@ -6,25 +6,19 @@ from __future__ import annotations
 import argparse
 import sys
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
-from rosward.cli.shared import COMPLETE, WrongUseError, refusing
+from rosward.cli.shared import WrongUseError, refusing
+from rosward.cli.status import COMPLETE
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
-
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
 
 _NEEDED: Final = ("starlette", "uvicorn", "python_multipart", "watchfiles")
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "serve",
-        help="analyse sources on a page in the browser",
-        description="Serve a page on this machine where you can drop sources or choose an example, and see the report and the policies.",
-        epilog="Exit status: 0 stopped with Ctrl-C; 2 usage error. This command needs additional packages: pip install 'rosward[serve]'.",
-    )
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Serve a page on this machine where you can drop sources or choose an example, and see the report and the policies."
+    parser.epilog = "Exit status: 0 stopped with Ctrl-C; 2 usage error. This command needs additional packages: pip install 'rosward[serve]'."
     parser.set_defaults(run=refusing(_run), models=[], underlay=[])
     parser.add_argument(
         "paths", nargs="*", metavar="PATH", help="workspace to open; it is analysed again when it changes"

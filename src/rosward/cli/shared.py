@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypedDict
 
+from rosward.cli.status import INTERNAL, WRONG_USE
 from rosward.network.enclave_mode import EnclaveMode
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.rules import INTERNAL_ERROR, UNREAD_ARGUMENT
@@ -26,12 +27,9 @@ if TYPE_CHECKING:
 
 MOST_BUDGET: Final = 1_000
 MODES: Final = tuple(mode.value for mode in EnclaveMode)
-COMPLETE, INCOMPLETE, WRONG_USE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 130
 
 _LISTING: Final = ("extract", "extract_policy")
 """The commands that print the findings themselves; others tell what is wrong with how they are called."""
-
-Commands = argparse._SubParsersAction
 
 
 class _Reading(TypedDict):

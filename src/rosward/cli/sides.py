@@ -12,10 +12,11 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from rosward.cli.shared import WrongUseError, extracted, request_of
 from rosward.guard import Steps
+from rosward.records import NamedTuple
 from rosward.safe import printable
 from rosward.source.exclude import Exclusion
 

@@ -6,22 +6,15 @@ from __future__ import annotations
 import argparse
 import sys
 from importlib.resources import files
-from typing import TYPE_CHECKING
 
-from rosward.cli.shared import COMPLETE, WrongUseError, with_exit_status
-
-if TYPE_CHECKING:
-    from rosward.cli.shared import Commands
+from rosward.cli.shared import WrongUseError, with_exit_status
+from rosward.cli.status import COMPLETE
 
 
-def add(commands: Commands[argparse.ArgumentParser]) -> None:
-    """Declare the command."""
-    parser = commands.add_parser(
-        "snapshot",
-        help="record the graph of a running robot",
-        description="Observe the graph of the running ROS 2 system for a few seconds and write a snapshot for `rosward audit`. Needs rclpy.",
-        epilog="Exit status: 0 written; 2 usage error, or rclpy is not available.",
-    )
+def add(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.description = "Observe the graph of the running ROS 2 system for a few seconds and write a snapshot for `rosward audit`. Needs rclpy."
+    parser.epilog = "Exit status: 0 written; 2 usage error, or rclpy is not available."
     parser.set_defaults(run=with_exit_status(_run))
     parser.add_argument("-o", "--output", metavar="FILE", help="output file; - writes to standard output")
     add_looks(parser)

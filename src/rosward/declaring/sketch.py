@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.ros.entities import Qos
 
 __all__ = ["SeenEndpoint", "Sketch", "is_usable", "together"]

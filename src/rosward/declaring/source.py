@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.declaring.sketch import SeenEndpoint, Sketch, is_usable
+from rosward.records import NamedTuple
 from rosward.ros.entities import Qos
 
 __all__ = ["sketch_of_source"]

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.deployment.started import StartKind
 from rosward.domain.choice import options
@@ -23,6 +23,7 @@ from rosward.effects.configuration import Configuration
 from rosward.effects.log import EffectLog, NodeEffect
 from rosward.naming.final_name import final_name
 from rosward.network.launch_tree import CONTAINER
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.deployment.declared.shapes import EndpointGroup, Program

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from rosward.deployment.parameter_files import read_parameter_file
 from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration
 from rosward.findings import Finding, Findings
@@ -23,6 +22,10 @@ __all__ = ["parameter_files"]
 
 def parameter_files(paths: Sequence[str], root: Path, findings: Findings, *, net: bool = True) -> Configuration:
     """The words to add, without the `--ros-args` before them; none where there are no files."""
+    if not paths:
+        return Configuration((), {})
+    from rosward.deployment.parameter_files import read_parameter_file
+
     words: list[Value] = []
     files = {}
     for path in paths:

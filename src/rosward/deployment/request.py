@@ -10,7 +10,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 _ARGUMENT: Final = re.compile(r"\w[\w.-]*:=")
 """How an argument begins: names have dots (`rgb_camera.profile`), and no slash, which those of remap rules have."""

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
 
 from rosward.network.launch_tree import Inclusion
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.values import Value

@@ -12,7 +12,9 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.values import Value

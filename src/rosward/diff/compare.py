@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, Final, Generic, NamedTuple, TypeVar
+from typing import Any, Final, Generic, TypeVar
 
 from rosward.diff.of_nodes import snapshot_of
 from rosward.diff.snapshot import ComparedState, EntityLine
@@ -24,6 +24,7 @@ from rosward.policies.judge import Judge, Verdict
 from rosward.policies.read import read_policy
 from rosward.policies.records import EnclavePolicy, Policy
 from rosward.policies.rights import Right
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.json_fields import UnreadableError
 from rosward.source.location import Place

@@ -14,7 +14,7 @@ from rosward.domain.compound import BoundMethod, External, Native, Partial, Rang
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.text import common
 from rosward.domain.unknown import TAKEN_FOR_NOTHING, Cause, Reason
-from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unbound, Unknown, Value
+from rosward.domain.values import UNBOUND, Choice, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.source.location import Place
 
 MAX_OPTIONS: Final = 64
@@ -64,7 +64,7 @@ def join_all(values: Iterable[Value]) -> Value:
     unknown: Unknown | None = None
     consts: dict[object, Const] = {}  # by the value alone
     for value in values:
-        for option in options(value):
+        for option in value.options if value.__class__ is Choice else (value,):
             if option.__class__ is Unknown:
                 unknown = option if unknown is None else _join_unknown(unknown, option)
             elif option.__class__ is Const:
@@ -79,7 +79,7 @@ def join_all(values: Iterable[Value]) -> Value:
                     del found[before]
                     consts[key] = merged
                     found[merged] = None
-            elif not isinstance(option, Unbound):
+            elif option is not UNBOUND:
                 found[option] = None
     if unknown is not None:
         found[unknown] = None

@@ -7,11 +7,12 @@ self.items.append(x)    heap[a] = heap[a].replace(items=(*items, x))
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from typing import Final, Literal, NamedTuple, TypedDict, final
+from typing import Final, Literal, TypedDict, final
 
 from rosward.domain.series import Series
 from rosward.domain.table import NO_MARKS, unmarked, written
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 
 NO_ATTRS: Final[dict[str, Value]] = {}
 

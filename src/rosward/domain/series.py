@@ -8,10 +8,10 @@ sys.argv + ['-r', 'a:=b']           [program, …any number of words…, '-r', '
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
 
 from rosward.domain.choice import join_all
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 
 Merge = Callable[[Value, Value], Value]
 

@@ -12,11 +12,12 @@ stands by running the rest of each block, from the inside out, and nothing has t
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import Tuple
 from rosward.domain.values import UNBOUND, Function, Value
+from rosward.records import NamedTuple
 
 Merge = Callable[[Value, Value], Value]
 

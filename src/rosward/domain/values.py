@@ -7,9 +7,10 @@ Values that the program computed from a default (of a parameter, an argument, th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.unknown import NO_ORIGINS, Origins, Reason
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.ir.program import Code
@@ -35,6 +36,8 @@ _PLAIN_HASH: Final = 1 << 60
 
 def _hash_of(value: Plain) -> int:
     """The hash of a constant. Python's own has one value for endlessly many numbers, so that a dict of such numbers would take for ever."""
+    if value.__class__ is str:
+        return hash((str, value))
     if value.__class__ in (int, float, complex) and not -_PLAIN_HASH < abs(value) < _PLAIN_HASH:
         return hash((value.__class__, repr(value) if value.__class__ is not int else hex(value)))
     if value.__class__ is complex:

@@ -10,8 +10,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
+
+from rosward.records import NamedTuple, dataclass, field
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Reason

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 RELEASED: Final = "released"

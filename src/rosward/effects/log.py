@@ -7,7 +7,7 @@ An effect keeps abstract values; `naming.collect` turns them into names.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable
-from typing import TYPE_CHECKING, NamedTuple, Protocol, final
+from typing import TYPE_CHECKING, Protocol, final
 
 from rosward.domain.compound import External
 from rosward.domain.series import Series
@@ -16,6 +16,7 @@ from rosward.domain.values import UNBOUND, Class, Ref, Unknown, Value
 from rosward.effects.sent import SentEffect
 from rosward.effects.variables import Variables
 from rosward.findings import Finding, Findings
+from rosward.records import NamedTuple
 from rosward.ros.entities import Qos
 from rosward.source.location import Place
 

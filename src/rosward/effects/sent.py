@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 Sending = Literal["publication", "request", "response", "goal", "feedback", "result"]

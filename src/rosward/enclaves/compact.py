@@ -14,7 +14,7 @@ from __future__ import annotations
 import heapq
 from collections import Counter
 from collections.abc import Sequence
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.enclaves.patterns import Candidate, MatchedNames, candidates
 from rosward.enclaves.privileges import Privilege, by_enclave, on_dds, parts, privileges
@@ -24,6 +24,7 @@ from rosward.findings import Finding
 from rosward.network.checks import UnknownNames
 from rosward.policies.match import Pattern
 from rosward.policies.rights import Right
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind, Node
 from rosward.source.location import Place
 

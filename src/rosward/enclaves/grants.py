@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.enclaves.privileges import Privilege, parts
 from rosward.enclaves.widened import Widened, Widenings
@@ -25,6 +25,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.policies.granted import OUTSIDE, name_to_grant, why_not
+from rosward.records import NamedTuple
 from rosward.ros.entities import KIND_ORDER, Entity, EntityKind, Node
 
 __all__ = ["NOT_WIDENED", "Enclave", "Grant", "Omission", "Profile", "enclave_named", "enclaves"]

@@ -13,9 +13,9 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from rosward.enclaves.price import NOTHING, Price, Tariff
+from rosward.records import NamedTuple
 
 __all__ = ["Cut", "Ladder", "Merging", "Unit", "cut_at", "knee", "ladder", "most", "within"]
 

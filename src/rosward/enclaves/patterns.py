@@ -14,10 +14,11 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Set
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.enclaves.privileges import Privilege, parts
 from rosward.policies.match import Pattern
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 
 __all__ = ["Candidate", "MatchedNames", "candidates"]

@@ -15,10 +15,11 @@ Where it is known what each process can influence, each name that only the other
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.enclaves.privileges import Privilege
 from rosward.policies.match import Pattern
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 
 __all__ = ["ACTS", "INFLUENCES", "LISTENS", "NOTHING", "Price", "Tariff"]

@@ -12,12 +12,13 @@ An action is three services and two topics, and a policy can also name each of t
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.policies.granted import OUTSIDE, name_to_grant, why_not
 from rosward.policies.rights import ACTION_SERVICES, ACTION_TOPICS, Right, rights_of
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind, Node
 
 __all__ = ["Privilege", "by_enclave", "on_dds", "parts", "privileges"]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.enclaves.grouping import Cut, Ladder, Unit, cut_at, knee, ladder, most, within
 from rosward.enclaves.influence import influence_of
@@ -22,6 +22,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.contexts import with_enclaves
 from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.enclaves import LONGEST_ENCLAVE, enclave_paths
+from rosward.records import NamedTuple
 from rosward.ros.entities import Node
 
 __all__ = ["JointEnclave", "Suggestion", "Surplus", "Wish", "suggest"]

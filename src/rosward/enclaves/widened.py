@@ -7,8 +7,9 @@ Widened(SERVICE_SERVER, /a/*_parameter*, members={/a/get_parameters, /a/set_para
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 
 __all__ = ["Widened", "Widenings"]

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 

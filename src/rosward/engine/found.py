@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from rosward.ir.program import Module
 from rosward.models.file_paths import Files
+from rosward.records import NamedTuple
 from rosward.source.definitions import Definition
 
 if TYPE_CHECKING:

@@ -15,9 +15,10 @@ from rosward.engine.declared import MODEL_PREFIX
 from rosward.engine.found import FoundModule, Sources
 from rosward.engine.languages import LANGUAGES, Languages
 from rosward.engine.machine import Language
-from rosward.engine.model_library import PROCESS_ADDRESSES, Constants, ModelLibrary, borrowed, file_value, given_back
+from rosward.engine.model_library import PROCESS_ADDRESSES, Constants, ModelLibrary, file_value
 from rosward.engine.model_units import absolute
 from rosward.engine.reads import Reading, RecordedSources
+from rosward.engine.spare import borrowed, given_back
 from rosward.findings import Findings
 from rosward.ir import ops
 from rosward.ir.program import Module
@@ -60,6 +61,7 @@ class Library:
         self.creating = self.facts.creating
         self.marks = self._models.marks
         self._natives = models.natives
+        self._further: dict[str, NativeFunction] = {}
         self._constants = Constants()
         self._found: dict[tuple[str, int, str], FoundModule | None] = {}
         self._definitions: dict[str, Definition | None] = {}
@@ -94,11 +96,11 @@ class Library:
 
     def native(self, name: str) -> NativeFunction | None:
         """The model in code of a dotted name."""
-        return self._natives.get(name)
+        return self._further.get(name) or self._natives.get(name)
 
     def add_natives(self, natives: Mapping[str, NativeFunction]) -> None:
         """Further models in code: of a language that not every analysis has."""
-        self._natives = natives if not self._natives else {**self._natives, **natives}
+        self._further = {**self._further, **natives}
 
     def function_address(self, function: Function) -> int:
         """Where the attributes of a function object are kept."""
@@ -185,7 +187,8 @@ class Library:
 
     def language_of(self, module: ModuleValue) -> Language:
         """That of the file of a module; of one without a file, that of the models."""
-        lowered = self.module(module.file)
+        file = module.file
+        lowered = None if self.is_model_file(file) else self.module(file)
         return self.languages[next(iter(self.languages))] if lowered is None else self.languages[lowered.code.language]
 
     def interface_has(self, module: str, name: str) -> bool | None:

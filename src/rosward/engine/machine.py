@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol, final
 
 from rosward.engine.shared import Shared
 from rosward.models.native import Machine
+from rosward.records import dataclass
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj

@@ -2,14 +2,14 @@
 """What do the models of libraries make, whoever asks for them?
 
 Models are run once, in an interpreter of their own; its heap is the ground on which every process stands. They see no source: what they make
-depends on the stubs alone, so an analysis takes over what was run for an earlier one (`borrowed`, `given_back`).
+depends on the stubs alone, so an analysis takes over what was run for an earlier one (`spare.py`, `kept_models.py`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Final, final
+from typing import Final, Protocol, final
 
 from rosward.domain.compound import External
 from rosward.domain.heap import Obj
@@ -38,7 +38,7 @@ from rosward.models.tables import Models
 from rosward.source.definitions import Definition
 from rosward.source.location import Place
 
-__all__ = ["PROCESS_ADDRESSES", "Constants", "ModelLibrary", "borrowed", "file_value", "given_back"]
+__all__ = ["NOTHING", "PROCESS_ADDRESSES", "Constants", "ModelLibrary", "classes_of", "file_value"]
 
 PROCESS_ADDRESSES: Final = 10_000_000
 """The first address of the heap of a process."""
@@ -124,6 +124,15 @@ class ModelLibrary:
         """Whether it holds these models and no others."""
         return not self._folders and net == self._net and models.natives == self._natives and models.facts == self.facts
 
+    @property
+    def is_written_by_records(self) -> bool:
+        """Whether what was run went well, and has left nothing but records."""
+        return self.at_rest and not self.findings and not self._function_addresses
+
+    def records(self) -> Iterator[tuple[int, Obj]]:
+        """All records with their addresses."""
+        return self._loader.state.heap.items()
+
     # Values
 
     def constant(self, op: ops.Const) -> Const:
@@ -132,13 +141,13 @@ class ModelLibrary:
 
     def at(self, address: int) -> Obj:
         """A record of the models' heap; an empty one where there is none."""
-        return self._loader.state.heap.get(address) or _NOTHING
+        return self._loader.state.heap.get(address) or NOTHING
 
     def ground(self, address: int) -> Obj | None:
         """What stands at an address before a process writes to it: a model's record, or that of a function without attributes."""
         if address >= self.first_address:
             return None
-        return _NOTHING if address < -1 else self._loader.state.heap.get(address)
+        return NOTHING if address < -1 else self._loader.state.heap.get(address)
 
     def native(self, name: str) -> NativeFunction | None:
         """The model in code of a dotted name."""
@@ -159,16 +168,8 @@ class ModelLibrary:
     def node_classes(self) -> tuple[Class, ...]:
         """The models of the classes of nodes."""
         if self._node_classes is None:
-            self._node_classes = tuple(self._classes(sorted(self.facts.node_classes)))
+            self._node_classes = classes_of(self, self.facts.node_classes)
         return self._node_classes
-
-    def _classes(self, names: Iterable[str]) -> Iterator[Class]:
-        for name in names:
-            package, _, leaf = name.rpartition(".")
-            model = self.model(package)
-            found = None if model is None else self.at(self.load_model(model).address).attrs.get(leaf)
-            if isinstance(found, Class):
-                yield found
 
     def file_value(self, module: ModuleValue) -> Value:
         """`__file__`."""
@@ -302,21 +303,32 @@ def file_value(module: ModuleValue, shared: tuple[str, str] | None) -> Value:
     return make((Hole((Reason(Cause.BESIDE, folder or ".", Place(module.file)),)), "/" + name))
 
 
-_NOTHING: Final = Obj("instance", Const(None))
-_SPARE: Final[list[ModelLibrary]] = []
-"""rosward's own models as the analysis before left them; it is empty while they are in use. They and what they make never change."""
+NOTHING: Final = Obj("instance", Const(None))
+"""What stands where nothing was put."""
 
 
-def borrowed(models: Models, *, net: bool) -> ModelLibrary:
-    """Those, or a library in which nothing was asked for so far."""
-    try:
-        found = _SPARE.pop()
-    except IndexError:
-        return ModelLibrary(models, net=net)
-    return found if found.is_of(models, net=net) else ModelLibrary(models, net=net)
+class Loaded(Protocol):
+    """Models that can be loaded."""
+
+    def model(self, name: str) -> FoundModule | None:
+        """The model of a module."""
+
+    def load_model(self, found: FoundModule) -> ModuleValue:
+        """The module value of a model."""
+
+    def at(self, address: int) -> Obj:
+        """A record of the models' heap."""
 
 
-def given_back(library: ModelLibrary) -> None:
-    """For the next analysis: what nobody uses any more, and in which nothing went wrong."""
-    if library.at_rest and not library.findings:
-        _SPARE[:] = [library]
+def classes_of(library: Loaded, names: Iterable[str]) -> tuple[Class, ...]:
+    """The models of classes, by their dotted names."""
+    return tuple(_classes(library, sorted(names)))
+
+
+def _classes(library: Loaded, names: Iterable[str]) -> Iterator[Class]:
+    for name in names:
+        package, _, leaf = name.rpartition(".")
+        model = library.model(package)
+        found = None if model is None else library.at(library.load_model(model).address).attrs.get(leaf)
+        if isinstance(found, Class):
+            yield found

@@ -13,7 +13,9 @@ was asked before it by other processes, although most of that is computed once f
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.effects.configuration import Configuration

@@ -8,12 +8,13 @@ Where precision is given up, the next run of the loop starts from there, and com
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rosward.domain.heap import Obj
 from rosward.domain.state import Merge, join_objects, join_registers
 from rosward.domain.values import UNBOUND, Value
 from rosward.engine.frame import Snapshot
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
 
 from rosward.domain.values import UNBOUND, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.state import State

@@ -10,12 +10,13 @@ nobody asks, nothing is noted.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import External, Partial, Tuple
 from rosward.domain.slots import Pointer, Slot
 from rosward.domain.values import Class, Const, Function, Ref, Text, Unknown, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.unknown import Origin, Reason

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.domain.state import State
 from rosward.domain.values import NONE, UNBOUND, Value
 from rosward.models.native import ResumptionKind
+from rosward.records import NamedTuple
 
 
 class Resumption(NamedTuple):

@@ -30,6 +30,12 @@ _OWN: Final[dict[str, Module]] = {}
 """rosward's own stubs, lowered: they and their IR never change, so that one run has them from the run before."""
 
 
+def own_names() -> list[str]:
+    """The modules that rosward's own stubs describe."""
+    files = (path.relative_to(STUBS).with_suffix("").as_posix() for path in STUBS.rglob("*.pyi"))
+    return sorted(file.removesuffix("/__init__").replace("/", ".") for file in files)
+
+
 @final
 class StubFiles:
     """The stubs of several folders; what is wrong with them stands in `findings`."""

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.explanation.content import Contents, ContentTold
 from rosward.explanation.excerpts import Excerpt, Excerpts
@@ -27,6 +27,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchSystem
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Interface, Node, Qos, Resolution
 from rosward.rules import RULES, Severity
 from rosward.source.location import Place

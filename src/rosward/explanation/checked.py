@@ -7,11 +7,11 @@ Checked(policy, differences=(Difference("/talker", "publisher /status", Judged(R
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from rosward.findings import Finding
 from rosward.policies.compare import Discrepancy, Related
 from rosward.policies.records import Policy
+from rosward.records import NamedTuple
 from rosward.rules import Severity
 from rosward.suppression.judge import Judged, RelatedPlace, Reviewed
 

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from rosward.findings import Finding
 from rosward.one_cause import OneCause, by_cause
+from rosward.records import NamedTuple
 from rosward.rules import RULES, Rule
 
 __all__ = ["Doubts", "doubts"]

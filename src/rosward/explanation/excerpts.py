@@ -12,9 +12,10 @@ number of files have a bound: where a line cannot be shown, the excerpt has no l
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.safe import printable
 from rosward.source import limits
 from rosward.source.location import Place

@@ -10,13 +10,14 @@ subscription /porter/battery of /porter/battery_monitor
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.enclaves.grants import enclaves
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.network.launch_tree import LaunchEntry, LaunchSystem
 from rosward.policies.elements import ELEMENTS
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Node, Parameter, Resolution
 from rosward.source.location import Place
 

@@ -15,11 +15,12 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Callable, Iterable
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.network.enclaves import enclave_paths
 from rosward.network.graph import Network
 from rosward.network.holes import may_be
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Node
 from rosward.rules import RULES
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.records import NamedTuple
 
 NO_SLOTS: Final[Mapping[object, Mark]] = MappingProxyType({})
 

@@ -11,9 +11,10 @@ Each source of a process has three bits, from strong to weak. A union is `|`; wh
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.effects.flows import Source
+from rosward.records import NamedTuple
 
 _SOURCES: Final = 2048
 _DATA: Final = sum(1 << 3 * n for n in range(_SOURCES))

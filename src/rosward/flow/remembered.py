@@ -7,7 +7,9 @@ for turn in any number:           the second turn finds in `handle` what the fir
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.effects.flows import Sink

@@ -13,9 +13,10 @@ For each callback it is noted where each source is met first, and where it is ke
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.flow.marks import numbers
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

@@ -7,9 +7,10 @@ Which one reads a file is decided by the file's suffix (`registry.py`); nothing 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol, final
+from typing import Protocol, final
 
 from rosward.ir.program import Module
+from rosward.records import NamedTuple
 
 __all__ = ["FrontEnd", "FrontendError", "Lower"]
 

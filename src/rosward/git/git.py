@@ -16,7 +16,9 @@ import subprocess
 import threading
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import IO, Final, NamedTuple, final
+from typing import IO, Final, final
+
+from rosward.records import NamedTuple
 
 __all__ = ["Git", "GitError", "TreeEntry"]
 

@@ -14,10 +14,11 @@ import os
 import re
 import stat
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.git.folders import make_folders
 from rosward.git.git import Git, GitError, TreeEntry
+from rosward.records import NamedTuple
 
 __all__ = ["write_commit", "write_work_tree"]
 

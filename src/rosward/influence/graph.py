@@ -10,10 +10,11 @@ What stands at a vertex is content: of a topic, a request, a parameter of one no
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.influence.declared import flows_of
 from rosward.network.holes import may_meet
+from rosward.records import NamedTuple
 from rosward.ros.entities import Node
 from rosward.ros.flows import STRENGTHS, End
 from rosward.source.location import Place

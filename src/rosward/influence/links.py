@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from rosward.influence.declared import flows_of
 from rosward.influence.graph import FlowGraph, Vertex, arrived, sent
+from rosward.records import NamedTuple
 from rosward.ros.entities import Node
 from rosward.ros.flows import STRENGTHS, End
 

@@ -12,9 +12,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.influence.select import KINDS, Selection
+from rosward.records import NamedTuple
 from rosward.ros.flows import STRENGTHS
 
 _MOST: Final = 1_000

@@ -7,10 +7,11 @@ Content leaves where it reaches a socket, a file, another program, or a topic to
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.influence.graph import Edge, FlowGraph, Vertex
 from rosward.influence.search import Reached, at_least, downstream, way_to
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind, Node
 from rosward.ros.flows import End
 

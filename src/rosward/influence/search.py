@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Callable, Collection, Iterable, Iterator
-from typing import NamedTuple
 
 from rosward.influence.graph import Edge, FlowGraph, Vertex
+from rosward.records import NamedTuple
 from rosward.ros.flows import STRENGTHS
 
 Passing = Callable[[Edge], bool]

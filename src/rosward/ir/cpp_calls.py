@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, NamedTuple, final
+from typing import TYPE_CHECKING, Literal, final
 
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.op import Block, Op
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.ir.program import Code

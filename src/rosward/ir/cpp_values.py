@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple, final
+from typing import Literal, final
 
 from rosward.ir.cpp_calls import Argued
 from rosward.ir.op import Block, Op
+from rosward.records import NamedTuple
 
 __all__ = [
     "Assign",

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Sequence
-from typing import Final, Literal, NamedTuple, TypeVar, final
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Final, Literal, TypeVar, final
 
 from rosward.ir.op import Block, Op, walk
+from rosward.records import NamedTuple
 
 _T = TypeVar("_T")
 
@@ -158,6 +159,7 @@ class Code:
         "returns",
         "signature",
         "variables",
+        "waits",
     )
 
     def __init__(
@@ -208,6 +210,27 @@ class Code:
         self.doc = doc
         for number, op in enumerate(walk(ops), 1):
             op.number = number
+
+    @staticmethod
+    def waiting(key: str, waits: Callable[[], Code]) -> Code:
+        """A body of which the key is known; what else it has, `waits` gives where somebody asks for it."""
+        code = Code.__new__(Code)
+        code.key = key
+        code.waits = waits  # type: ignore[attr-defined]  # what is complete has no such thing
+        return code
+
+    if not TYPE_CHECKING:  # for a type checker it has what it has, and nothing else
+
+        def __getattr__(self, name: str) -> object:
+            """What is asked for is not there yet: from now on all is."""
+            if name == "waits" or name not in Code.__slots__:
+                raise AttributeError(name)
+            made = self.waits()
+            for each in Code.__slots__:
+                if each != "waits":
+                    setattr(self, each, getattr(made, each))
+            del self.waits
+            return getattr(self, name)
 
 
 @final

@@ -13,9 +13,10 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from rosward.ir.program import Code, ParameterSymbol, Scope, Signature, TemplateParameter, TypePattern
+from rosward.records import NamedTuple
 
 __all__ = [
     "BaseSymbol",

@@ -18,9 +18,10 @@ import ast
 import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.text import read_bytes
 

@@ -12,11 +12,12 @@ A path of the sources is a text that begins with a hole for the folder and goes 
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple, Protocol
+from typing import Final, Protocol
 
 from rosward.domain.text import make, parts_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Hole, Text, Unknown, Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place, names_of_path
 
 _PACKAGE: Final = re.compile(r"\w[\w.-]*", re.ASCII)

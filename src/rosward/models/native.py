@@ -11,11 +11,12 @@ A native is a function of a `NativeCall` that returns an abstract value. It is f
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
-from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol, SupportsIndex, final, overload
+from typing import TYPE_CHECKING, Literal, Protocol, SupportsIndex, final, overload
 
 from rosward.domain.choice import reasons_of
 from rosward.domain.unknown import Cause
 from rosward.effects.log import Execution
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.domain.heap import Obj

@@ -4,17 +4,20 @@
 from __future__ import annotations
 
 import importlib
+import json
 import pkgutil
 from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final, final
 
 import rosward.models
 from rosward.models.facts import LibraryFacts
 from rosward.models.native import NativeFunction
 from rosward.models.ros.facts import OWN
+from rosward.records import NamedTuple
+from rosward.source.kept import kept
 
-_TABLE: Final[dict[str, NativeFunction]] = {}
+_OWN_NATIVES: Final[list[Natives]] = []
 _CPP_TABLE: Final[dict[str, NativeFunction]] = {}
 """What `own_models` and `cpp_natives` have collected: the modules of the package never change."""
 
@@ -29,29 +32,62 @@ class Models(NamedTuple):
 _CPP: Final = "rosward.models.cpp"
 
 
+@final
+class Natives(Mapping[str, NativeFunction]):
+    """Models in code by dotted name. The module that one stands in is imported when somebody asks for one of its models."""
+
+    def __init__(self, modules: Mapping[str, str]) -> None:
+        self._modules = modules
+        self._loaded: dict[str, NativeFunction] = {}
+
+    def __getitem__(self, name: str) -> NativeFunction:
+        found = self._loaded.get(name)
+        if found is None:
+            self._loaded.update(_natives(self._modules[name]))
+            found = self._loaded[name]
+        return found
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._modules)
+
+    def __len__(self) -> int:
+        return len(self._modules)
+
+
 def cpp_natives() -> Mapping[str, NativeFunction]:
     """The models in code that only C++ needs: loaded where there is a program in C++."""
     if not _CPP_TABLE:
-        _CPP_TABLE.update(_collected(importlib.import_module(_CPP).__path__, f"{_CPP}."))
+        modules = _modules_of_natives(importlib.import_module(_CPP).__path__, f"{_CPP}.")
+        _CPP_TABLE.update({name: _natives(module)[name] for name, module in modules.items()})
     return MappingProxyType(_CPP_TABLE)
 
 
 def own_models() -> Models:
-    """The union of the `NATIVES` tables of the modules of this package (a name in two of them is an error), and the facts of its stubs."""
-    if not _TABLE:
-        _TABLE.update(_collected(rosward.models.__path__, "rosward.models.", without=_CPP))
-    return Models(MappingProxyType(_TABLE), OWN)
+    """The `NATIVES` tables of all other modules of this package, and the facts of its stubs."""
+    if not _OWN_NATIVES:
+        content = kept("natives", lambda: json.dumps(_own_natives()).encode())
+        _OWN_NATIVES.append(Natives(_own_natives() if content is None else json.loads(content)))
+    return Models(_OWN_NATIVES[0], OWN)
 
 
-def _collected(path: Iterable[str], prefix: str, without: str = "") -> dict[str, NativeFunction]:
-    table: dict[str, NativeFunction] = {}
+def _own_natives() -> dict[str, str]:
+    return _modules_of_natives(rosward.models.__path__, "rosward.models.", without=_CPP)
+
+
+def _modules_of_natives(path: Iterable[str], prefix: str, without: str = "") -> dict[str, str]:
+    """In which module each model stands; a name in two of them is an error."""
+    found: dict[str, str] = {}
     for info in sorted(_modules(path, prefix, without), key=lambda i: i.name):
-        module = importlib.import_module(info.name)
-        for name, function in getattr(module, "NATIVES", {}).items():
-            if name in table:
+        for name in _natives(info.name):
+            if name in found:
                 raise ValueError(f"two models of {name}")
-            table[name] = function
-    return table
+            found[name] = info.name
+    return found
+
+
+def _natives(module: str) -> Mapping[str, NativeFunction]:
+    found: Mapping[str, NativeFunction] = getattr(importlib.import_module(module), "NATIVES", {})
+    return found
 
 
 def _modules(path: Iterable[str], prefix: str, without: str) -> Iterator[pkgutil.ModuleInfo]:

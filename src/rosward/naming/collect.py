@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.compound import Tuple
 from rosward.domain.text import pattern
@@ -21,6 +20,7 @@ from rosward.naming.flows import both, with_flows
 from rosward.naming.implicit import Identity
 from rosward.naming.options import NameOption, interface_types, name_options, together
 from rosward.naming.resolved import ACTIONS, resolved
+from rosward.records import NamedTuple, replace
 from rosward.ros import names
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Resolution, least_sure

@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.choice import lift, options, reasons_of
 from rosward.domain.compound import Tuple
@@ -20,6 +20,7 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Choice, Const, Text, Unknown, Value
 from rosward.effects.configuration import Configuration, Given
 from rosward.holes import HOLE, Holed, with_stars
+from rosward.records import NamedTuple
 from rosward.ros import arguments, names
 from rosward.ros.parameter_values import ParameterValue, effective_value
 from rosward.source.location import Place

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from typing import Final
 
 from rosward.domain.certain import text_of
@@ -14,6 +13,7 @@ from rosward.findings import Findings
 from rosward.naming.implicit import Identity
 from rosward.naming.options import name_options
 from rosward.naming.resolved import resolved
+from rosward.records import replace
 from rosward.ros.distro import Distro
 from rosward.ros.entities import EntityKind, Node
 from rosward.ros.flows import EXECUTING, STRENGTHS, End, NodeCallback, NodeFlows, NodeSink

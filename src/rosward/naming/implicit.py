@@ -7,9 +7,8 @@ Where a program overrides a method that the client library calls for them, they 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from functools import partial
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.certain import is_true
 from rosward.domain.choice import options
@@ -19,6 +18,7 @@ from rosward.holes import HOLE, Holed
 from rosward.naming.command_line import ValueRule
 from rosward.naming.final_name import command_lines
 from rosward.naming.parameters import values_of
+from rosward.records import NamedTuple, replace
 from rosward.ros import names
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Resolution

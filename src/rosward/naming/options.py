@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import External
@@ -17,6 +17,7 @@ from rosward.domain.text import common, origins_of, pattern
 from rosward.domain.unknown import INSTEAD, Cause, Origins, Reason
 from rosward.domain.values import Const, Text, Value
 from rosward.holes import HOLE, Holed
+from rosward.records import NamedTuple
 from rosward.ros.entities import Resolution
 from rosward.source.definitions import PARTS
 from rosward.source.location import Place

@@ -9,7 +9,9 @@ Paths are relative to the root of the analysis, so that it is the same on every 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 __all__ = ["NOT_TOLD", "Asked", "LaunchAsked", "OptionValue", "asked_differently"]
 

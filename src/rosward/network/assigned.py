@@ -12,11 +12,11 @@ It is data: a file that `rosward enclaves suggest --write` writes, that people c
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 from rosward.findings import Finding
+from rosward.records import dataclass, field
 from rosward.ros.entities import Node
 from rosward.ros.names import validate_enclave
 from rosward.source import limits

@@ -10,12 +10,12 @@ The result does not depend on the order in which nodes and findings come in.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from rosward.findings import Finding, each_once
 from rosward.network.checks import UnknownNames, check
 from rosward.network.graph import Action, Network, Service, Topic
+from rosward.records import NamedTuple, replace
 from rosward.ros.entities import KIND_ORDER, Entity, EntityKind, Node, Parameter, Qos, surest
 from rosward.source.location import Place
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import replace
 from typing import Final
 
 from rosward.findings import Finding
@@ -22,6 +21,7 @@ from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
 from rosward.network.enclave_mode import EnclaveMode
 from rosward.network.free import free
 from rosward.network.launch_tree import CONTAINER
+from rosward.records import replace
 from rosward.ros.entities import Node
 from rosward.ros.names import fully_qualified, validate_enclave
 

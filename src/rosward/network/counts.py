@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.one_cause import by_cause
+from rosward.records import NamedTuple
 from rosward.ros.entities import Interface, Resolution
 from rosward.rules import Severity
 

@@ -9,8 +9,9 @@ Ends meet where name and prefix on DDS are the same. The source of a topic is it
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node
 from rosward.source.location import Place
 

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rosward.findings import Finding
 from rosward.network.asked import NOT_TOLD, Asked
+from rosward.records import dataclass
 from rosward.ros.entities import Node
 
 

@@ -11,10 +11,10 @@ So that it is not taken for another one: by a person, by a graph, by the policy 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from rosward.holes import HOLE
 from rosward.network.free import free
+from rosward.records import replace
 from rosward.ros.entities import Interface, Node
 from rosward.source.location import Place
 

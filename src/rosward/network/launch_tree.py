@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 CONTAINER: Final = "container:"

@@ -11,12 +11,13 @@ unknown interface, may be it, the message says so. What the client library makes
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.findings import Finding
 from rosward.network.ends import End, Meeting, listed_names, meetings
 from rosward.network.graph import Network
 from rosward.network.holes import NameIndex
+from rosward.records import NamedTuple
 from rosward.ros.entities import Node, Resolution
 
 __all__ = ["LOOSE_ENDS", "loose_ends"]

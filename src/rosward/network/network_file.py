@@ -13,10 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.findings import Finding
 from rosward.network.asked import NOT_TOLD, Asked, LaunchAsked
+from rosward.records import NamedTuple
 from rosward.ros.entities import ENTITY_LISTS, Entity, Interface, Node, Qos, Resolution, is_assumed_label
 from rosward.rules import RULES
 from rosward.source.json_fields import Fields, UnreadableError, json_document

@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import NamedTuple
 
 from rosward.findings import Finding
 from rosward.guard import internal_error
 from rosward.network.connect import with_findings
 from rosward.outputs.formats import FORMATS, Format
+from rosward.outputs.graphs.pictures import Pictures
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import File, Material, Scan, files, text
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 from rosward.suppression.judge import of_no_file
 
@@ -33,6 +34,7 @@ def write_outputs(
     Formats of findings need a `scan`. Raises OSError where that is not possible. A format that cannot be made for a fault of rosward is a
     finding (RW299), which the others show; without `net` that is raised.
     """
+    material = material._replace(pictures=Pictures())
     chosen = [each for each in FORMATS if each.name in formats and each.files]
     written: dict[str, dict[str, None]] = {}
     failed: dict[str, Finding] = {}

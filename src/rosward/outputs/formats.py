@@ -12,7 +12,9 @@ writer is a module below `outputs` that is imported only where its format is ask
 
 from __future__ import annotations
 
-from typing import Final, Literal, NamedTuple
+from typing import Final, Literal
+
+from rosward.records import NamedTuple
 
 __all__ = ["BY_NAME", "DEFAULT_FORMATS", "FORMATS", "OF_FINDINGS", "Format", "Needs"]
 

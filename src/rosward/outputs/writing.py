@@ -11,16 +11,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, Final, NamedTuple, Protocol, cast
+from typing import TYPE_CHECKING, Final, Protocol, cast
 
 from rosward.enclaves.grants import NOT_WIDENED
 from rosward.enclaves.widened import Widenings
 from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
+from rosward.outputs.graphs.pictures import Pictures
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.outputs.formats import Format
-    from rosward.outputs.report.document import Background
+    from rosward.outputs.report.background import Background
     from rosward.suppression.judge import Judged
 
 __all__ = ["File", "FindingsWriter", "Material", "NetworkWriter", "Scan", "files", "of_enclave", "of_enclaves", "text"]
@@ -40,7 +42,7 @@ class Scan(NamedTuple):
 
 
 class Material(NamedTuple):
-    """What there is to write. `background` is what the report shows beside the network."""
+    """What there is to write. `background` is what the report shows beside the network; `pictures`, what was drawn of it so far."""
 
     network: Network
     unknown: UnknownNames = "deny"
@@ -48,6 +50,7 @@ class Material(NamedTuple):
     types: bool = False
     widened: Widenings = NOT_WIDENED
     background: Background | None = None
+    pictures: Pictures | None = None
 
 
 class NetworkWriter(Protocol):

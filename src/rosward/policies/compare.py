@@ -13,7 +13,7 @@ A rule with a pattern is told where it also allows names that nobody uses.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.findings import Finding
 from rosward.network.counts import listed
@@ -23,6 +23,7 @@ from rosward.policies.match import Pattern
 from rosward.policies.needs import EnclaveNeeds, Need, needs_of
 from rosward.policies.records import EnclavePolicy, Policy, PolicyRule
 from rosward.policies.rights import DISCOVERY, Direction, Right
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 __all__ = ["Discrepancy", "Related", "compare"]

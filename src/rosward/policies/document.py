@@ -13,10 +13,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import Final, NamedTuple, final
+from typing import Final, final
 from xml.parsers import expat
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes

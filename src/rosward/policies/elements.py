@@ -6,8 +6,9 @@ EntityKind.SERVICE_SERVER   ->  <services reply="ALLOW"><service>…</service></
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 
 __all__ = ["ELEMENTS", "Words"]

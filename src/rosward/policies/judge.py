@@ -11,11 +11,12 @@ covers the whole pattern, and no rule before it denies a part.
 from __future__ import annotations
 
 import enum
-from typing import NamedTuple, final
+from typing import final
 
 from rosward.policies.match import Pattern
 from rosward.policies.records import EnclavePolicy, PolicyRule
 from rosward.policies.rights import DISCOVERY, Direction, Right
+from rosward.records import NamedTuple
 
 __all__ = ["Judge", "Judgement", "Verdict"]
 

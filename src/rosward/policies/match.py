@@ -12,7 +12,9 @@ A pattern is an automaton in line; a set of its states is an integer, so that no
 from __future__ import annotations
 
 import string
-from typing import Final, NamedTuple, final
+from typing import Final, final
+
+from rosward.records import NamedTuple
 
 __all__ = ["LONGEST_NAME", "Pattern", "is_pattern"]
 

@@ -10,11 +10,11 @@ fails in any case.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from rosward.network.enclaves import enclave_paths
 from rosward.policies.granted import is_name_of_ros, name_to_grant
 from rosward.policies.rights import Right, rights_of
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.location import Place
 

@@ -11,8 +11,9 @@ It is what sros2 makes of a policy (permissions.xsl), so that a policy and permi
 from __future__ import annotations
 
 import enum
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 
 __all__ = ["ACTION_SERVICES", "ACTION_TOPICS", "DISCOVERY", "Direction", "Right", "rights_of"]

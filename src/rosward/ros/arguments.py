@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.holes import HOLE, Holed, with_stars
+from rosward.records import NamedTuple, dataclass, field
 from rosward.ros.names import RemapKind, RemapRule, may_be_equal, validate_enclave
 from rosward.ros.parameter_values import InvalidArgument, ParameterValue, effective_value, parse_value, scalar_value
 

@@ -16,7 +16,9 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 __all__ = ["DEFAULT_DISTRO", "DISTROS", "Distro", "DistroFacts"]
 

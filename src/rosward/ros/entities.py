@@ -9,9 +9,9 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
 from typing import Final
 
+from rosward.records import dataclass, field, replace
 from rosward.ros.flows import NodeFlows
 from rosward.source.location import Place
 

@@ -6,9 +6,9 @@ topic:/cmd_vel <- data topic:/plan, parameter:max_speed; control topic:/e_stop; 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple, dataclass
 from rosward.source.location import Place
 
 EXECUTING: Final = ("code", "pickle", "method")

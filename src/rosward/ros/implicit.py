@@ -16,8 +16,9 @@ subscribes to /parameter_events, and where a node measures its subscriptions, it
 from __future__ import annotations
 
 import enum
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Entity, EntityKind, Qos
 

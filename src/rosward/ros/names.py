@@ -15,9 +15,10 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Iterable, Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.holes import HOLE, Holed, with_stars
+from rosward.records import NamedTuple
 from rosward.ros.validation import (
     collapse,
     validate_enclave,

@@ -22,8 +22,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from rich.console import Console
-
 from rosward.deployment.request import LaunchRequest, Request
 from rosward.diff.compare import compare, read_snapshot
 from rosward.enclaves.grants import enclaves
@@ -36,8 +34,9 @@ from rosward.network.loose_ends import LOOSE_ENDS, loose_ends
 from rosward.outputs.documents.flow_json import flow_json
 from rosward.outputs.files import write_outputs
 from rosward.outputs.formats import BY_NAME
-from rosward.outputs.report.document import Background
+from rosward.outputs.report.background import Background
 from rosward.outputs.terminal.diff_text import diff_text
+from rosward.outputs.terminal.paper import Plain
 from rosward.outputs.terminal.summary import summary
 from rosward.outputs.whole_files import write_text
 from rosward.outputs.writing import Material, Scan, of_enclave
@@ -93,7 +92,7 @@ def analyse(job: Job, tell: Teller) -> None:
     reviewed = reviewed._replace(shown=(*reviewed.shown, *of_no_file(written.findings)))
     network = with_findings(network, written.findings)
     printed = io.StringIO()
-    summary(network, Console(file=printed, soft_wrap=True, width=120, no_color=True), verbose=True, reviewed=reviewed)
+    summary(network, Plain(printed), verbose=True, reviewed=reviewed)
     write_text(job.output, "findings.txt", printed.getvalue())
     if settings.flows:
         write_text(job.output, "flow.json", flow_json(network.nodes, graph_of(network.nodes), flowing))

@@ -16,8 +16,9 @@ from __future__ import annotations
 import re
 from importlib import resources
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.server.places import write_left_out
 from rosward.server.settings import Settings
 

@@ -11,8 +11,9 @@ The process ends when its input does: that is how it notices that the server is 
 from __future__ import annotations
 
 import json
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.server.limits import Limits
 from rosward.server.settings import Settings, read_settings
 

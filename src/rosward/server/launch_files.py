@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.source_tree import SourceTree
@@ -28,6 +28,7 @@ from rosward.effects.shell import shell
 from rosward.engine.budget import Budget
 from rosward.engine.library import Library
 from rosward.models.tables import own_models
+from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.source.discover import discover
 from rosward.source.surroundings import surroundings

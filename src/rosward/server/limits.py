@@ -6,7 +6,7 @@ An upload beyond a bound is refused as a whole, with the bound in the message; a
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from rosward.records import NamedTuple
 
 __all__ = ["Limits"]
 

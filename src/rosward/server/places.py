@@ -16,8 +16,9 @@ import re
 import unicodedata
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
+from rosward.records import NamedTuple
 from rosward.safe import printable
 from rosward.server.limits import Limits
 

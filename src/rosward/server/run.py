@@ -18,10 +18,11 @@ import webbrowser
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import FrameType
-from typing import Final, NamedTuple
+from typing import Final
 
 import uvicorn
 
+from rosward.records import NamedTuple
 from rosward.server.app import application
 from rosward.server.connections import MOST_CONNECTIONS, PatientProtocol
 from rosward.server.limits import Limits

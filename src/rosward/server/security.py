@@ -17,12 +17,14 @@ import ipaddress
 import re
 import secrets
 from collections.abc import Collection, Mapping
-from typing import Final, NamedTuple, final
+from typing import Final, final
 from urllib.parse import parse_qs
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import HTMLResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from rosward.records import NamedTuple
 
 __all__ = ["PAGE_POLICY", "REPORT_POLICY", "Access", "Guard", "Hosts"]
 

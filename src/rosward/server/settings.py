@@ -10,10 +10,11 @@ The same record is sent to the process that analyses, and kept with its result. 
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.network.checks import UnknownNames
 from rosward.network.enclave_mode import EnclaveMode
+from rosward.records import NamedTuple
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.server.places import UploadRefusedError
 from rosward.source.surroundings import SurroundingsError, checked_variable, surroundings

@@ -13,13 +13,14 @@ import asyncio
 import json
 import os
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from starlette.datastructures import FormData, UploadFile
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.types import Message
 
+from rosward.records import NamedTuple
 from rosward.safe import printable
 from rosward.server.limits import Limits
 from rosward.server.places import LeftOut, Places, UploadRefusedError, why_left_out, write_left_out

@@ -10,7 +10,9 @@ Point[] points        a sequence of messages of the same package
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 Constant = bool | int | float | bytes | str
 

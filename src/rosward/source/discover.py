@@ -20,13 +20,13 @@ from rosward.findings import Finding
 from rosward.guard import guarded
 from rosward.source import limits
 from rosward.source.boundary import Boundary
+from rosward.source.build_script import is_build_script
 from rosward.source.exclude import Exclusion, Exclusions
 from rosward.source.executables import executables
 from rosward.source.imports import ImportResolver
 from rosward.source.layout import Layout
 from rosward.source.left_out import left_out, named_few
 from rosward.source.location import Place
-from rosward.source.packages import DescribedPackage, describe, is_build_script
 from rosward.source.surroundings import ROS_2
 from rosward.source.text import place_name, read_bytes
 from rosward.source.walk import CPP_SOURCES, DESCRIPTIONS, Tree, walk
@@ -34,6 +34,8 @@ from rosward.source.workspace import Executable, Package, Skipped, SkipReason, S
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
+
+    from rosward.source.packages import DescribedPackage
 
 
 _LEVELS_ABOVE: Final = 12
@@ -203,6 +205,10 @@ def _describe_all(
     folders = dict(tree.descriptions)
     for above in around:
         folders.setdefault(*above)
+    if not folders:
+        return [], []
+    from rosward.source.packages import describe
+
     found: list[tuple[Package, DescribedPackage]] = []
     failed: list[Finding] = []
     for folder, names in sorted(folders.items()):

@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import configparser
 import re
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import read_bytes

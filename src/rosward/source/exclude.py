@@ -19,7 +19,9 @@ import fnmatch
 import os
 import re
 from collections.abc import Iterable, Sequence
-from typing import Final, NamedTuple, final
+from typing import Final, final
+
+from rosward.records import NamedTuple
 
 __all__ = ["Exclusion", "Exclusions", "PatternError", "exclusions_of", "pattern_of"]
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import NamedTuple, final
+from typing import final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source.boundary import Boundary
 from rosward.source.text import place_name
 from rosward.source.workspace import GeneratedModule, Package, SourceFile, Workspace

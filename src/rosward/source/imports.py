@@ -14,8 +14,9 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
+from rosward.records import NamedTuple
 from rosward.source.generated import GeneratedModules
 from rosward.source.layout import Layout
 from rosward.source.standard_library import BUILT_IN, STANDARD_LIBRARY

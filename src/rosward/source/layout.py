@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
+from rosward.records import NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 

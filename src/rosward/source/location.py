@@ -6,7 +6,7 @@ Place("src/demo/talker.py", 20, 9)  ->  src/demo/talker.py:20:9
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from rosward.records import NamedTuple
 
 
 class Place(NamedTuple):

@@ -12,10 +12,10 @@ rejects: its nodes are real.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 from xml.parsers import expat
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.surroundings import ROS_2

@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-from rosward.source import limits
+from rosward.records import NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
+from rosward.source.build_script import is_build_script
 from rosward.source.cmake.install import below_share
 from rosward.source.cmake.installed import CMakeProject, read_cmake
 from rosward.source.entry_points import PythonSide, read_pyproject, read_setup_cfg
@@ -22,7 +23,7 @@ from rosward.source.generated import there
 from rosward.source.location import Place
 from rosward.source.manifest import Manifest, read_manifest
 from rosward.source.setup_py import read_setup_py
-from rosward.source.text import place_name, read_bytes
+from rosward.source.text import place_name
 from rosward.source.workspace import GeneratedModule, Package, Shared
 
 if TYPE_CHECKING:
@@ -110,9 +111,3 @@ def _root(folder: str, package: str, where: str) -> str:
     if package and os.path.basename(path) == package.rpartition(".")[2]:  # noqa: PTH119
         return os.path.dirname(path)  # noqa: PTH120
     return path
-
-
-def is_build_script(path: str) -> bool:
-    """Whether a file named `setup.py` describes a build, rather than being a module of that name."""
-    data = read_bytes(path, path, limits.DESCRIPTION_FILE)
-    return isinstance(data, bytes) and (b"setuptools" in data or b"distutils" in data or b"catkin_pkg" in data)

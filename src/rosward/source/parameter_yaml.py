@@ -14,8 +14,9 @@ import ast
 import keyword
 import re
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 from rosward.source.yaml_nodes import Item, Malformed, read_yaml
 

@@ -7,9 +7,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, final
+from typing import final
 from xml.parsers import expat
 
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.xml_events import RefusedXmlError, parse
 

@@ -13,8 +13,9 @@ from __future__ import annotations
 
 import os
 import re
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
+from rosward.records import NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 from rosward.source.workspace import SkipReason

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
+from rosward.records import NamedTuple, dataclass, field
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.exclude import Exclusions
 from rosward.source.surroundings import ROS_2

@@ -9,12 +9,14 @@ A reader asks for what it expects and notes what is wrong; nothing is raised for
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
-import yaml
-
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
+
+if TYPE_CHECKING:
+    import yaml  # it takes a while to load, and most sources come without
 
 Scalar = bool | int | float | str
 Plain = Scalar | None
@@ -72,6 +74,8 @@ class Item(NamedTuple):
 
 def read_yaml(text: str, file: str) -> Item:
     """The one document of a text. Raises `Malformed`."""
+    import yaml
+
     whole = Place(file)
     if len(text) > limits.PARAMETERS_FILE:
         raise Malformed("the file is too large", whole)
@@ -91,6 +95,8 @@ def read_yaml(text: str, file: str) -> Item:
 
 
 def _check_events(text: str, file: str) -> None:
+    import yaml
+
     depth = 0
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
         place = _place(event, file)
@@ -110,6 +116,8 @@ def _place(at: yaml.Event | yaml.Node, file: str) -> Place:
 
 
 def _item(node: yaml.Node, file: str) -> Item:
+    import yaml
+
     place = _place(node, file)
     if isinstance(node, yaml.SequenceNode):
         return Item([_item(each, file) for each in node.value], place)
@@ -125,10 +133,12 @@ def _item(node: yaml.Node, file: str) -> Item:
 
 
 def _pairs(node: yaml.MappingNode, file: str) -> Iterator[tuple[str, Item]]:
+    from yaml import ScalarNode
+
     seen: set[str] = set()
     for key, value in node.value:
         place = _place(key, file)
-        if not isinstance(key, yaml.ScalarNode):
+        if not isinstance(key, ScalarNode):
             raise Malformed("a key must be a string", place)
         name = str(key.value)
         if name in seen:

@@ -13,12 +13,10 @@ from __future__ import annotations
 
 import io
 import re
-import tokenize
 from collections.abc import Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
-import yaml
-
+from rosward.records import NamedTuple
 from rosward.source import limits
 
 __all__ = ["IgnoreComment", "ignore_comments"]
@@ -119,6 +117,8 @@ def _of_hash(line: int, column: int, text: str, before: str) -> Iterator[_Commen
 
 
 def _of_python(text: str) -> Iterator[_Comment]:
+    import tokenize  # only where a file has such a word
+
     lines = text.split("\n")
     try:
         for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -195,6 +195,8 @@ def _depth(text: str) -> int:
 
 def _scalar_spans(text: str) -> dict[int, list[tuple[int, int]]]:
     """For each line, the columns that belong to a scalar. Where the text is no YAML, all lines from there on belong to one."""
+    import yaml  # as above
+
     found: dict[int, list[tuple[int, int]]] = {}
     last, longest = 1, len(text) + 1
     try:

@@ -14,9 +14,10 @@ import hashlib
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 
 __all__ = ["BaselineEntry", "LineAt", "fingerprints", "fingerprints_without_line"]
 

@@ -11,9 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from pathlib import Path
-from typing import NamedTuple, final
+from typing import final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source.exclude import Exclusion, Exclusions
 
 __all__ = ["IgnoreIn", "IgnoredPaths"]

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.rules import RULES, Severity
 from rosward.source.location import Place
 from rosward.source.text import read_source

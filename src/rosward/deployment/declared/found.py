@@ -8,11 +8,12 @@ Open('the configuration file of rviz2 is not known')
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.deployment.declared.text import TemplateScope
 from rosward.domain.choice import options
 from rosward.domain.values import EMPTY, Const, Value
+from rosward.records import NamedTuple
 from rosward.ros.entities import Qos
 
 DEFAULT_QOS: Final = Qos("reliable", "volatile", "keep_last", 10)

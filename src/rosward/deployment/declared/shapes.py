@@ -7,9 +7,8 @@ executables: {relay: {node: relay, subscriptions: [{name: '${param:input}', type
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 from rosward.ros.distro import Distro
 from rosward.ros.entities import Qos
 from rosward.ros.implicit import ClientLibrary

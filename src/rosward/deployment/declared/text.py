@@ -10,7 +10,7 @@ The expressions are listed in docs/declared-nodes.md.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.deployment.declared.shapes import DeclaredCondition, DeclaredParameter
 from rosward.domain.choice import join, lift, lift2, options, reasons_of
@@ -20,6 +20,7 @@ from rosward.domain.unknown import Cause, Origin, Reason
 from rosward.domain.values import EMPTY, Const, Text, Unknown, Value
 from rosward.models.python.plain import with_origins
 from rosward.naming.command_line import ANY_NAME
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 DEEPEST: Final = 8

@@ -9,7 +9,7 @@ if="yes"                                launch raises an exception (RW320); both
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rosward.deployment.execution.yaml_values import is_same_path, plain_text
 from rosward.deployment.tree import Condition, Substitution, Template
@@ -18,6 +18,7 @@ from rosward.domain.text import is_path, matches, origins_of
 from rosward.domain.unknown import Cause, Origins
 from rosward.domain.values import Const, Text, Unknown, Value
 from rosward.effects.shell import ORIGIN
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

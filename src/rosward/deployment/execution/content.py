@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.rewrites import Rows

@@ -12,13 +12,14 @@ node has one namespace and one list of rules, not parts of two.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.deployment.execution.ros_state import RosState
 from rosward.domain.choice import join, join_all
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import Unknown, Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 MAX_ALTERNATIVES: Final = 8

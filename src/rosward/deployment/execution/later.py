@@ -10,11 +10,12 @@ let further ones come.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.deployment import tree
 from rosward.deployment.execution.nodes import At
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 _DOUBTFUL: Final = {

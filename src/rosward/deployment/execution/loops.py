@@ -7,7 +7,7 @@ a number of turns that is not known          ->   one turn with an index that is
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.conditions import YES, Truth
 from rosward.deployment.execution.yaml_values import load_yaml, plain_text, value_of
@@ -16,6 +16,7 @@ from rosward.domain.choice import options, reasons_of
 from rosward.domain.text import origins_of
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Const, Unknown, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.component_parameters import ComponentParameters
 from rosward.deployment.execution.namespaces import full_name, prefixed, scopes
@@ -26,6 +26,7 @@ from rosward.domain.text import concat
 from rosward.domain.values import Const, Value
 from rosward.effects.configuration import Configuration
 from rosward.holes import literal
+from rosward.records import NamedTuple
 from rosward.ros.validation import validate_namespace, validate_node_name
 
 if TYPE_CHECKING:

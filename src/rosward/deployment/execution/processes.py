@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.deployment.execution.nodes import At, environment
 from rosward.deployment.execution.yaml_values import plain_text
@@ -21,6 +21,7 @@ from rosward.domain.text import concat, make, origins_of, parts_of
 from rosward.domain.values import EMPTY, Const, Hole, Value
 from rosward.effects.configuration import Configuration
 from rosward.models.python.std.paths import basename
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.deployment.execution.scene import Scene

@@ -10,9 +10,10 @@ to a list inside stays if the list was there before. `RosState.lists` are those 
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.domain.values import Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 NO_LIST: Final = -1

@@ -10,7 +10,7 @@ Read as PyYAML's safe_load does it, since that is what launch calls; values keep
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, NamedTuple
+from typing import Final
 
 import yaml
 
@@ -20,6 +20,7 @@ from rosward.domain.text import concat, is_path, make, origins_of, parts_of
 from rosward.domain.unknown import Cause, Origins, Reason
 from rosward.domain.values import Choice, Const, Hole, Text, Unknown, Value
 from rosward.holes import literal
+from rosward.records import NamedTuple
 from rosward.ros.parameter_values import InvalidArgument, parse_value
 from rosward.source import limits
 from rosward.source.location import Place

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.deployment.markup.substitutions import (
     UNKNOWN,
@@ -25,6 +25,7 @@ from rosward.deployment.markup.values import Native, text_value
 from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.values import Const
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 _REFUSAL_LIMIT: Final = 500

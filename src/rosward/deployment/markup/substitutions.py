@@ -11,10 +11,11 @@ by exactly one blank, a quoted argument is quoted as a whole, and quotes within 
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.deployment.tree import Substitution, Template
 from rosward.domain.values import Const, Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 UNKNOWN: Final = "unknown"

@@ -10,12 +10,13 @@ Each includes a launch file of its package, with every argument that it knows.
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.deployment.markup.element import Tag
 from rosward.deployment.markup.tags_launch import Reader
 from rosward.deployment.tree import Include, LaunchAction, Substitution, Template
 from rosward.domain.values import Const
+from rosward.records import NamedTuple
 
 
 class _Tag(NamedTuple):

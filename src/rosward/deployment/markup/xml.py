@@ -8,7 +8,7 @@ Text between tags means nothing to launch. A document type could only bring enti
 
 from __future__ import annotations
 
-from typing import NamedTuple, final
+from typing import final
 from xml.parsers import expat
 
 from rosward.deployment.markup.element import Attribute, Format, Refusals, Tag
@@ -16,6 +16,7 @@ from rosward.deployment.markup.tags import read_description
 from rosward.deployment.markup.values import UnreadableMarkupError
 from rosward.deployment.tree import Description
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
 

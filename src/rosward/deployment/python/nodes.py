@@ -8,7 +8,7 @@ ComposableNodeContainer(name='c', namespace='', …, composable_node_description
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final, NamedTuple, final
+from typing import Any, Final, final
 
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.python.parameters import ParameterReader
@@ -26,6 +26,7 @@ from rosward.deployment.tree import (
 )
 from rosward.domain.choice import options
 from rosward.domain.values import NONE, Ref, Unknown, Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 _KINDS: Final = {

@@ -8,7 +8,7 @@ nodes = [a]; if unknown: nodes.append(b)        elements: a for sure, b perhaps
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.domain.choice import options, reasons_of
 from rosward.domain.compound import BoundMethod, External, Native, Partial, Tuple
@@ -17,6 +17,7 @@ from rosward.domain.unknown import Cause, Reason
 from rosward.domain.values import NONE, Class, Const, Function, Ref, Text, Unknown, Value
 from rosward.findings import Finding
 from rosward.models.launch.natives import FIELD, REQUIRED, place_of
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 if TYPE_CHECKING:

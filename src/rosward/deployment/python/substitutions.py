@@ -7,13 +7,14 @@ IfCondition(LaunchConfiguration('gui'))     Condition('if', ((Substitution('var'
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.deployment.python.objects import Objects
 from rosward.deployment.tree import Condition, Substitution, Template
 from rosward.domain.choice import options
 from rosward.domain.compound import External, Native, Tuple
 from rosward.domain.values import NONE, Const, Ref, Text, Unknown, Value
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 _SUBSTITUTION: Final = "launch.substitution.Substitution"

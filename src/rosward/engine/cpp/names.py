@@ -9,7 +9,7 @@ a::b::c     a like that, b and c in what stands before them; what is declared no
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from rosward.domain.compound import External
 from rosward.domain.slots import TypeOf
@@ -18,6 +18,7 @@ from rosward.engine.cpp.linked import Info, Linked, linked
 from rosward.engine.cpp.types import dotted
 from rosward.ir.symbols import Scope, Symbol, SymbolKind
 from rosward.models.cpp.constants import known_member, known_name
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

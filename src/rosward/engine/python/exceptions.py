@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import join, join_all
 from rosward.domain.compound import External, Native, Tuple
@@ -21,6 +21,7 @@ from rosward.engine.python.groups import handle_groups
 from rosward.engine.python.raised import chain, made, may_catch
 from rosward.engine.throwing import note, throw, unseen
 from rosward.ir import ops
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -7,7 +7,7 @@ except* ValueError as group:     group.exceptions is (ValueError('a'),); afterwa
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.unknown import Cause
@@ -17,6 +17,7 @@ from rosward.engine.frame import Frame, Snapshot, join_into
 from rosward.engine.throwing import throw
 from rosward.ir import ops
 from rosward.models.python.exception_groups import Parts, made, split, wrapped
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

@@ -11,7 +11,7 @@ that the program puts before and behind. `sys.modules` holds each module of the 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.text import origins_of
@@ -20,6 +20,7 @@ from rosward.domain.values import UNBOUND, Const, Hole, ModuleValue, Ref, Text, 
 from rosward.engine.found import FoundModule
 from rosward.models.file_paths import location_of
 from rosward.models.python.containers import dicts
+from rosward.records import NamedTuple
 from rosward.source.left_out import named_few
 
 if TYPE_CHECKING:

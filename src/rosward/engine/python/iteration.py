@@ -9,7 +9,7 @@ for n in words(): …              a generator runs to its next `yield` before e
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Native, Tuple
@@ -26,6 +26,7 @@ from rosward.ir import ops
 from rosward.models.native import Items
 from rosward.models.python.containers.lists import ITERATOR, VIEW, write_series
 from rosward.models.python.operators import operators
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

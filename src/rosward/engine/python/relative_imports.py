@@ -11,10 +11,11 @@ there both is possible.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.domain.choice import options
 from rosward.domain.values import NONE, Const, ModuleValue, Value
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.engine.machine import Engine

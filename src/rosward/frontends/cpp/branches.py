@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.frontends.cpp.tokens import LITERAL
+from rosward.records import NamedTuple
 
 _DIRECTIVE: Final = re.compile(r"[ \t]*(?:#|%:)[ \t]*([A-Za-z_]\w*)?(.*)", re.DOTALL)
 _LITERAL: Final = re.compile(LITERAL)

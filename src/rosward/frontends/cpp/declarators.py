@@ -8,7 +8,9 @@ Box<T>::Inner::f(T x)                   the name `f`, with the scope Box<T>, Inn
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

@@ -11,9 +11,10 @@ is counted, since a dozen definitions can ask for more text than there is memory
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.frontends.cpp.tokens import is_name, tokens, trimmed
+from rosward.records import NamedTuple
 
 EITHER: Final = "__rosward_either"
 """Called with the alternatives of a macro whose definition depends on what nobody knows."""

@@ -11,11 +11,12 @@ an `#if` that nobody knows says so.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.declarators import DEPTH, Part, dense, named, spelled, text_of, unnamed
 from rosward.frontends.cpp.prepared import Choice
 from rosward.ir.symbols import Scope, SymbolKind
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

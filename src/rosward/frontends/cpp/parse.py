@@ -10,10 +10,11 @@ statement around it, and is told. How much it may work is counted in its own ste
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.prepared import Prepared
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
 

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 
 
 class Choice(NamedTuple):

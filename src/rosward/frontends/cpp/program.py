@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property, partial
-from typing import NamedTuple, final
+from typing import final
 
 from rosward.findings import Finding
 from rosward.frontends.cpp.flow_marks import own_marks
@@ -22,6 +22,7 @@ from rosward.frontends.cpp.symbol import CppSymbol
 from rosward.frontends.cpp.symbol_file import FileSymbols, Seen
 from rosward.frontends.cpp.symbols import CppSymbols
 from rosward.ir.symbols import Scope, SymbolKind
+from rosward.records import NamedTuple
 
 Unit = tuple[str, Sequence[str], Iterable[tuple[str, str, bool]]]
 """A source, its folders of headers, and the macros of its command line."""

@@ -11,9 +11,10 @@ They are blanked, so that what stands around them stays where it is.
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.frontends.cpp.tokens import behind_bracket, blank
+from rosward.records import NamedTuple
 
 _VISIBILITY: Final = re.compile(
     r"\b[A-Z][A-Z0-9_]*_(?:PUBLIC|EXPORT|EXPORTS|LOCAL|API|IMPORT|HIDDEN|PUBLIC_TYPE|NO_EXPORT|DEPRECATED|INLINE|NODISCARD)\b(?!\s*[(.,;=:)+\"<>|&*!?\-/%\]}])"

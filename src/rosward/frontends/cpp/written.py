@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rosward.frontends.cpp.outline import Declared
 from rosward.frontends.cpp.parse import Parsed
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

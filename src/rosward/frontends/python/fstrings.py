@@ -13,7 +13,9 @@ import ast
 import re
 from bisect import bisect_right
 from collections.abc import Callable
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 __all__ = ["parse_with_fstrings"]
 

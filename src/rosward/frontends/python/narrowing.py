@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final, Literal, NamedTuple
+from typing import Final, Literal
 
 from rosward.frontends.python.body import Body, Located
 from rosward.frontends.python.scopes import PlaceKind
@@ -33,6 +33,7 @@ from rosward.ir.ops import (
     StoreItem,
     Unary,
 )
+from rosward.records import NamedTuple
 
 COMPARE: Final[Mapping[type, str]] = {
     ast.Eq: "==",

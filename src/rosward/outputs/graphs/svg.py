@@ -16,6 +16,7 @@ import subprocess
 import sys
 import sysconfig
 from collections.abc import Iterable, Iterator
+from functools import partial
 from itertools import chain
 from pathlib import Path
 from typing import Final
@@ -24,6 +25,7 @@ from rosward.network.graph import Network
 from rosward.outputs.graphs.dot import drawing
 from rosward.outputs.graphs.dot_language import UNKNOWN, Drawing
 from rosward.outputs.graphs.dot_summary import summaries
+from rosward.outputs.graphs.pictures import Pictures
 from rosward.outputs.writing import File, Material
 from rosward.safe import xml_text
 
@@ -52,15 +54,23 @@ _PROLOGUE: Final = re.compile(r"\A.*?(?=<svg\b)", re.DOTALL)
 
 def files(material: Material) -> Iterator[File]:
     """The files of the format `svg`."""
-    yield "graph.svg", graph_svg(material.network, system=material.system, types=material.types)
+    yield "graph.svg", graph_svg(material.network, material.system, material.types, pictures=material.pictures)
 
 
-def graph_svg(network: Network, system: bool = False, types: bool = False, *, links: bool = False) -> str:
-    """The graph as SVG. `links` makes each node a link to `#node-N`, its number in the network."""
+def graph_svg(
+    network: Network,
+    system: bool = False,
+    types: bool = False,
+    *,
+    links: bool = False,
+    pictures: Pictures | None = None,
+) -> str:
+    """The graph as SVG. `links` makes each node a link to `#node-N`, its number in the network; `pictures` are those of before."""
+    known = pictures or Pictures()
     whole = drawing(network, system, types, links)
     for drawn in chain((whole,), summaries(network, system)):
         if drawn.vertices <= _MOST_VERTICES and drawn.steps <= _MOST_STEPS:
-            picture = _picture(drawn)
+            picture = known.of(drawn.text, partial(_picture, drawn))
             if _fits(picture):
                 return picture
     return _message("This graph is too large to draw", whole)

@@ -14,7 +14,7 @@ the ROS name space, which a policy cannot express but DDS can.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.enclaves.grants import NOT_WIDENED, Enclave, Profile, enclave_named, enclaves
 from rosward.enclaves.widened import Widenings
@@ -22,6 +22,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.graph import Network
 from rosward.outputs.writing import File, Material, of_enclaves
 from rosward.policies.rights import DISCOVERY, Direction, Right, rights_of
+from rosward.records import NamedTuple
 from rosward.safe import xml_attribute, xml_text
 
 __all__ = ["NOT_AFTER", "NOT_BEFORE", "files", "permissions", "permissions_xml"]

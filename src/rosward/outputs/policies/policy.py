@@ -16,7 +16,7 @@ there is a comment with the reason.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Omission, Profile, enclave_named, enclaves
 from rosward.enclaves.widened import Widened, Widenings
@@ -24,6 +24,7 @@ from rosward.network.checks import UnknownNames
 from rosward.network.counts import listed
 from rosward.network.graph import Network
 from rosward.policies.elements import ELEMENTS
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Interface
 from rosward.safe import xml_attribute, xml_comment, xml_text
 

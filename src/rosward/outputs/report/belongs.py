@@ -14,11 +14,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
-from typing import Final, NamedTuple, TypeVar, final
+from typing import Final, TypeVar, final
 
 from rosward.findings import Finding
 from rosward.network.enclaves import enclave_paths
 from rosward.outputs.report.numbered import Member, Numbered, NumberedEnd, NumberedEndpoint
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, EntityKind, Node, Resolution
 from rosward.source.location import Place
 

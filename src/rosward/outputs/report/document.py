@@ -10,22 +10,20 @@ Parts speak of each other by ids that are counted in the order of the network. N
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward._version import __version__
-from rosward.enclaves.grants import NOT_WIDENED
-from rosward.enclaves.widened import Widenings
 from rosward.explanation.provenance import Start, Starts
 from rosward.findings import Finding
 from rosward.network.checks import UnknownNames
 from rosward.network.connect import with_findings
 from rosward.network.counts import Count, counts_of
 from rosward.network.graph import Network
-from rosward.network.launch_tree import LaunchEntry, LaunchSystem
+from rosward.network.launch_tree import LaunchEntry
 from rosward.network.loose_ends import loose_ends
 from rosward.one_cause import alike
 from rosward.outputs.documents.rows import place_row
+from rosward.outputs.report.background import Background
 from rosward.outputs.report.belongs import Belongings
 from rosward.outputs.report.endpoints import endpoint_rows
 from rosward.outputs.report.flows import NO_FLOWS, flows
@@ -34,26 +32,13 @@ from rosward.outputs.report.numbered import Member, Numbered, numbered
 from rosward.outputs.report.plain import harmless, place_rows
 from rosward.outputs.report.rights import rights
 from rosward.outputs.report.source_lines import SourceLines, source_lines
+from rosward.records import NamedTuple
 from rosward.rules import Severity
 from rosward.source.location import Place
 
-__all__ = ["VERSION", "Background", "report_document"]
+__all__ = ["VERSION", "report_document"]
 
 VERSION: Final = 1
-
-
-class Background(NamedTuple):
-    """What the report tells beyond the network: the sources below `root`, and what launch files start.
-
-    `loose` are the loose ends to tell, for who has taken away what is to be ignored; without it, the report tells all. `widened` are patterns
-    that the policies have in place of names. `flow`: the analysis followed what flows where, and the report shows it.
-    """
-
-    root: Path | None = None
-    systems: tuple[LaunchSystem, ...] = ()
-    loose: Sequence[Finding] | None = None
-    widened: Widenings = NOT_WIDENED
-    flow: bool = False
 
 
 _NOTHING: Final = Background()

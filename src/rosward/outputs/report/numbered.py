@@ -8,9 +8,10 @@ Numbers follow the order of the network, so the same sources give the same ones.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.network.graph import Network
+from rosward.records import NamedTuple
 from rosward.ros.entities import Entity, Node
 
 __all__ = ["Member", "Numbered", "NumberedEnd", "NumberedEndpoint", "numbered"]

@@ -8,7 +8,7 @@ The lines are those of the policy file itself, since the writer of policies says
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.enclaves.grants import NOT_WIDENED, Enclave, Grant, Profile, enclaves
 from rosward.enclaves.widened import Widenings
@@ -18,6 +18,7 @@ from rosward.outputs.policies.policy import policy_lines
 from rosward.outputs.report.numbered import Numbered
 from rosward.outputs.report.plain import harmless
 from rosward.policies.elements import ELEMENTS
+from rosward.records import NamedTuple
 
 __all__ = ["NONE", "DocumentRights", "EntityRight", "rights"]
 

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.explanation.excerpts import Excerpts
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 
 __all__ = ["SourceLines", "source_lines"]

@@ -10,27 +10,25 @@
       src/demo/node.py:60  publisher of node /listener: sys.argv[1] is not known
       Supply the value that is missing: a default, a parameter file, an argument.
 
-Where the console is no terminal it is plain text, without colours and without cutting lines.
+Where no terminal shows it, it is plain text, without colours and without cutting lines (`paper.py`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import Final
 
 from rosward.explanation.doubts import Doubts, doubts
 from rosward.findings import Finding
 from rosward.network.counts import Count, Counts, counts_of
 from rosward.network.graph import Network
 from rosward.one_cause import by_cause, more_of
+from rosward.outputs.terminal.paper import Paper
+from rosward.records import NamedTuple
 from rosward.ros.entities import Interface, Resolution
 from rosward.rules import Severity
 from rosward.safe import printable
 from rosward.suppression.judge import Reviewed
-
-if TYPE_CHECKING:
-    from rich.console import Console
-    from rich.text import Text
 
 __all__ = ["Unread", "summary"]
 
@@ -57,7 +55,7 @@ _ALL_READ: Final = Unread()
 
 def summary(
     network: Network,
-    console: Console,
+    paper: Paper,
     verbose: bool = False,
     written: Sequence[str] = (),
     reviewed: Reviewed = _NOTHING_ASIDE,
@@ -70,27 +68,27 @@ def summary(
     `configuration` is the file that set options.
     """
     counts = counts_of(network)
-    _print(console, _head(network, counts))
+    paper.line(_head(network, counts))
     if configuration is not None:
-        _print(console, ("  options of " + printable(configuration), "dim"))
+        paper.line(("  options of " + printable(configuration), "dim"))
     for line in _left_out(unread):
-        _print(console, line)
-    console.print()
-    _print(console, ("  ", ""), *_things(counts))
-    _print(console, ("  ", ""), *_names(counts))
+        paper.line(line)
+    paper.line()
+    paper.line(("  ", ""), *_things(counts))
+    paper.line(("  ", ""), *_names(counts))
     if counts.nodes > counts.interfaces[Interface.ANALYSED]:
-        _print(console, ("  ", ""), *_interfaces(counts))
+        paper.line(("  ", ""), *_interfaces(counts))
     if counts.assumed:
         assumed = _several(counts.assumed, "node is", "nodes are")
-        _print(console, (f"  {assumed} assumed: nothing starts {'it' if counts.assumed == 1 else 'them'}", "yellow"))
+        paper.line((f"  {assumed} assumed: nothing starts {'it' if counts.assumed == 1 else 'them'}", "yellow"))
     for group in doubts(network.findings):
         if verbose or group.rule.severity is not Severity.NOTE:
-            console.print()
-            _group(console, group, verbose)
-    console.print()
-    _print(console, *_verdict(counts, verbose, reviewed))
+            paper.line()
+            _group(paper, group, verbose)
+    paper.line()
+    paper.line(*_verdict(counts, verbose, reviewed))
     for path in written:
-        _print(console, ("  ", ""), (printable(path), "dim"))
+        paper.line(("  ", ""), (printable(path), "dim"))
 
 
 def _head(network: Network, counts: Counts) -> tuple[str, str]:
@@ -148,27 +146,27 @@ def _interfaces(counts: Counts) -> list[tuple[str, str]]:
     return parts
 
 
-def _group(console: Console, group: Doubts, verbose: bool) -> None:
+def _group(paper: Paper, group: Doubts, verbose: bool) -> None:
     rule = group.rule
     title = f" {rule.code} {rule.title}: {len(group.causes):,}"
-    _print(console, (rule.severity.value, _COLOURS[rule.severity]), (title, "bold"))
+    paper.line((rule.severity.value, _COLOURS[rule.severity]), (title, "bold"))
     shown = group.causes if verbose else group.causes[:_SHOWN]
     for one in shown:
         more = more_of(one)
-        _finding(console, one.finding, "" if verbose or not more else f" (and {more})")
+        _finding(paper, one.finding, "" if verbose or not more else f" (and {more})")
         for finding in one.also if verbose else ():
-            _finding(console, finding, of=rule.code)
+            _finding(paper, finding, of=rule.code)
     if len(shown) < len(group.causes):
-        _print(console, (f"  … and {len(group.causes) - len(shown):,} more (use -v to list all)", "dim"))
+        paper.line((f"  … and {len(group.causes) - len(shown):,} more (use -v to list all)", "dim"))
     if not all(one.finding.remedy for one in shown):
-        _print(console, ("  " + rule.help, "italic"))
+        paper.line(("  " + rule.help, "italic"))
 
 
-def _finding(console: Console, finding: Finding, more: str = "", of: str | None = None) -> None:
+def _finding(paper: Paper, finding: Finding, more: str = "", of: str | None = None) -> None:
     """A finding on its line; further in, with its code where that is another one, what has the cause of a finding with the code `of`."""
     place, message = printable(str(finding.place)), printable(finding.message)
     code = "" if of in (None, finding.code) else f"{finding.code} "
-    _print(console, ("    " if of else "  ", ""), (place, "cyan"), (f"  {code}{message}", ""), (more, "dim"))
+    paper.line(("    " if of else "  ", ""), (place, "cyan"), (f"  {code}{message}", ""), (more, "dim"))
 
 
 def _verdict(counts: Counts, verbose: bool, reviewed: Reviewed) -> list[tuple[str, str]]:
@@ -195,13 +193,3 @@ def _verdict(counts: Counts, verbose: bool, reviewed: Reviewed) -> list[tuple[st
 
 def _several(number: int, word: str, plural: str = "") -> str:
     return f"{number:,} {word if number == 1 else plural or word + 's'}"
-
-
-def _print(console: Console, *parts: tuple[str, str]) -> None:
-    console.print(_text(parts), soft_wrap=True)
-
-
-def _text(parts: Sequence[tuple[str, str]]) -> Text:
-    from rich.text import Text
-
-    return Text.assemble(*parts)

@@ -13,8 +13,9 @@ A block that is not closed holds everything up to the end; an end without its be
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, TypeAlias
 
+from rosward.records import NamedTuple
 from rosward.source.cmake.text import Command
 
 _OPENING: Final = frozenset({"if", "foreach", "while", "function", "macro", "block"})

@@ -14,8 +14,9 @@ import json
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.targets import Definition

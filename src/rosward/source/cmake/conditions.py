@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final, NamedTuple, Protocol, final
+from typing import Final, Protocol, final
 
+from rosward.records import NamedTuple
 from rosward.source.cmake.lists import SET_OPERATION
 from rosward.source.cmake.text import CMakeArgument
 from rosward.source.cmake.variables import HOLE, Variables

@@ -9,7 +9,9 @@ $<$<CONFIG:Debug>:TRACE>                ->  TRACE, and nobody knows whether
 from __future__ import annotations
 
 import re
-from typing import Final, NamedTuple
+from typing import Final
+
+from rosward.records import NamedTuple
 
 _SPECIAL: Final = re.compile(r"\$<|>|:")
 _KEPT: Final = frozenset(

@@ -12,8 +12,9 @@ from __future__ import annotations
 
 import itertools
 import os
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
+from rosward.records import NamedTuple
 from rosward.source.location import Place
 from rosward.source.workspace import Shared, TargetKind
 

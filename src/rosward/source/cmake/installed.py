@@ -13,9 +13,10 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Final, NamedTuple, final
+from typing import TYPE_CHECKING, Final, final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source.boundary import EVERYWHERE, Boundary
 from rosward.source.cmake.install import CMakeTarget, Targets, below_share, by_option, shared
 from rosward.source.cmake.interpreter import Handler, Interpreter

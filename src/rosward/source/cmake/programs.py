@@ -13,8 +13,9 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Final, NamedTuple, final
+from typing import Final, final
 
+from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.boundary import Boundary
 from rosward.source.cmake.build import read_build

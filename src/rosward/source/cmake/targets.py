@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass, field
-from typing import NamedTuple, final
+from typing import final
 
 from rosward.findings import Finding
+from rosward.records import NamedTuple
 from rosward.source.cmake.variables import HOLE
 from rosward.source.location import Place
 

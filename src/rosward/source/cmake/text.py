@@ -11,7 +11,9 @@ Only the text: comments, quotes, brackets and nesting. What the commands mean is
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -8,7 +8,7 @@ void f(std::string s, const QoS & qos = 10, Args &&... args)
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Final, Literal
 
 from rosward.frontends.cpp.declarators import named
 from rosward.frontends.cpp.lower.body import Body
@@ -30,6 +30,7 @@ from rosward.ir.core import NO_REGISTER, Move, StoreCell
 from rosward.ir.cpp import Convert, Copy, Default, Read
 from rosward.ir.program import CPP, Code, CodeKind, Parameters
 from rosward.ir.symbols import ParameterSymbol, Signature, TemplateParameter
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

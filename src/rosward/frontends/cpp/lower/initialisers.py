@@ -7,12 +7,13 @@ f({a, b})         Braces (a, b), for whoever makes something of it
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import declared_type, type_of
 from rosward.ir.cpp import AddressOf, Argued, Braces, Construct, Form, MakeType
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

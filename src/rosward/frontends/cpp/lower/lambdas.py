@@ -9,7 +9,7 @@ pack around it comes along by copy without being written. What a `mutable` lambd
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want, free_cell
 from rosward.frontends.cpp.lower.functions import Function, finish, prologue, template_of
@@ -22,6 +22,7 @@ from rosward.ir.core import NO_REGISTER, StoreCell
 from rosward.ir.cpp import Copy, MakeLambda
 from rosward.ir.python import NewCell
 from rosward.ir.symbols import Signature
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

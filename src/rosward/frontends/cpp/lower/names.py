@@ -8,13 +8,14 @@ T::value    Name 'value' with the type in the register of T as base
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body, Want
 from rosward.frontends.cpp.lower.survey import word
 from rosward.frontends.cpp.lower.types import type_of
 from rosward.ir.core import NO_REGISTER
 from rosward.ir.cpp import Name, Part
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

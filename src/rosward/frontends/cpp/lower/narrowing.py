@@ -12,7 +12,7 @@ outlive a call, which might have assigned already.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 from rosward.frontends.cpp.lower.body import Body
 from rosward.frontends.cpp.lower.survey import operator_of, word
@@ -21,6 +21,7 @@ from rosward.ir.control import If
 from rosward.ir.core import NO_REGISTER, Assume, Compare, Const, Move, Unary
 from rosward.ir.cpp import Narrow, Read
 from rosward.ir.op import Block
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

@@ -12,7 +12,9 @@ right as well, only slower.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
+
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple, final
+from typing import TYPE_CHECKING, final
 
 from rosward.ir.core import NO_REGISTER
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from tree_sitter import Node

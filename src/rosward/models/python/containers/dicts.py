@@ -9,7 +9,7 @@ d.get(unknown)      1, 2 or None
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.choice import join, join_all, options
 from rosward.domain.compound import External, Native, Tuple
@@ -21,6 +21,7 @@ from rosward.models.python.containers.lists import VIEW
 from rosward.models.python.contents import bare, plain_data
 from rosward.models.python.operators.compare import compares, equal
 from rosward.models.python.plain import Raised, all_of, listed, native, origins, unknown_from, with_origins
+from rosward.records import NamedTuple
 
 MAX_ENTRIES: Final = 2_000
 _IDENTITIES: Final = (Class, External, Function, ModuleValue, Native, Ref)

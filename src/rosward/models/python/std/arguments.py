@@ -12,7 +12,7 @@ from __future__ import annotations
 import argparse
 from itertools import product
 from math import prod
-from typing import Any, Final, NamedTuple, NoReturn
+from typing import Any, Final, NoReturn
 
 from rosward.domain.choice import join_all, options, reasons_of
 from rosward.domain.compound import Tuple
@@ -23,6 +23,7 @@ from rosward.models.native import Machine, NativeCall, NativeFunction
 from rosward.models.python.containers import dicts
 from rosward.models.python.plain import text_of
 from rosward.models.python.std.support import exact_list, names_of, place_list
+from rosward.records import NamedTuple
 
 _SIMPLE_ACTIONS: Final = frozenset(
     {"store", "store_true", "store_false", "store_const", "append", "append_const", "count", "extend"}

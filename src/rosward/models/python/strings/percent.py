@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import operator
 import re
-from typing import Final, NamedTuple
+from typing import Final
 
 from rosward.domain.choice import lift
 from rosward.domain.compound import Tuple
@@ -31,6 +31,7 @@ from rosward.models.python.plain import (
 )
 from rosward.models.python.strings import text_parts
 from rosward.models.python.strings.formatting import joined, piece, represent, too_wide
+from rosward.records import NamedTuple
 
 _FIELD: Final = re.compile(
     r"%(?:\((?P<key>[^()]*)\))?(?P<flags>[#0\- +]*)(?P<width>\*|\d+)?(?P<precision>\.(?:\*|\d*))?[hlL]?(?P<type>.)",
