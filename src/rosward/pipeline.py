@@ -183,6 +183,15 @@ def extract(
     return replace(result, network=replace(result.network, asked=asked))
 
 
+def of_read(read: SourcesRead, request: Request, progress: Progress = silent, *, assumed: bool = True) -> Result:
+    """What a request starts of sources that are read: for those who ask several of them. The caller has the deep stack.
+
+    Raises UnknownRequestError where what is to be started is not there.
+    """
+    mode = EnclaveMode.PROCESS if request.deploys else EnclaveMode.NODE
+    return _extract(read, request, "deny", _Enclaves(mode, NOTHING_ASSIGNED), progress, assumed=assumed)
+
+
 def _chosen_enclaves(mode: EnclaveMode, assigned: Assignment, root: Path) -> str:
     """How enclaves were chosen: the mode, or the file that assigns them."""
     return place_name(os.path.abspath(assigned.file), root) if assigned.file else mode.value  # noqa: PTH100

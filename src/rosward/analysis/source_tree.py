@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.effects.entry import Entry
 from rosward.engine.found import FoundModule
+from rosward.engine.remembered import Lowered, digest, memory_here
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
@@ -49,6 +51,7 @@ class SourceTree:
         self.files = Installed(workspace, underlays)
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
+        self._memory = memory_here()
         self._read_of_python = [0, 0]  # files, lines
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
@@ -94,6 +97,16 @@ class SourceTree:
             self._modules[file] = None if source is None else self._read(source.path, file)
         return self._modules[file]
 
+    def content(self, file: str) -> str:
+        """What tells the text of a module from any other; '' where there is none."""
+        source = self._files.get(file) or self.files.file(file)
+        if source is None:
+            return ""
+        made = self._generated.get(file)
+        data = read_bytes(source.path, file, limits.PYTHON_FILE if made is None else limits.PARAMETERS_FILE)
+        content = data.message if isinstance(data, Finding) else digest(data)
+        return content if made is None else f"{content} {made}"
+
     def program(self, name: str) -> CppSymbols | None:
         """The names of a program in C++."""
         return None if self._compiled is None else self._compiled.program(name)
@@ -103,11 +116,33 @@ class SourceTree:
         return None if self._compiled is None else self._compiled.plugin(name)
 
     def _read(self, path: Path, file: str) -> Module | None:
+        if self._memory is None:
+            return self._lower_here(path, file)
+        own = self._memory.lowered(file, self.content(file), partial(self._lower_apart, path, file))
+        self.findings.update(own.findings)
+        self._count(own.lines)
+        return own.module
+
+    def _lower_apart(self, path: Path, file: str) -> Lowered:
+        """The file, and what is told of it alone."""
+        findings, lines, self.findings = self.findings, self._read_of_python, Findings()
+        self._read_of_python = [0, 0]
+        try:
+            module = self._lower_here(path, file)
+            return Lowered(module, tuple(self.findings), self._read_of_python[1])
+        finally:
+            self.findings, self._read_of_python = findings, lines
+
+    def _lower_here(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
         if isinstance(found, Finding):
             self.findings.add(found)
             return None
         return found
+
+    def _count(self, lines: int) -> None:
+        self._read_of_python[0] += lines > 0
+        self._read_of_python[1] += lines
 
     def _lower(self, path: Path, file: str) -> Module | None:
         if file in self._generated:
@@ -118,8 +153,7 @@ class SourceTree:
             return None
         if text.finding is not None:
             self.findings.add(text.finding)
-        self._read_of_python[0] += 1
-        self._read_of_python[1] += text.text.count("\n") + (not text.text.endswith("\n"))
+        self._count(text.text.count("\n") + (not text.text.endswith("\n")))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:

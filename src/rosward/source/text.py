@@ -22,6 +22,7 @@ from rosward.findings import Finding
 from rosward.records import NamedTuple
 from rosward.source import limits
 from rosward.source.location import Place
+from rosward.source.overlay import shown_instead
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -78,17 +79,19 @@ def read_source(path: Path, root: Path, limit: int = limits.PYTHON_FILE) -> Sour
 
 def read_bytes(path: str | Path, file: str, limit: int) -> bytes | Finding:
     """The bytes of the regular file `path` (called `file` in findings), at most `limit` of them."""
+    data = shown_instead(path)
     try:
-        kind = _not_regular(os.stat(path))  # noqa: PTH116
-        if kind:
-            return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
-        descriptor = os.open(path, _OPEN_FLAGS)
-        with open(descriptor, "rb", closefd=True) as stream:  # noqa: PTH123
-            status = os.fstat(descriptor)
-            kind = _not_regular(status)
+        if data is None:
+            kind = _not_regular(os.stat(path))  # noqa: PTH116
             if kind:
                 return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
-            data = stream.read(limit + 1) if status.st_size <= limit else None
+            descriptor = os.open(path, _OPEN_FLAGS)
+            with open(descriptor, "rb", closefd=True) as stream:  # noqa: PTH123
+                status = os.fstat(descriptor)
+                kind = _not_regular(status)
+                if kind:
+                    return Finding("RW002", f"This is {kind}, not a text file.", Place(file))
+                data = stream.read(limit + 1) if status.st_size <= limit else None
     except (OSError, ValueError) as error:
         reason = (isinstance(error, OSError) and error.strerror) or str(error)
         return Finding("RW002", f"The file cannot be read: {reason}.", Place(file))

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What does the server know? The open documents, and of each folder the last views; where something stands now that was found in an older text.
+
+state.open("/ws/talker.py", "…")
+state.folder("/ws").take(view, texts)          texts: of the open files, as they were when the view was made
+state.at("/ws/talker.py", 12, 30)              the marks whose call is at a position
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple, final
+
+from rosward.findings import Finding
+from rosward.lsp.extents import Extent, extent
+from rosward.lsp.marks import Mark, Marks
+from rosward.lsp.records import LAUNCH, SOURCES, Told, View
+from rosward.source import limits
+from rosward.source.location import Place
+from rosward.source.text import place_name, read_bytes
+
+__all__ = ["Document", "Folder", "Found", "Shift", "State"]
+
+
+@final
+class Document:
+    """An open file: its text, and the lines of it."""
+
+    def __init__(self, path: str, text: str) -> None:
+        self.path = path
+        self.text = text
+        self._lines: list[str] | None = None
+
+    @property
+    def lines(self) -> list[str]:
+        """Without line ends."""
+        if self._lines is None:
+            self._lines = lines_of(self.text)
+        return self._lines
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of a text, as an editor counts them."""
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+
+@final
+class Shift:
+    """Where the lines of an older text are now: those before and behind what has changed."""
+
+    def __init__(self, old: list[str], new: list[str]) -> None:
+        most = min(len(old), len(new))
+        same = 0
+        while same < most and old[same] == new[same]:
+            same += 1
+        behind = 0
+        while behind < most - same and old[-1 - behind] == new[-1 - behind]:
+            behind += 1
+        self._same, self._tail, self._by = same, len(old) - behind, len(new) - len(old)
+
+    def line(self, line: int) -> int | None:
+        """The line, counted from 1; None where it has changed."""
+        if line <= self._same:
+            return line
+        return line + self._by if line > self._tail else None
+
+
+class Based(NamedTuple):
+    """A view, and the texts of the files that were open when it was made, by whole path."""
+
+    marks: Marks
+    texts: Mapping[str, str]
+
+
+class Found(NamedTuple):
+    """A mark at a position: in which view, and how far it reaches in the text as it is now."""
+
+    marks: Marks
+    mark: Mark
+    extent: Extent
+
+
+@final
+class Folder:
+    """One folder of the workspace, and what was found in it."""
+
+    def __init__(self, root: str) -> None:
+        self.root = root
+        self.based: dict[tuple[int, str], Based] = {}
+        """By who sent it, and by the name of the view."""
+
+    def take(self, view: View, texts: Mapping[str, str], sender: int = 0) -> None:
+        """A view was made again."""
+        self.based[sender, view.name] = Based(Marks(view), texts)
+
+    def keep_only(self, names: Iterable[str], sender: int = 0) -> None:
+        """What a sender told of before and does not any more, is gone."""
+        kept = set(names)
+        for key in [key for key in self.based if key[0] == sender and key[1] not in kept]:
+            del self.based[key]
+
+    def file(self, path: str) -> str:
+        """A path as places name it."""
+        return place_name(path, self.root)
+
+    def path(self, file: str) -> str:
+        """The whole path of a file of a place."""
+        return os.path.normpath(os.path.join(self.root, file))  # noqa: PTH118
+
+    @property
+    def launched(self) -> list[Marks]:
+        """The launched systems; the sources as they are where there is none."""
+        every = [each.marks for each in self.based.values()]
+        return [m for m in every if m.view.kind == LAUNCH] or every
+
+    def views(self) -> list[Marks]:
+        """All views, launched systems first."""
+        every = [each.marks for each in self.based.values()]
+        return sorted(every, key=lambda marks: (marks.view.kind == SOURCES, marks.view.name))
+
+
+@final
+class State:
+    """Everything that the server knows."""
+
+    def __init__(self) -> None:
+        self.folders: dict[str, Folder] = {}
+        self.documents: dict[str, Document] = {}
+
+    def folder_of(self, path: str) -> Folder | None:
+        """The innermost folder in which a file is."""
+        inside = [f for root, f in self.folders.items() if path == root or path.startswith(root.rstrip(os.sep) + os.sep)]
+        return max(inside, key=lambda folder: len(folder.root), default=None)
+
+    def add_folder(self, root: str) -> Folder:
+        """A folder of the workspace."""
+        return self.folders.setdefault(root, Folder(root))
+
+    def open(self, path: str, text: str) -> None:
+        """A file is open, or has another text."""
+        self.documents[path] = Document(path, text)
+
+    def close(self, path: str) -> None:
+        """It is no longer open."""
+        self.documents.pop(path, None)
+
+    def lines(self, path: str) -> list[str]:
+        """The lines of a file, as the editor shows them, or as they are on the disk; none where it cannot be read."""
+        document = self.documents.get(path)
+        if document is not None:
+            return document.lines
+        data = read_bytes(path, path, limits.PYTHON_FILE)
+        return [] if isinstance(data, Finding) else lines_of(data.decode("utf-8-sig", "replace"))
+
+    def now(self, based: Based, path: str, place: Place) -> Place | None:
+        """Where a place is now; None where its line was changed or is gone."""
+        old, document = based.texts.get(path), self.documents.get(path)
+        if old is None or document is None or old is document.text or old == document.text:
+            return place
+        line = Shift(lines_of(old), document.lines).line(place.line)
+        return None if line is None else place._replace(line=line)
+
+    def in_file(self, path: str) -> Iterator[tuple[Based, Mark, Place]]:
+        """All marks in a file, with their place now."""
+        folder = self.folder_of(path)
+        if folder is None:
+            return
+        file, document = folder.file(path), self.documents.get(path)
+        for based in folder.based.values():
+            marks = based.marks.at.get(file, ())
+            old = based.texts.get(path) if marks else None
+            changed = old is not None and document is not None and old is not document.text and old != document.text
+            shift = Shift(lines_of(old), document.lines) if changed and old is not None and document is not None else None
+            for mark in marks:
+                line = mark.place.line if shift is None else shift.line(mark.place.line)
+                if line is not None:
+                    yield based, mark, mark.place._replace(line=line)
+
+    def at(self, path: str, line: int, column: int) -> list[Found]:
+        """The marks of the innermost call, element or item at a position (counted from 0), launched systems first."""
+        lines = self.lines(path)
+        found: list[Found] = []
+        known: dict[Place, Extent] = {}
+        for based, mark, place in self.in_file(path):
+            if place.line - 1 > line:
+                continue
+            if place not in known:
+                known[place] = extent(lines, path, place.line - 1, max(0, place.column - 1))
+            if known[place].holds(line, column):
+                found.append(Found(based.marks, mark, known[place]))
+        inner = max(((f.extent.line, f.extent.column) for f in found), default=None)
+        found = [f for f in found if (f.extent.line, f.extent.column) == inner]
+        return sorted(found, key=lambda f: (f.marks.view.kind == SOURCES, f.marks.view.name))
+
+    def findings(self, path: str) -> list[Told]:
+        """What is to be told of a file, each once, where it is now."""
+        folder = self.folder_of(path)
+        if folder is None:
+            return []
+        file = folder.file(path)
+        found: dict[tuple[str, str, int], Told] = {}
+        for based in folder.based.values():
+            for told in based.marks.view.findings:
+                if told.place.file == file:
+                    place = self.now(based, path, told.place)
+                    if place is not None:
+                        found.setdefault((told.code, told.message, place.line), told._replace(place=place))
+        return sorted(found.values(), key=lambda told: (told.place, told.code, told.message))
