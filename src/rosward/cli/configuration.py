@@ -66,7 +66,9 @@ def apply(options: argparse.Namespace) -> None:
     if not left_open:
         return
     read = (
-        ConfigurationFile() if options.no_config else read_configuration(_start(options), frozenset(options.commands))
+        ConfigurationFile()
+        if options.no_config or getattr(options, "worker", "") is None  # the server of editors: its workers read it
+        else read_configuration(_start(options), frozenset(options.commands))
     )
     options.configuration = read.path
     given = _given(read, options.command, left_open)

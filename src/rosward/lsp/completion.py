@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which names can be meant where a remapping is being written? Those of the node first, then all that there are.
 
-    <remap from="|" …/>     remappings=[("|", "")]     - from: "|"
+<remap from="|" …/>     remappings=[("|", "")]     - from: "|"
 """
 
 from __future__ import annotations

@@ -82,7 +82,9 @@ def _where(mark: Mark) -> str:
 def _of_setting(node: Seen, setting: Setting) -> str:
     default = f", default {code(setting.default)}" if setting.default else ""
     value = f" is {code(setting.value)}" if setting.value else " has no known value"
-    return f"**parameter** {code(setting.name)} of {code(node.name)}{value}  \n{setting.type or 'type not known'}{default}"
+    return (
+        f"**parameter** {code(setting.name)} of {code(node.name)}{value}  \n{setting.type or 'type not known'}{default}"
+    )
 
 
 def _of_started(marks: Marks, started: Started) -> str:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Who is at the other end of what stands at a position, and where else is the same meant?
 
-    publisher      ->  its subscriptions, and back; clients and servers likewise
-    launch file    ->  the nodes that it starts; a remapping: the endpoints of that name
-    parameter      ->  the line of the parameter file that sets it, and back
-    policy         ->  the endpoints that a rule is about
+publisher      ->  its subscriptions, and back; clients and servers likewise
+launch file    ->  the nodes that it starts; a remapping: the endpoints of that name
+parameter      ->  the line of the parameter file that sets it, and back
+policy         ->  the endpoints that a rule is about
 """
 
 from __future__ import annotations
@@ -117,7 +117,11 @@ def _given(state: State, folder: Folder, marks: Marks, node: Seen, setting: Sett
 
 
 def _is_for(pattern: str, node: Seen) -> bool:
-    return pattern in ("/**", node.fqn) or fnmatchcase(node.fqn, pattern.replace("**", "*")) or pattern == f"/{node.fqn.rpartition('/')[2]}"
+    return (
+        pattern in ("/**", node.fqn)
+        or fnmatchcase(node.fqn, pattern.replace("**", "*"))
+        or pattern == f"/{node.fqn.rpartition('/')[2]}"
+    )
 
 
 def _named(state: State, folder: Folder, path: str, line: int, column: int) -> list[Aim] | None:
@@ -131,7 +135,12 @@ def _named(state: State, folder: Folder, path: str, line: int, column: int) -> l
     if path.endswith(".xml"):
         ruled = policy_name(lines, line, column)
         if ruled is not None:
-            return [aim for marks in folder.views() for m in marks.meeting(ruled[1], ruled[0]) for aim in _places(state, folder, m)]
+            return [
+                aim
+                for marks in folder.views()
+                for m in marks.meeting(ruled[1], ruled[0])
+                for aim in _places(state, folder, m)
+            ]
     literal = literal_at(lines, path, line, column)
     if literal is None:
         return None

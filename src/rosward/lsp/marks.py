@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What of a view stands in which file, and what bears which name?
 
-    marks = Marks(view)
-    marks.at["demo/talker.py"]      [Mark(place, node, End("publisher", "/chatter", …)), …]
-    marks.named["/chatter"]         the endpoints of that name
+marks = Marks(view)
+marks.at["demo/talker.py"]      [Mark(place, node, End("publisher", "/chatter", …)), …]
+marks.named["/chatter"]         the endpoints of that name
 """
 
 from __future__ import annotations
@@ -76,7 +76,9 @@ class Marks:
         found = list(self.named.get(name, ()))
         found += [m for m in self.open if _end(m).name != name and fnmatchcase(name, _end(m).name)]
         if "*" in name:
-            found += [m for other, marks in self.named.items() if other != name and fnmatchcase(other, name) for m in marks]
+            found += [
+                m for other, marks in self.named.items() if other != name and fnmatchcase(other, name) for m in marks
+            ]
         return [m for m in found if not kind or meeting(_end(m)) == kind]
 
     def nodes_at(self, place: Place) -> list[Seen]:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which name or key stands under a cursor, and what is it a name of? For places that no mark tells of: remappings, parameter files, policies.
 
-    <remap from="chatter" to="/news"/>            Named("/news" and what it may mean, kind "")
-    /talker: {ros__parameters: {rate: 5}}         Key(("/talker", "ros__parameters", "rate"))
-    <topics publish="ALLOW"><topic>chatter</topic>    of a profile in the namespace /: "/chatter"
+<remap from="chatter" to="/news"/>            Named("/news" and what it may mean, kind "")
+/talker: {ros__parameters: {rate: 5}}         Key(("/talker", "ros__parameters", "rate"))
+<topics publish="ALLOW"><topic>chatter</topic>    of a profile in the namespace /: "/chatter"
 """
 
 from __future__ import annotations

@@ -99,7 +99,12 @@ class Origins:
             given = [Spot(launch, each) for each in inside if is_name(each.text) and each.name in ("", "to")]
             if given:
                 return given
-        return [spot for setting in node.settings if is_name(setting.value) for spot in self._set(based, node, started, setting)]
+        return [
+            spot
+            for setting in node.settings
+            if is_name(setting.value)
+            for spot in self._set(based, node, started, setting)
+        ]
 
     def _set(self, based: Based, node: Seen, started: Started | None, setting: Setting) -> Iterator[Spot]:
         """Where the value of a parameter is written: by the last that sets it, else as its default."""
@@ -129,7 +134,7 @@ class Origins:
     def _in(self, based: Based, place: Place) -> list[Literal]:
         """The literals of what begins at a place, in the text as it is now."""
         path = self._folder.path(place.file)
-        now = self._state.now(based, path, place)
+        now = self._state.now(based.texts, path, place)
         if now is None or not now.line:
             return []
         key = path, now

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The server of the Language Server Protocol: what comes from an editor is asked of `state.py` and of the modules beside it, and sent back.
 
-Thin: positions and addresses are turned here (`turned.py`), and nothing is computed. Whatever a client sends, the server stays: pygls answers what fails
-with an error, and the failure is logged.
+Thin: positions and addresses are turned (`turned.py`), and nothing is computed. Whatever a client sends, the server stays: pygls answers what
+fails with an error, and the failure is logged.
 """
 
 from __future__ import annotations
@@ -57,7 +57,9 @@ class RoswardServer(LanguageServer):
 
     def report_server_error(self, error: Exception, source: Any) -> None:
         """What fails is logged; nobody is to close a window for it."""
-        self.log(f"{getattr(source, '__name__', source)}: {type(error).__name__} in {where(error)}", types.MessageType.Error)
+        self.log(
+            f"{getattr(source, '__name__', source)}: {type(error).__name__} in {where(error)}", types.MessageType.Error
+        )
 
     def log(self, message: str, kind: types.MessageType = types.MessageType.Info) -> None:
         """A line in the editor's log."""
@@ -152,7 +154,7 @@ class RoswardServer(LanguageServer):
     def publish_all(self, root: str) -> None:
         """Publish what is to be told of the files of a folder."""
         folder = self.state.folders[root]
-        told = {folder.path(t.place.file) for b in folder.based.values() for t in b.marks.view.findings if t.place.file}
+        told = {folder.path(t.place.file) for b in folder.based.values() for t in b.told if t.place.file}
         self.publish(sorted(told | {path for path in self.published if self.root_of(path) == root}))
 
     def publish(self, paths: Sequence[str]) -> None:
@@ -176,6 +178,7 @@ def server(commands: Commands) -> RoswardServer:
     """A server with all its features."""
     made = RoswardServer(commands)
     _documents(made)
+    _folders(made)
     _questions(made)
     return made
 
@@ -190,6 +193,21 @@ def _path(uri: str) -> str | None:
 
 
 def _documents(made: RoswardServer) -> None:
+    @made.feature(types.TEXT_DOCUMENT_DID_OPEN)
+    @made.feature(types.TEXT_DOCUMENT_DID_CHANGE)
+    def changed(ls: RoswardServer, params: types.DidOpenTextDocumentParams | types.DidChangeTextDocumentParams) -> None:
+        path = _path(params.text_document.uri)
+        if path is not None:
+            ls.show(path, ls.workspace.get_text_document(params.text_document.uri).source)
+
+    @made.feature(types.TEXT_DOCUMENT_DID_CLOSE)
+    def closed(ls: RoswardServer, params: types.DidCloseTextDocumentParams) -> None:
+        path = _path(params.text_document.uri)
+        if path is not None and path in ls.state.documents:
+            ls.show(path, None)
+
+
+def _folders(made: RoswardServer) -> None:
     @made.feature(types.INITIALIZED)
     def initialized(ls: RoswardServer, _params: types.InitializedParams) -> None:
         for folder in ls.workspace.folders.values():
@@ -206,19 +224,6 @@ def _documents(made: RoswardServer) -> None:
             options = types.DidChangeWatchedFilesRegistrationOptions([types.FileSystemWatcher(_WATCHED)])
             wanted = types.Registration("rosward-files", types.WORKSPACE_DID_CHANGE_WATCHED_FILES, options)
             ls.client_register_capability(types.RegistrationParams([wanted]))
-
-    @made.feature(types.TEXT_DOCUMENT_DID_OPEN)
-    @made.feature(types.TEXT_DOCUMENT_DID_CHANGE)
-    def changed(ls: RoswardServer, params: types.DidOpenTextDocumentParams | types.DidChangeTextDocumentParams) -> None:
-        path = _path(params.text_document.uri)
-        if path is not None:
-            ls.show(path, ls.workspace.get_text_document(params.text_document.uri).source)
-
-    @made.feature(types.TEXT_DOCUMENT_DID_CLOSE)
-    def closed(ls: RoswardServer, params: types.DidCloseTextDocumentParams) -> None:
-        path = _path(params.text_document.uri)
-        if path is not None and path in ls.state.documents:
-            ls.show(path, None)
 
     @made.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def watched_files(ls: RoswardServer, params: types.DidChangeWatchedFilesParams) -> None:
@@ -242,7 +247,9 @@ def _documents(made: RoswardServer) -> None:
 
 
 def _questions(made: RoswardServer) -> None:
-    def linked(ls: RoswardServer, params: types.TextDocumentPositionParams, find: Callable[..., list[Aim]]) -> list[types.Location]:
+    def linked(
+        ls: RoswardServer, params: types.TextDocumentPositionParams, find: Callable[..., list[Aim]]
+    ) -> list[types.Location]:
         path = _path(params.text_document.uri)
         if path is None:
             return []
@@ -258,9 +265,7 @@ def _questions(made: RoswardServer) -> None:
         text = hover(found)
         if not text:
             return None
-        return types.Hover(
-            types.MarkupContent(types.MarkupKind.Markdown, text), ls.turned.range(path, found[0].extent)
-        )
+        return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text), ls.turned.range(path, found[0].extent))
 
     @made.feature(types.TEXT_DOCUMENT_DEFINITION)
     @made.feature(types.TEXT_DOCUMENT_IMPLEMENTATION)

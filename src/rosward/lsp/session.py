@@ -33,7 +33,10 @@ __all__ = ["Session", "Settings"]
 
 _CPP: Final = (".cpp", ".cc", ".cxx", ".c", ".h", ".hpp", ".hh", ".hxx", ".ipp")
 _TEXTS: Final = (".py", ".xml", ".yaml", ".yml", *_CPP)
-_STRUCTURE: Final = frozenset({"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt", "COLCON_IGNORE", "rosward.toml"})  # fmt: skip
+_STRUCTURE: Final = frozenset(
+    {"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt", "COLCON_IGNORE", "rosward.toml"}
+)
+"""Files that say what there is: after a change of one, anything may be another."""
 
 
 class Settings(NamedTuple):
@@ -71,7 +74,11 @@ class Session:
         self._first = True
 
     def renew(
-        self, texts: Mapping[str, bytes], changed: Collection[str] | None, tell: Callable[[View], None], progress: Progress
+        self,
+        texts: Mapping[str, bytes],
+        changed: Collection[str] | None,
+        tell: Callable[[View], None],
+        progress: Progress,
     ) -> tuple[str, ...]:
         """Tell each view that may be another after files (whole paths) have changed; all of them for None.
 
@@ -80,7 +87,9 @@ class Session:
         with overlaid(texts), remembering(self.memory):
             return with_deep_stack(lambda: self._renew(changed, tell, progress))
 
-    def _renew(self, changed: Collection[str] | None, tell: Callable[[View], None], progress: Progress) -> tuple[str, ...]:
+    def _renew(
+        self, changed: Collection[str] | None, tell: Callable[[View], None], progress: Progress
+    ) -> tuple[str, ...]:
         self.memory.sources_changed()
         settings = self._settings
         try:
@@ -175,5 +184,3 @@ def _share(read: SourcesRead, package: str, relative: str) -> str:
 
 def _meets(file: str, touched: Collection[str]) -> bool:
     return file in touched or f"*/{file.rpartition('/')[2]}" in touched
-
-

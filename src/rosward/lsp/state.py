@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple, final
+from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
 from rosward.lsp.extents import Extent, extent
@@ -19,6 +19,9 @@ from rosward.lsp.records import LAUNCH, SOURCES, Told, View
 from rosward.source import limits
 from rosward.source.location import Place
 from rosward.source.text import place_name, read_bytes
+
+_UNREAD: Final = frozenset({"RW001", "RW005", "RW006"})
+"""Findings that say that a file is not read as it is."""
 
 __all__ = ["Document", "Folder", "Found", "Shift", "State"]
 
@@ -67,10 +70,15 @@ class Shift:
 
 
 class Based(NamedTuple):
-    """A view, and the texts of the files that were open when it was made, by whole path."""
+    """A view with the texts of the files that were open when it was made, by whole path; and what was told last, of which texts.
+
+    These are of one time, unless a file could not be read then: its marks are those from when it could.
+    """
 
     marks: Marks
     texts: Mapping[str, str]
+    told: tuple[Told, ...]
+    told_of: Mapping[str, str]
 
 
 class Found(NamedTuple):
@@ -91,8 +99,14 @@ class Folder:
         """By who sent it, and by the name of the view."""
 
     def take(self, view: View, texts: Mapping[str, str], sender: int = 0) -> None:
-        """A view was made again."""
-        self.based[sender, view.name] = Based(Marks(view), texts)
+        """A view was made again. While a file is half written, what was there before is better than nothing."""
+        before = self.based.get((sender, view.name))
+        unread = {told.place.file for told in view.findings if told.code in _UNREAD}
+        if before is not None and any(file in before.marks.at for file in unread):
+            found = before._replace(told=view.findings, told_of=texts)
+        else:
+            found = Based(Marks(view), texts, view.findings, texts)
+        self.based[sender, view.name] = found
 
     def keep_only(self, names: Iterable[str], sender: int = 0) -> None:
         """What a sender told of before and does not any more, is gone."""
@@ -130,7 +144,9 @@ class State:
 
     def folder_of(self, path: str) -> Folder | None:
         """The innermost folder in which a file is."""
-        inside = [f for root, f in self.folders.items() if path == root or path.startswith(root.rstrip(os.sep) + os.sep)]
+        inside = [
+            f for root, f in self.folders.items() if path == root or path.startswith(root.rstrip(os.sep) + os.sep)
+        ]
         return max(inside, key=lambda folder: len(folder.root), default=None)
 
     def add_folder(self, root: str) -> Folder:
@@ -153,9 +169,9 @@ class State:
         data = read_bytes(path, path, limits.PYTHON_FILE)
         return [] if isinstance(data, Finding) else lines_of(data.decode("utf-8-sig", "replace"))
 
-    def now(self, based: Based, path: str, place: Place) -> Place | None:
-        """Where a place is now; None where its line was changed or is gone."""
-        old, document = based.texts.get(path), self.documents.get(path)
+    def now(self, texts: Mapping[str, str], path: str, place: Place) -> Place | None:
+        """Where a place in these texts is now; None where its line was changed or is gone."""
+        old, document = texts.get(path), self.documents.get(path)
         if old is None or document is None or old is document.text or old == document.text:
             return place
         line = Shift(lines_of(old), document.lines).line(place.line)
@@ -171,7 +187,9 @@ class State:
             marks = based.marks.at.get(file, ())
             old = based.texts.get(path) if marks else None
             changed = old is not None and document is not None and old is not document.text and old != document.text
-            shift = Shift(lines_of(old), document.lines) if changed and old is not None and document is not None else None
+            shift = (
+                Shift(lines_of(old), document.lines) if changed and old is not None and document is not None else None
+            )
             for mark in marks:
                 line = mark.place.line if shift is None else shift.line(mark.place.line)
                 if line is not None:
@@ -201,9 +219,9 @@ class State:
         file = folder.file(path)
         found: dict[tuple[str, str, int], Told] = {}
         for based in folder.based.values():
-            for told in based.marks.view.findings:
+            for told in based.told:
                 if told.place.file == file:
-                    place = self.now(based, path, told.place)
+                    place = self.now(based.told_of, path, told.place)
                     if place is not None:
                         found.setdefault((told.code, told.message, place.line), told._replace(place=place))
         return sorted(found.values(), key=lambda told: (told.place, told.code, told.message))

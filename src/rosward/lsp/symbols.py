@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which names of the graph stand in a file, which are there at all, and how many are at each?
 
-    symbols_in(state, "/ws/talker.py")       topic /chatter, publisher std_msgs/msg/String · node /talker · parameter rate
-    lenses(state, "/ws/talker.py")           above `create_publisher`: /chatter: 1 publisher, 2 subscriptions
+symbols_in(state, "/ws/talker.py")       topic /chatter, publisher std_msgs/msg/String · node /talker · parameter rate
+lenses(state, "/ws/talker.py")           above `create_publisher`: /chatter: 1 publisher, 2 subscriptions
 """
 
 from __future__ import annotations
@@ -104,7 +104,11 @@ def lenses(state: State, path: str) -> list[Lens]:
         for name, kind in dict.fromkeys((m.what.name, meeting(m.what)) for _, m in told if isinstance(m.what, End)):
             ends = [e for marks in dict.fromkeys(m for m, _ in told) for e in marks.meeting(name, kind)]
             titles.append(f"{name}: {_counted(ends)}")
-            targets.update(dict.fromkeys(place_aim(state, folder, p) for e in ends if isinstance(e.what, End) for p in e.what.places))
+            targets.update(
+                dict.fromkeys(
+                    place_aim(state, folder, p) for e in ends if isinstance(e.what, End) for p in e.what.places
+                )
+            )
         if not titles:
             titles, starts = _of_started(told)
             targets.update(dict.fromkeys(place_aim(state, folder, node.place) for node in starts))
@@ -127,4 +131,3 @@ def _of_started(told: list[tuple[Marks, Mark]]) -> tuple[list[str], list[Seen]]:
     nodes = [n for marks, m in told if isinstance(m.what, Started) for n in marks.nodes_at(m.what.place)]
     titles = [f"{node.name}: {plural(len(node.ends), 'endpoint')}" for node in nodes]
     return list(dict.fromkeys(titles)), nodes
-

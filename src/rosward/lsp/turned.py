@@ -137,7 +137,9 @@ class Turned:
         """Changes of files, by file."""
         found: dict[str, list[types.TextEdit]] = {}
         for each in edits:
-            found.setdefault(self.uri(each.path), []).append(types.TextEdit(self.range(each.path, each.extent), each.text))
+            found.setdefault(self.uri(each.path), []).append(
+                types.TextEdit(self.range(each.path, each.extent), each.text)
+            )
         return types.WorkspaceEdit(changes=found)
 
     @staticmethod

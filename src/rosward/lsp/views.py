@@ -102,7 +102,10 @@ def _started(entry: LaunchEntry, share: Share) -> Started:
         program,
         entry.place,
         tuple((a.text, b.text) for a, b in entry.remaps),
-        tuple(Given(each.kind, each.name, _short(each.value.text), each.place, _file_of(each, share)) for each in entry.parameters),
+        tuple(
+            Given(each.kind, each.name, _short(each.value.text), each.place, _file_of(each, share))
+            for each in entry.parameters
+        ),
     )
 
 
@@ -124,5 +127,3 @@ def _files(systems: Iterable[LaunchSystem]) -> set[str]:
         for entry in system.entries:
             found |= {entry.place.file, *(inner.file for inner in entry.trail)}
     return found
-
-

@@ -155,7 +155,9 @@ class Hands:
 class Crew:
     """The processes of one folder."""
 
-    def __init__(self, commands: Sequence[tuple[Sequence[str], float]], told: Callable[[int, dict[str, Any]], None]) -> None:
+    def __init__(
+        self, commands: Sequence[tuple[Sequence[str], float]], told: Callable[[int, dict[str, Any]], None]
+    ) -> None:
         self._hands = [
             Hands(command, pause, lambda document, index=index: told(index, document))  # type: ignore[misc]
             for index, (command, pause) in enumerate(commands)
