@@ -60,9 +60,10 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
     "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
-    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})
+    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "lsp", "outputs", "pipeline", "server", "_version"})
     | _RESULT,
     "server": frozenset({"server", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
+    "lsp": frozenset({"lsp", "analysis", "deployment", "network", "pipeline", "suppression", "_version"}) | _ENGINE,
     "__init__": frozenset({"pipeline", "_version", "network"}) | _ENGINE,
     "__main__": frozenset({"cli"}),
     "ros2_security": frozenset({"cli"}),

@@ -29,6 +29,7 @@ from rosward.deployment.asked import asked_of
 from rosward.deployment.request import Request, RequestError, UnknownRequestError, Wanted, launching
 from rosward.enclaves.size import size_findings
 from rosward.engine.budget import Budget
+from rosward.engine.remembered import Memory, remembering
 from rosward.findings import Finding, Findings
 from rosward.guard import Steps
 from rosward.network.assigned import NOTHING_ASSIGNED, Assignment
@@ -47,7 +48,18 @@ from rosward.source.location import Place
 from rosward.source.text import place_name
 from rosward.source.workspace import SkipReason, SourceFile
 
-__all__ = ["Budget", "NothingToReadError", "Progress", "RequestError", "Result", "UnknownRequestError", "extract"]
+__all__ = [
+    "Budget",
+    "Memory",
+    "NothingToReadError",
+    "Progress",
+    "RequestError",
+    "Result",
+    "UnknownRequestError",
+    "extract",
+    "of_read",
+    "remembering",
+]
 
 NO_ARGUMENTS: Final[Mapping[str, str]] = MappingProxyType({})
 

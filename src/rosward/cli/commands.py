@@ -33,6 +33,7 @@ COMMANDS: Final = {
     "snapshot": Command("snapshot", "record the graph of a running robot"),
     "audit": Command("audit", "compare a running robot with its sources"),
     "serve": Command("serve", "analyse sources on a page in the browser"),
+    "watch": Command("watch", "extract, and again whenever the sources change"),
     "lsp": Command("lsp", "serve an editor: findings and names while you type"),
     "completion": Command("completion_script", "print a shell completion script"),
 }

@@ -14,7 +14,7 @@ Nothing is remembered unless somebody asks for it, so that one analysis alone ke
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Final, final
@@ -61,6 +61,7 @@ class Memory:
         self._answers: dict[Question, bytes] = {}
         self.touched: set[str] = set()
         self.used: set[Hashable] = set()
+        self._read: set[str] = set()
         self.ran = 0
         """How many processes were run."""
 
@@ -74,14 +75,16 @@ class Memory:
     def sources_changed(self) -> None:
         """The sources are read anew: no answer holds any more."""
         self._answers.clear()
+        self._read.clear()
 
-    def keep_only(self, used: set[Hashable], files: set[str]) -> None:
-        """Forget what is of no use any more."""
+    def keep_only(self, used: Collection[Hashable]) -> None:
+        """Forget all processes but these, and the files that were not read since the sources changed."""
         self._runs = {key: kept for key, kept in self._runs.items() if key in used}
-        self._lowered = {file: kept for file, kept in self._lowered.items() if file in files}
+        self._lowered = {file: kept for file, kept in self._lowered.items() if file in self._read}
 
     def lowered(self, file: str, content: str, lower: Callable[[], Lowered]) -> Lowered:
         """The file of this content as it was lowered before, else as it is now."""
+        self._read.add(file)
         known = self._lowered.get(file)
         if known is None or known[0] != content:
             known = self._lowered[file] = content, lower()

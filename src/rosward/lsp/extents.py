@@ -13,7 +13,9 @@ import re
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-__all__ = ["Extent", "Literal", "extent", "literals"]
+from rosward.source.location import Place
+
+__all__ = ["Extent", "Literal", "column_of", "extent", "literals"]
 
 _MOST_LINES: Final = 400
 _TOKEN: Final = re.compile(
@@ -63,6 +65,15 @@ def extent(lines: Sequence[str], file: str, line: int, column: int) -> Extent:
     if file.endswith((".yaml", ".yml")):
         return _item(lines, line)
     return _call(lines, line, column)
+
+
+def column_of(lines: Sequence[str], file: str, place: Place) -> int:
+    """The column of a place in characters, from 0: parsers of programs count the bytes of UTF-8."""
+    text = lines[place.line - 1] if 0 < place.line <= len(lines) else ""
+    column = max(0, place.column - 1)
+    if text.isascii() or file.endswith((".xml", ".launch", ".yaml", ".yml")):
+        return min(column, len(text))
+    return len(text.encode("utf-8", "surrogatepass")[:column].decode("utf-8", "ignore"))
 
 
 def _call(lines: Sequence[str], line: int, column: int) -> Extent:

@@ -10,12 +10,11 @@ policy         ->  the endpoints that a rule is about
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from fnmatch import fnmatchcase
 from typing import Final, NamedTuple
 
-from rosward.lsp.extents import Extent, extent
+from rosward.lsp.extents import Extent, column_of, extent
 from rosward.lsp.marks import Mark, Marks, meeting
-from rosward.lsp.names import keys, literal_at, parameter_of, policy_name
+from rosward.lsp.names import is_for, keys, literal_at, parameter_of, policy_name
 from rosward.lsp.records import End, Seen, Setting, Started
 from rosward.lsp.state import Folder, Found, State
 from rosward.source.location import Place
@@ -73,7 +72,7 @@ def place_aim(state: State, folder: Folder, place: Place) -> Aim:
     line = max(0, place.line - 1)
     if line >= len(lines):
         return Aim(path, Extent(line, 0, line, 0))
-    column = min(max(0, place.column - 1), len(lines[line]))
+    column = column_of(lines, path, place)
     whole = extent(lines, path, line, column)
     if whole.end_line > line:  # the first line is enough to see where it is
         whole = Extent(line, column, line, len(lines[line].rstrip()))
@@ -112,16 +111,8 @@ def _given(state: State, folder: Folder, marks: Marks, node: Seen, setting: Sett
             path = folder.path(given.file)
             for key in keys(state.lines(path)):
                 about = parameter_of(key)
-                if about is not None and about[1] == setting.name and _is_for(about[0], node):
+                if about is not None and about[1] == setting.name and is_for(about[0], node):
                     yield Aim(path, key.extent)
-
-
-def _is_for(pattern: str, node: Seen) -> bool:
-    return (
-        pattern in ("/**", node.fqn)
-        or fnmatchcase(node.fqn, pattern.replace("**", "*"))
-        or pattern == f"/{node.fqn.rpartition('/')[2]}"
-    )
 
 
 def _named(state: State, folder: Folder, path: str, line: int, column: int) -> list[Aim] | None:
@@ -162,7 +153,7 @@ def _declared(state: State, folder: Folder, path: str, about: tuple[str, str]) -
     for marks in folder.views():
         for node in marks.view.nodes:
             started = marks.started(node)
-            if started is not None and any(given.file == file for given in started.given) and _is_for(about[0], node):
+            if started is not None and any(given.file == file for given in started.given) and is_for(about[0], node):
                 for setting in node.settings:
                     if setting.name == about[1] and setting.place is not None:
                         yield place_aim(state, folder, setting.place)

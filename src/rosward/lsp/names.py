@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from fnmatch import fnmatchcase
 from typing import Final, NamedTuple
 
 from rosward.holes import Holed
@@ -17,7 +18,17 @@ from rosward.lsp.extents import Extent, Literal, literals
 from rosward.lsp.records import Seen
 from rosward.ros.names import InvalidName, expand, full_namespace
 
-__all__ = ["Key", "expanded", "keys", "literal_at", "namespace_of", "parameter_of", "policy_name", "relative_to"]
+__all__ = [
+    "Key",
+    "expanded",
+    "is_for",
+    "keys",
+    "literal_at",
+    "namespace_of",
+    "parameter_of",
+    "policy_name",
+    "relative_to",
+]
 
 _KEY: Final = re.compile(r"^(\s*)(?:-\s+)?(\"[^\"]+\"|'[^']+'|[^\s#'\"\[{&*!|>%@`-][^:#]*?|/\*\*[^:]*?)\s*:(?=\s|$)")
 _POLICY_NAME: Final = re.compile(r"<(topic|service|action)>\s*([^<\s]+)\s*</")
@@ -94,6 +105,12 @@ def parameter_of(key: Key) -> tuple[str, str] | None:
     at = key.path.index(_PARAMETERS)
     nodes = "/".join(part.strip("/") for part in key.path[:at] if part.strip("/"))
     return f"/{nodes}", ".".join(key.path[at + 1 :])
+
+
+def is_for(pattern: str, node: Seen) -> bool:
+    """Whether a key of a parameter file (as `parameter_of` gives it) means a node."""
+    name = f"/{node.fqn.rpartition('/')[2]}"
+    return pattern in ("/**", node.fqn, name) or fnmatchcase(node.fqn, pattern.replace("**", "*"))
 
 
 def policy_name(lines: Sequence[str], line: int, column: int) -> tuple[str, str, Extent] | None:

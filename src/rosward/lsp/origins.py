@@ -13,9 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple, final
 
-from rosward.lsp.extents import Extent, Literal, extent, literals
+from rosward.lsp.extents import Extent, Literal, column_of, extent, literals
 from rosward.lsp.marks import Marks
-from rosward.lsp.names import expanded, keys, parameter_of
+from rosward.lsp.names import expanded, is_for, keys, parameter_of
 from rosward.lsp.records import End, Given, Seen, Setting, Started
 from rosward.lsp.state import Based, Folder, State
 from rosward.source.location import Place
@@ -45,6 +45,8 @@ class Origin(NamedTuple):
     end: End
     spots: tuple[Spot, ...]
     hindrance: Hindrance | None
+    remapped: tuple[tuple[Spot, Spot | None], ...] = ()
+    """Literals in the code that a remapping gives this name, each with what the launch file calls it; None where that is no single literal."""
 
 
 @final
@@ -58,12 +60,15 @@ class Origins:
         self.all = [origin for based in folder.based.values() for origin in self._of_view(based)]
         self.by_name: dict[tuple[int, str, str], list[Origin]] = {}
         self.by_spot: dict[Spot, list[Origin]] = {}
+        self.by_code: dict[Spot, list[Origin]] = {}
         for origin in self.all:
             kind = origin.end.kind.partition(" ")[0]
             kind = kind if kind in ("service", "action") else "topic"
             self.by_name.setdefault((id(origin.marks), kind, origin.end.name), []).append(origin)
             for spot in origin.spots:
                 self.by_spot.setdefault(spot, []).append(origin)
+            for spot, _ in origin.remapped:
+                self.by_code.setdefault(spot, []).append(origin)
 
     def _of_view(self, based: Based) -> Iterator[Origin]:
         for node in based.marks.view.nodes:
@@ -83,7 +88,20 @@ class Origins:
             elif hindrance is None:
                 why = "two literals in this call are this name" if found else "this name is not written as one literal"
                 hindrance = Hindrance(why, place)
-        return Origin(based.marks, node, end, tuple(spots), hindrance)
+        remapped = self._remapped(based, node, started, end) if started is not None else ()
+        return Origin(based.marks, node, end, tuple(spots), hindrance, tuple(remapped))
+
+    def _remapped(self, based: Based, node: Seen, started: Started, end: End) -> Iterator[tuple[Spot, Spot | None]]:
+        launch = self._folder.path(started.place.file)
+        for old, new in started.remaps:
+            full = expanded(old, node)
+            if full is None or full == end.name or expanded(new, node) != end.name:
+                continue
+            named = [Spot(launch, each) for each in self._in(based, started.place) if _is_from(each, full, node)]
+            for place in end.places:
+                for each in self._in(based, place):
+                    if expanded(each.text, node) == full:
+                        yield Spot(self._folder.path(place.file), each), named[0] if len(named) == 1 else None
 
     def _spots(self, based: Based, node: Seen, started: Started | None, end: End, place: Place) -> list[Spot]:
         def is_name(text: str) -> bool:
@@ -123,7 +141,7 @@ class Origins:
             lines = self._state.lines(path)
             for key in keys(lines):
                 about = parameter_of(key)
-                if about is not None and about[1] == setting.name:
+                if about is not None and about[1] == setting.name and is_for(about[0], node):
                     line = key.extent.line
                     rest = Extent(line, key.extent.end_column, line, len(lines[line]))
                     yield from (Spot(path, each) for each in literals(lines, path, rest) if each.text == setting.value)
@@ -140,6 +158,10 @@ class Origins:
         key = path, now
         if key not in self._literals:
             lines = self._state.lines(path)
-            where = extent(lines, path, now.line - 1, max(0, now.column - 1))
+            where = extent(lines, path, now.line - 1, column_of(lines, path, now))
             self._literals[key] = literals(lines, path, where)
         return self._literals[key]
+
+
+def _is_from(literal: Literal, full: str, node: Seen) -> bool:
+    return literal.name in ("", "from") and expanded(literal.text, node) == full

@@ -248,7 +248,7 @@ def _folders(made: RoswardServer) -> None:
 
 def _questions(made: RoswardServer) -> None:
     def linked(
-        ls: RoswardServer, params: types.TextDocumentPositionParams, find: Callable[..., list[Aim]]
+        ls: RoswardServer, params: types.DefinitionParams | types.ReferenceParams, find: Callable[..., list[Aim]]
     ) -> list[types.Location]:
         path = _path(params.text_document.uri)
         if path is None:

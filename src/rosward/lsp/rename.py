@@ -131,6 +131,14 @@ class _Renaming:
             elif known != name:
                 raise RefusedError(f"{_first(origin)}: {origin.end.name} would be {known} and {name} at once")
 
+        for origin in self._origins.by_code.get(spot, ()):
+            name, started = expanded(self._texts[spot], origin.node), origin.marks.started(origin.node)
+            named = next(found for code, found in origin.remapped if code == spot)
+            if name is None or named is None:
+                place = started.place if started is not None else _first(origin)
+                raise RefusedError(f"{place}: '{spot.literal.text}' is remapped here, and not by one literal")
+            self._edit(named, relative_to(named.literal.text, name, origin.node), _first(origin))
+
     def _check(self, origin: Origin, name: str) -> None:
         """Whether the new name would be remapped, or would meet another one that is there."""
         started = origin.marks.started(origin.node)

@@ -59,7 +59,6 @@ class _Known(NamedTuple):
 
     touched: frozenset[str]
     used: frozenset[Hashable]
-    lowered: frozenset[str]
 
 
 @final
@@ -105,12 +104,11 @@ class Session:
             self._known.clear()
             return ()
         requests = self._requests(read)
-        files = frozenset(f.relative for f in (*read.workspace.files, *read.workspace.launch_files))
         self._known = {name: known for name, known in self._known.items() if name in requests}
         names = self._names(changed, read)
         for name in sorted(requests, key=lambda name: (name != "", name not in (names or ()), name)):
             if not self._is_known(name, names):
-                self._view(name, requests[name], read, files, tell, progress)
+                self._view(name, requests[name], read, tell, progress)
         self._forget()
         return tuple(requests)
 
@@ -119,7 +117,6 @@ class Session:
         name: str,
         request: Request,
         read: SourcesRead,
-        files: frozenset[str],
         tell: Callable[[View], None],
         progress: Progress,
     ) -> None:
@@ -136,7 +133,7 @@ class Session:
             progress(f"{name}: {error}", 0, 0)
         # a launch file whose execution failed has touched itself
         touched = self.memory.touched | set(view.files) | ({name} if name else set())
-        self._known[name] = _Known(frozenset(touched), frozenset(self.memory.used), files)
+        self._known[name] = _Known(frozenset(touched), frozenset(self.memory.used))
         tell(view)
 
     def _requests(self, read: SourcesRead) -> dict[str, Request]:
@@ -172,9 +169,7 @@ class Session:
         )
 
     def _forget(self) -> None:
-        used = {key for known in self._known.values() for key in known.used}
-        files = {file for known in self._known.values() for file in (*known.lowered, *known.touched)}
-        self.memory.keep_only(used, files)
+        self.memory.keep_only({key for known in self._known.values() for key in known.used})
 
 
 def _share(read: SourcesRead, package: str, relative: str) -> str:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Final, NamedTuple, final
 
 from rosward.findings import Finding
-from rosward.lsp.extents import Extent, extent
+from rosward.lsp.extents import Extent, column_of, extent
 from rosward.lsp.marks import Mark, Marks
 from rosward.lsp.records import LAUNCH, SOURCES, Told, View
 from rosward.source import limits
@@ -204,7 +204,7 @@ class State:
             if place.line - 1 > line:
                 continue
             if place not in known:
-                known[place] = extent(lines, path, place.line - 1, max(0, place.column - 1))
+                known[place] = extent(lines, path, place.line - 1, column_of(lines, path, place))
             if known[place].holds(line, column):
                 found.append(Found(based.marks, mark, known[place]))
         inner = max(((f.extent.line, f.extent.column) for f in found), default=None)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from rosward.lsp.extents import Extent, extent
+from rosward.lsp.extents import Extent, column_of, extent
 from rosward.lsp.links import Aim, place_aim
 from rosward.lsp.marks import Mark, Marks, meeting, plural
 from rosward.lsp.records import End, Seen, Setting, Started
@@ -46,7 +46,7 @@ def symbols_in(state: State, path: str) -> list[Symbol]:
     known: dict[Place, Extent] = {}
     for _, mark, place in state.in_file(path):
         if place not in known:
-            known[place] = extent(lines, path, place.line - 1, max(0, place.column - 1))
+            known[place] = extent(lines, path, place.line - 1, column_of(lines, path, place))
         if 0 < place.line <= len(lines):
             found[_symbol(mark, known[place])] = None
     return sorted(found, key=lambda s: (s.extent, s.kind, s.name))[:_MOST]

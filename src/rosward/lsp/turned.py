@@ -13,7 +13,7 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 from pygls.uris import from_fs_path
 
-from rosward.lsp.extents import Extent
+from rosward.lsp.extents import Extent, column_of
 from rosward.lsp.links import Aim
 from rosward.lsp.rename import Edit
 from rosward.lsp.symbols import Lens, Symbol
@@ -83,7 +83,7 @@ class Turned:
         """A finding: from its place to the end of the line."""
         line = max(0, told.place.line - 1)
         text = lines[line] if line < len(lines) else ""
-        first = min(max(0, told.place.column - 1), len(text)) if told.place.line else 0
+        first = column_of(lines, path, told.place)
         first = first if text[first:].strip() else len(text) - len(text.lstrip())
         folder = self._server.state.folder_of(path)
         related = [

@@ -53,8 +53,8 @@ class Worker:
                 older, self._wanted = self._wanted, question
                 if older is not None:
                     question["texts"] = {**older.get("texts", {}), **question.get("texts", {})}
-                    both = older.get("changed"), question.get("changed")
-                    question["changed"] = None if None in both else [*both[0], *both[1]]
+                    before, now = older.get("changed"), question.get("changed")
+                    question["changed"] = None if before is None or now is None else [*before, *now]
                 self._newest = number
                 self._lock.notify()
         with self._lock:
