@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import asyncio
+import inspect
 import json
 import sys
 from collections.abc import Awaitable, Callable
@@ -24,6 +25,20 @@ from .desk import DEMO, LAUNCH, TALKER, write
 
 COMMAND = [sys.executable, "-m", "rosward", "lsp"]
 LONG = 300
+NONSENSE = (
+    b"",
+    b"nonsense",
+    b"[]",
+    b"{}",
+    b"\xff\xfe",
+    b'{"jsonrpc": "2.0", "id": 900, "method": "textDocument/hover", "params": {"position": 3}}',
+    b'{"jsonrpc": "2.0", "id": 901, "method": "textDocument/hover"}',
+    b'{"jsonrpc": "2.0", "id": 902, "method": "no/such", "params": null}',
+    b'{"jsonrpc": "2.0", "id": 903, "method": "workspace/symbol", "params": ["x"]}',
+    b'{"jsonrpc": "2.0", "method": "textDocument/didOpen", "params": {"textDocument": 5}}',
+    b'{"jsonrpc": "2.0", "method": "workspace/didChangeWatchedFiles", "params": {"changes": [{"uri": 3}]}}',
+    b'{"jsonrpc": "2.0", "id": 3.5, "result": {}}',
+)
 SYSTEM = "launch/demo.launch.xml"
 
 
@@ -36,7 +51,7 @@ class Editor:
         self.quiet = asyncio.Event()
         self.version = 0
 
-        @client.feature("rosward/analysed")
+        @client.feature("rosward/analysed")  # type: ignore[untyped-decorator]
         def analysed(told: Any) -> None:
             if not told.busy:
                 self.quiet.set()
@@ -92,7 +107,7 @@ def run(root: Path, work: Callable[[Editor], Awaitable[None]], *, folders: bool 
             await editor.settled()
         await work(editor)
         await client.shutdown_session()
-        await client.stop()
+        await client.stop()  # type: ignore[no-untyped-call]
 
     asyncio.run(session())
 
@@ -184,7 +199,7 @@ def test_folders_come_and_go(root: Path, tmp_path: Path) -> None:
         gone = types.WorkspaceFoldersChangeEvent(added=[], removed=[folder])
         editor.client.workspace_did_change_workspace_folders(types.DidChangeWorkspaceFoldersParams(gone))
         await editor.client.workspace_symbol_async(types.WorkspaceSymbolParams(""))
-        assert editor.client.diagnostics[uri] == []
+        assert not editor.client.diagnostics[uri]
 
     run(root, work)
 
@@ -221,9 +236,10 @@ def test_nonsense_is_answered_and_the_server_stays(root: Path) -> None:
                 assert not await client.text_document_definition_async(types.DefinitionParams(**where))  # type: ignore[arg-type]
             client.text_document_did_close(types.DidCloseTextDocumentParams(types.TextDocumentIdentifier(uri)))
             client.text_document_did_open(types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, "x", 0, "(\n")))
-        for method, params in (("textDocument/hover", {"position": 3}), ("no/such", None), ("workspace/symbol", ["x"])):
-            with pytest.raises(JsonRpcException):
-                await client.protocol.send_request_async(method, params)
+        for body in NONSENSE:
+            sent = client.protocol.writer.write(f"Content-Length: {len(body)}\r\n\r\n".encode() + body)  # type: ignore[union-attr]
+            if inspect.isawaitable(sent):
+                await sent
         here = editor.at("demo/talker.py", '"chatter"')
         assert await client.text_document_hover_async(types.HoverParams(**here)) is not None
 

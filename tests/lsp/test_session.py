@@ -163,15 +163,16 @@ def test_records_are_read_as_they_were_written_and_nothing_else_is(desk: Desk) -
     for based in desk.folder.based.values():
         view = based.marks.view
         assert read(View, json.loads(written(view))) == view
-    for wrong in (
+    odd: list[object] = [
         None,
         [],
         {},
         "x",
         [1] * 7,
         ["", "launch", [[]], [], [], [], []],
-        ["", "launch", [], [], [], ["a", 1], []],
-    ):
+        ["", "", [], [], [], ["a", 1], []],
+    ]
+    for wrong in odd:
         with pytest.raises(MalformedError):
             read(View, wrong)
 

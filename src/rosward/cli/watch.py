@@ -10,11 +10,14 @@ import sys
 from collections.abc import AsyncIterator, Callable
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Final
 
 from rosward.cli import extract
 from rosward.cli.shared import WrongUseError, refusing
 from rosward.cli.status import COMPLETE
 from rosward.safe import printable
+
+_END: Final = object()
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -59,10 +62,10 @@ async def watch(changes: Callable[[], AsyncIterator[object]], once: Callable[[],
 
     with remembering(memory):
         news = changes()
-        change = asyncio.ensure_future(anext(news, None))
+        change = asyncio.ensure_future(anext(news, _END))
         await asyncio.to_thread(again)
-        while await change is not None:
-            change = asyncio.ensure_future(anext(news, None))
+        while await change is not _END:
+            change = asyncio.ensure_future(anext(news, _END))
             await asyncio.to_thread(again)
 
 

@@ -52,7 +52,7 @@ class RoswardServer(LanguageServer):
         self.crews: dict[str, Crew] = {}
         self.asked: dict[tuple[str, int], dict[int, dict[str, str]]] = {}
         self.published: dict[str, tuple[object, ...]] = {}
-        self.turned = Turned(self)
+        self.turned = Turned(self.state, lambda: self.workspace.position_codec)
         self.ends: set[asyncio.Task[None]] = set()
 
     def report_server_error(self, error: Exception, source: Any) -> None:
@@ -132,14 +132,14 @@ class RoswardServer(LanguageServer):
         if "asked" in document:
             waiting[document["asked"]] = document["texts"]
         elif "view" in document:
-            folder.take(document["view"], waiting.get(document["of"], {}), index)
-            self.publish_all(root)
+            files = folder.take(document["view"], waiting.get(document["of"], {}), index)
+            self.publish([folder.path(file) for file in sorted(files)])
         elif "done" in document:
             if document["names"] is not None:
-                folder.keep_only(document["names"], index)
+                files = folder.keep_only(document["names"], index)
+                self.publish([folder.path(file) for file in sorted(files)])
             for number in [number for number in waiting if number <= document["done"]]:
                 del waiting[number]
-            self.publish_all(root)
             self.told_done(root)
         elif "log" in document:
             self.log(document["log"])
@@ -150,12 +150,6 @@ class RoswardServer(LanguageServer):
         capable = self.client_capabilities.workspace
         if capable is not None and capable.code_lens is not None and capable.code_lens.refresh_support:
             self.workspace_code_lens_refresh(None)
-
-    def publish_all(self, root: str) -> None:
-        """Publish what is to be told of the files of a folder."""
-        folder = self.state.folders[root]
-        told = {folder.path(t.place.file) for b in folder.based.values() for t in b.told if t.place.file}
-        self.publish(sorted(told | {path for path in self.published if self.root_of(path) == root}))
 
     def publish(self, paths: Sequence[str]) -> None:
         """Publish diagnostics where they are others than before."""

@@ -77,7 +77,8 @@ class Based(NamedTuple):
 
     marks: Marks
     texts: Mapping[str, str]
-    told: tuple[Told, ...]
+    told: Mapping[str, tuple[Told, ...]]
+    """By file."""
     told_of: Mapping[str, str]
 
 
@@ -89,6 +90,15 @@ class Found(NamedTuple):
     extent: Extent
 
 
+def _by_file(view: View) -> dict[str, tuple[Told, ...]]:
+    """The findings of a view that have a place."""
+    found: dict[str, list[Told]] = {}
+    for told in view.findings:
+        if told.place.file:
+            found.setdefault(told.place.file, []).append(told)
+    return {file: tuple(inside) for file, inside in found.items()}
+
+
 @final
 class Folder:
     """One folder of the workspace, and what was found in it."""
@@ -98,21 +108,25 @@ class Folder:
         self.based: dict[tuple[int, str], Based] = {}
         """By who sent it, and by the name of the view."""
 
-    def take(self, view: View, texts: Mapping[str, str], sender: int = 0) -> None:
-        """A view was made again. While a file is half written, what was there before is better than nothing."""
+    def take(self, view: View, texts: Mapping[str, str], sender: int = 0) -> set[str]:
+        """A view was made again; returns the files of which something else may be told now.
+
+        While a file is half written, what was there before is better than nothing.
+        """
         before = self.based.get((sender, view.name))
         unread = {told.place.file for told in view.findings if told.code in _UNREAD}
         if before is not None and any(file in before.marks.at for file in unread):
-            found = before._replace(told=view.findings, told_of=texts)
+            found = before._replace(told=_by_file(view), told_of=texts)
         else:
-            found = Based(Marks(view), texts, view.findings, texts)
+            found = Based(Marks(view), texts, _by_file(view), texts)
         self.based[sender, view.name] = found
+        return {*found.told, *(before.told if before is not None else ())}
 
-    def keep_only(self, names: Iterable[str], sender: int = 0) -> None:
-        """What a sender told of before and does not any more, is gone."""
+    def keep_only(self, names: Iterable[str], sender: int = 0) -> set[str]:
+        """What a sender told of before and does not any more, is gone; returns the files of which less is told now."""
         kept = set(names)
-        for key in [key for key in self.based if key[0] == sender and key[1] not in kept]:
-            del self.based[key]
+        gone = [key for key in self.based if key[0] == sender and key[1] not in kept]
+        return {file for key in gone for file in self.based.pop(key).told}
 
     def file(self, path: str) -> str:
         """A path as places name it."""
@@ -169,12 +183,19 @@ class State:
         data = read_bytes(path, path, limits.PYTHON_FILE)
         return [] if isinstance(data, Finding) else lines_of(data.decode("utf-8-sig", "replace"))
 
+    def _shift(self, old: str | None, path: str, known: dict[int, Shift]) -> Shift | None:
+        """How the lines of a file have moved since it had an older text; None where they have not."""
+        document = self.documents.get(path)
+        if old is None or document is None or old is document.text or old == document.text:
+            return None
+        if id(old) not in known:
+            known[id(old)] = Shift(lines_of(old), document.lines)
+        return known[id(old)]
+
     def now(self, texts: Mapping[str, str], path: str, place: Place) -> Place | None:
         """Where a place in these texts is now; None where its line was changed or is gone."""
-        old, document = texts.get(path), self.documents.get(path)
-        if old is None or document is None or old is document.text or old == document.text:
-            return place
-        line = Shift(lines_of(old), document.lines).line(place.line)
+        shift = self._shift(texts.get(path), path, {})
+        line = place.line if shift is None else shift.line(place.line)
         return None if line is None else place._replace(line=line)
 
     def in_file(self, path: str) -> Iterator[tuple[Based, Mark, Place]]:
@@ -182,14 +203,11 @@ class State:
         folder = self.folder_of(path)
         if folder is None:
             return
-        file, document = folder.file(path), self.documents.get(path)
+        file = folder.file(path)
+        known: dict[int, Shift] = {}
         for based in folder.based.values():
             marks = based.marks.at.get(file, ())
-            old = based.texts.get(path) if marks else None
-            changed = old is not None and document is not None and old is not document.text and old != document.text
-            shift = (
-                Shift(lines_of(old), document.lines) if changed and old is not None and document is not None else None
-            )
+            shift = self._shift(based.texts.get(path), path, known) if marks else None
             for mark in marks:
                 line = mark.place.line if shift is None else shift.line(mark.place.line)
                 if line is not None:
@@ -218,10 +236,13 @@ class State:
             return []
         file = folder.file(path)
         found: dict[tuple[str, str, int], Told] = {}
+        known: dict[int, Shift] = {}
         for based in folder.based.values():
-            for told in based.told:
-                if told.place.file == file:
-                    place = self.now(based.told_of, path, told.place)
-                    if place is not None:
-                        found.setdefault((told.code, told.message, place.line), told._replace(place=place))
+            inside = based.told.get(file, ())
+            shift = self._shift(based.told_of.get(path), path, known) if inside else None
+            for told in inside:
+                line = told.place.line if shift is None else shift.line(told.place.line)
+                if line is not None:
+                    place = told.place._replace(line=line)
+                    found.setdefault((told.code, told.message, line), told._replace(place=place))
         return sorted(found.values(), key=lambda told: (told.place, told.code, told.message))

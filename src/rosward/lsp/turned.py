@@ -6,7 +6,7 @@ Lines and columns of the protocol count from 0, columns in units that editor and
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Final, final
 
 from lsprotocol import types
@@ -19,9 +19,11 @@ from rosward.lsp.rename import Edit
 from rosward.lsp.symbols import Lens, Symbol
 
 if TYPE_CHECKING:
+    from pygls.workspace import PositionCodec
+
     from rosward.lsp.completion import Offer
-    from rosward.lsp.protocol import RoswardServer
     from rosward.lsp.records import Told
+    from rosward.lsp.state import State
 
 __all__ = ["Turned"]
 
@@ -41,8 +43,9 @@ _REFUSED: Final = -32803
 class Turned:
     """Turns what is asked of a server and what it answers."""
 
-    def __init__(self, server: RoswardServer) -> None:
-        self._server = server
+    def __init__(self, state: State, codec: Callable[[], PositionCodec]) -> None:
+        self._state = state
+        self._codec = codec
 
     @staticmethod
     def uri(path: str) -> str:
@@ -51,18 +54,18 @@ class Turned:
 
     def position(self, path: str, position: types.Position) -> tuple[int, int]:
         """Line and column in characters, within the text."""
-        lines = self._server.state.lines(path)
+        lines = self._state.lines(path)
         if not 0 <= position.line < len(lines):
             return max(0, min(position.line, len(lines))), 0
         text = lines[position.line]
-        found = self._server.workspace.position_codec.position_from_client_units(
+        found = self._codec().position_from_client_units(
             [text], types.Position(0, max(0, min(position.character, 4 * len(text) + 4)))
         )
         return position.line, min(found.character, len(text))
 
     def range(self, path: str, where: Extent) -> types.Range:
         """The range of an extent."""
-        lines = self._server.state.lines(path)
+        lines = self._state.lines(path)
         return types.Range(
             self._turned(lines, where.line, where.column), self._turned(lines, where.end_line, where.end_column)
         )
@@ -70,7 +73,7 @@ class Turned:
     def _turned(self, lines: Sequence[str], line: int, column: int) -> types.Position:
         if not 0 <= line < len(lines):
             return types.Position(max(0, line), 0)
-        units = self._server.workspace.position_codec.client_num_units(lines[line][:column])
+        units = self._codec().client_num_units(lines[line][:column])
         return types.Position(line, units)
 
     def location(self, aim: Aim) -> types.Location:
@@ -85,7 +88,7 @@ class Turned:
         text = lines[line] if line < len(lines) else ""
         first = column_of(lines, path, told.place)
         first = first if text[first:].strip() else len(text) - len(text.lstrip())
-        folder = self._server.state.folder_of(path)
+        folder = self._state.folder_of(path)
         related = [
             types.DiagnosticRelatedInformation(
                 types.Location(
