@@ -74,7 +74,7 @@ def test_the_outputs_are_those_of_extract_each_time(
 
     monkeypatch.setattr("rosward.server.watching.changes", changes)
     assert main(["watch", str(tmp_path), "-o", str(output), "--format", "policy", "--no-config"]) == 0
-    assert "topic>chatter<" in (output / "policy.xml").read_text()
+    assert "chatter</topic>" in (output / "policy.xml").read_text()
     told = capsys.readouterr().out
     assert told.count("rosward read ") >= 3
     assert main(["extract", str(tmp_path), "-o", str(tmp_path / "one"), "--format", "policy", "--no-config"]) == 0

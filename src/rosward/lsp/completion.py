@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from rosward.lsp.extents import Extent
+from rosward.lsp.extents import LONGEST_LINE, Extent
 from rosward.lsp.marks import meeting
 from rosward.lsp.records import End, Started
 from rosward.lsp.state import State
@@ -39,7 +39,11 @@ class Offer(NamedTuple):
 def completions(state: State, path: str, line: int, column: int) -> list[Offer]:
     """The names at a position; none where no remapping is written."""
     folder, lines = state.folder_of(path), state.lines(path)
-    if folder is None or not 0 <= line < len(lines):
+    if (
+        folder is None
+        or not 0 <= line < len(lines)
+        or any(len(t) > LONGEST_LINE for t in lines[max(0, line - _BACK) : line + 1])
+    ):
         return []
     begun = _begun(lines, path, line, column)
     if begun is None:

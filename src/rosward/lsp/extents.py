@@ -15,9 +15,11 @@ from typing import Final, NamedTuple
 
 from rosward.source.location import Place
 
-__all__ = ["Extent", "Literal", "column_of", "extent", "literals"]
+__all__ = ["LONGEST_LINE", "Extent", "Literal", "column_of", "extent", "literals"]
 
 _MOST_LINES: Final = 400
+LONGEST_LINE: Final = 2_000
+"""Characters of a line in which somebody may have written something by hand; what is longer is not looked into."""
 _TOKEN: Final = re.compile(
     r"(?P<long>\"\"\"|''')|(?P<text>[A-Za-z]{0,2}\"(?:\\.|[^\"\\])*\"|[A-Za-z]{0,2}'(?:\\.|[^'\\])*')"
     r"|(?P<comment>#|//)|(?P<open>[(\[{])|(?P<close>[)\]}])|(?P<more>->|::|[.<>&*:,=;+-])|(?P<word>\w+)|(?P<space>\s+)|(?P<other>.)"
@@ -28,7 +30,7 @@ _TAG: Final = re.compile(
 _XML_TEXT: Final = re.compile(r"([\w.:-]+)\s*=\s*(\"([^\"]*)\"|'([^']*)')")
 _YAML_TEXT: Final = re.compile(
     r"\"((?:\\.|[^\"\\])*)\"|'((?:''|[^'])*)'"
-    r"|(?<=[:\-,\[{] )([^\s#\[\]{},\"'&*!|>%@`-][^#,\[\]{}\n]*?)(?=\s*(?:[,\]}]|#|$))"
+    r"|(?:(?<=[:\-,\[{] )|(?<=[\[{]))([^\s#\[\]{},\"'&*!|>%@`-](?:(?!:\s)[^#,\[\]{}\n\"'])*?)(?=\s*(?:[,\]}]|#|$))"
 )
 
 
@@ -82,6 +84,8 @@ def _call(lines: Sequence[str], line: int, column: int) -> Extent:
     long = ""
     for number in range(line, min(len(lines), line + _MOST_LINES)):
         text = lines[number]
+        if len(text) > LONGEST_LINE:
+            break
         while at < len(text):
             if long:
                 close = text.find(long, at)
@@ -120,7 +124,7 @@ def _goes_on(lines: Sequence[str], number: int) -> bool:
 
 
 def _element(lines: Sequence[str], line: int, column: int) -> Extent:
-    part = lines[line : line + _MOST_LINES]
+    part = [text if len(text) <= LONGEST_LINE else "" for text in lines[line : line + _MOST_LINES]]
     text = "\n".join(part)
     start = text.find("<", max(0, column - 1))
     depth = 0
@@ -166,6 +170,8 @@ def literals(lines: Sequence[str], file: str, where: Extent) -> list[Literal]:
 def _in_lines(lines: Sequence[str], where: Extent, of_line: object) -> list[Literal]:
     found: list[Literal] = []
     for number in range(where.line, min(where.end_line + 1, len(lines))):
+        if len(lines[number]) > LONGEST_LINE:
+            continue
         for each in of_line(lines[number], number):  # type: ignore[operator]
             if where.holds(number, each.column) and where.holds(number, each.end):
                 found.append(each)

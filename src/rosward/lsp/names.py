@@ -14,7 +14,7 @@ from fnmatch import fnmatchcase
 from typing import Final, NamedTuple
 
 from rosward.holes import Holed
-from rosward.lsp.extents import Extent, Literal, literals
+from rosward.lsp.extents import LONGEST_LINE, Extent, Literal, literals
 from rosward.lsp.records import Seen
 from rosward.ros.names import InvalidName, expand, full_namespace
 
@@ -86,7 +86,7 @@ def keys(lines: Sequence[str]) -> list[Key]:
     above: list[tuple[int, str]] = []
     found: list[Key] = []
     for number, text in enumerate(lines):
-        match = _KEY.match(text)
+        match = _KEY.match(text) if len(text) <= LONGEST_LINE else None
         if match is None:
             continue
         indent = len(match[1]) + (2 if text[len(match[1]) :].startswith("- ") else 0)
@@ -115,7 +115,7 @@ def is_for(pattern: str, node: Seen) -> bool:
 
 def policy_name(lines: Sequence[str], line: int, column: int) -> tuple[str, str, Extent] | None:
     """The kind and the full name that a policy speaks of at a position, and where that stands."""
-    text = lines[line] if 0 <= line < len(lines) else ""
+    text = lines[line] if 0 <= line < len(lines) and len(lines[line]) <= LONGEST_LINE else ""
     for match in _POLICY_NAME.finditer(text):
         if match.start(2) <= column <= match.end(2):
             name = match[2]
@@ -128,7 +128,7 @@ def policy_name(lines: Sequence[str], line: int, column: int) -> tuple[str, str,
 
 def _namespace_above(lines: Sequence[str], line: int) -> str:
     for number in range(line, max(-1, line - _BACK), -1):
-        match = _PROFILE.search(lines[number])
+        match = _PROFILE.search(lines[number][:LONGEST_LINE])
         if match is not None:
             return dict(_ATTRIBUTE.findall(match[1])).get("ns", "/") or "/"
     return "/"
