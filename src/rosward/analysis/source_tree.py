@@ -3,20 +3,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.effects.entry import Entry
 from rosward.engine.found import FoundModule
-from rosward.engine.remembered import Lowered, digest, memory_here
+from rosward.engine.remembered import Lowered, memory_here
 from rosward.findings import Finding, Findings
 from rosward.frontends.front_end import FrontEnd, FrontendError
 from rosward.frontends.registry import FRONT_ENDS, PYTHON, front_end_of
 from rosward.guard import guarded
 from rosward.ir.program import Module
-from rosward.source import limits
+from rosward.source import disk, limits
 from rosward.source.definitions import Definition
 from rosward.source.imports import ImportResolver, ImportTarget
 from rosward.source.installed import Installed
@@ -52,7 +52,8 @@ class SourceTree:
         self.findings = Findings() if compiled is None else compiled.findings
         self._net = net
         self._memory = memory_here()
-        self._read_of_python = [0, 0]  # files, lines
+        self.python_files: dict[str, int] = {}
+        """The Python files that were read, and how many lines each has."""
         self._resolver = ImportResolver(workspace)
         self._interfaces = InterfaceIndex(workspace)
         self._modules: dict[str, Module | None] = {}
@@ -78,12 +79,19 @@ class SourceTree:
     @property
     def files_read(self) -> int:
         """How many files were read."""
-        return self._read_of_python[0] + len(self.cpp_files)
+        return len(self.python_files) + len(self.cpp_files)
 
     @property
     def lines_read(self) -> int:
         """How many lines they have."""
-        return self._read_of_python[1] + sum(self.cpp_files.values())
+        return sum(self.python_files.values()) + sum(self.cpp_files.values())
+
+    def read_elsewhere(self, python: Mapping[str, int], cpp: Mapping[str, int], findings: Iterable[Finding]) -> None:
+        """What another process has read of these sources, and what was wrong with it."""
+        self.findings.update(findings)
+        self.python_files |= {file: lines for file, lines in python.items() if file not in self.python_files}
+        if self._compiled is not None:
+            self._compiled.lines |= {file: lines for file, lines in cpp.items() if file not in self._compiled.lines}
 
     @property
     def cpp_files(self) -> Mapping[str, int]:
@@ -104,7 +112,7 @@ class SourceTree:
             return ""
         made = self._generated.get(file)
         data = read_bytes(source.path, file, limits.PYTHON_FILE if made is None else limits.PARAMETERS_FILE)
-        content = data.message if isinstance(data, Finding) else digest(data)
+        content = data.message if isinstance(data, Finding) else disk.digest(data)
         return content if made is None else f"{content} {made}"
 
     def program(self, name: str) -> CppSymbols | None:
@@ -120,18 +128,18 @@ class SourceTree:
             return self._lower_here(path, file)
         own = self._memory.lowered(file, self.content(file), partial(self._lower_apart, path, file))
         self.findings.update(own.findings)
-        self._count(own.lines)
+        if own.lines:
+            self.python_files[file] = own.lines
         return own.module
 
     def _lower_apart(self, path: Path, file: str) -> Lowered:
         """The file, and what is told of it alone."""
-        findings, lines, self.findings = self.findings, self._read_of_python, Findings()
-        self._read_of_python = [0, 0]
+        findings, self.findings = self.findings, Findings()
         try:
             module = self._lower_here(path, file)
-            return Lowered(module, tuple(self.findings), self._read_of_python[1])
+            return Lowered(module, tuple(self.findings), self.python_files.get(file, 0))
         finally:
-            self.findings, self._read_of_python = findings, lines
+            self.findings = findings
 
     def _lower_here(self, path: Path, file: str) -> Module | None:
         found = guarded(lambda: self._lower(path, file), Place(file), "the file was not analysed", net=self._net)
@@ -139,10 +147,6 @@ class SourceTree:
             self.findings.add(found)
             return None
         return found
-
-    def _count(self, lines: int) -> None:
-        self._read_of_python[0] += lines > 0
-        self._read_of_python[1] += lines
 
     def _lower(self, path: Path, file: str) -> Module | None:
         if file in self._generated:
@@ -153,7 +157,7 @@ class SourceTree:
             return None
         if text.finding is not None:
             self.findings.add(text.finding)
-        self._count(text.text.count("\n") + (not text.text.endswith("\n")))
+        self.python_files[file] = text.text.count("\n") + (not text.text.endswith("\n"))
         try:
             return front_end_of(file, self._front_ends).lower(text.text, file)
         except FrontendError as error:

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, Final, final
 from rosward.engine.declared import MODEL_PREFIX
 from rosward.models.ros.interfaces import message_name
 from rosward.records import NamedTuple
+from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
 
 if TYPE_CHECKING:
     from rosward.engine.found import Sources
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.ir.program import Module
 
-__all__ = ["PROGRAM", "Lowered", "Memory", "digest", "memory_here", "remembering"]
+__all__ = ["PROGRAM", "Lowered", "Memory", "ask", "depends_on_the_machine", "memory_here", "remembering"]
 
 
 PROGRAM: Final = "**"
@@ -114,7 +115,7 @@ class Memory:
             elif name == "read":
                 self.touched.add(f"*/{str(question[2]).rpartition('/')[2]}")
             if question not in self._answers:
-                self._answers[question] = repr(_ask(sources, question)).encode("utf-8", "surrogatepass")
+                self._answers[question] = repr(ask(sources, question)).encode("utf-8", "surrogatepass")
             answer = self._answers[question]
             told.update(b"%d " % len(answer))
             told.update(answer)
@@ -127,7 +128,7 @@ _OF_SOURCES: Final = frozenset(
 )  # fmt: skip
 
 
-def _ask(sources: Sources, question: Question) -> object:
+def ask(sources: Sources, question: Question) -> object:
     """The answer to a question, as plain values. Raises ValueError for one that nobody knows."""
     name, *rest = question
     given: list[Any] = rest
@@ -164,6 +165,8 @@ def memory_here() -> Memory | None:
     return _HERE.get()
 
 
-def digest(data: bytes) -> str:
-    """A text that tells these bytes from any others."""
-    return hashlib.blake2b(data, digest_size=20).hexdigest()
+def depends_on_the_machine(finding: Finding) -> bool:
+    """Whether a finding is told of a run that another time may go another way: it is not to be kept."""
+    return finding.code == INTERNAL_ERROR or (
+        finding.code == "RW201" and any(each in finding.message for each in (KILLED, TIME_LIMIT))
+    )

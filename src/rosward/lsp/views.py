@@ -12,7 +12,7 @@ from rosward.lsp.records import LAUNCH, SOURCES, End, Given, Seen, Setting, Star
 if TYPE_CHECKING:
     from rosward.findings import Finding
     from rosward.network.launch_tree import GivenParameter, LaunchEntry, LaunchSystem, Shown
-    from rosward.pipeline import Result
+    from rosward.result import Result
     from rosward.ros.entities import Entity, Node, Parameter
 
 __all__ = ["told", "view_of"]
