@@ -35,7 +35,9 @@ def add(parser: argparse.ArgumentParser) -> None:
     add_sources(parser)
     add_deployment(parser, "every executable, and each launch file as a system of its own")
     parser.add_argument("--stdio", action="store_true", help="speak over standard input and output (the default)")
-    parser.add_argument("--worker", choices=("sources", "launch"), help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--worker", choices=tuple(_PAUSES), help="analyse PATH for a server; the server starts such processes by itself"
+    )
 
 
 def _run(options: argparse.Namespace) -> int:
