@@ -10,6 +10,7 @@ import pytest
 
 from rosward.engine.remembered import Lowered, Memory
 from rosward.lsp.records import MalformedError, View, read, written
+from rosward.lsp.session import Session, Settings
 
 from .desk import DEMO, LAUNCH, LISTENER, TALKER, Desk
 
@@ -62,6 +63,30 @@ def test_a_new_file_and_a_description_may_change_anything(desk: Desk) -> None:
     (desk.root / "launch/more.launch.xml").write_text(OTHER)
     assert len(desk.renew("launch/more.launch.xml")) == 4
     assert len(desk.renew("setup.py")) == 4
+
+
+def test_typing_into_a_file_that_nobody_reads_concerns_nobody(desk: Desk) -> None:
+    desk.renew()
+    desk.open("config/demo.yaml", "a: 1\n")
+    (desk.root / "notes.yaml").write_text("b: 1\n")
+    desk.open("notes.yaml", "b: 2\n")
+    assert len(desk.renew("notes.yaml")) == 3  # it was not there before
+    desk.open("notes.yaml", "b: 3\n")
+    assert desk.renew("notes.yaml") == [""]
+
+
+def test_with_models_of_the_user_nothing_is_remembered(tmp_path: Path) -> None:
+    models = tmp_path / "models"
+    models.mkdir()
+    stub = '# SPDX-License-Identifier: Apache-2.0\n"""A library."""\nNAME = \'one\'\n'
+    (models / "lib.pyi").write_text(stub)
+    desk = Desk(tmp_path / "ws", {"demo/talker.py": USES.replace("demo.names", "lib")})
+    desk.session = Session(Settings(str(desk.root), models=(str(models),)))
+    desk.renew()
+    assert "/one" in _names(desk)
+    (models / "lib.pyi").write_text(stub.replace("one", "two"))
+    desk.renew(everything=True)
+    assert "/two" in _names(desk)
 
 
 def test_text_of_an_editor_stands_over_the_file_until_it_is_closed(desk: Desk) -> None:

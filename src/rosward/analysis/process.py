@@ -24,7 +24,7 @@ from rosward.engine.frame import Frame
 from rosward.engine.interpreter import Interpreter
 from rosward.engine.library import Library
 from rosward.engine.reads import Question, Reads
-from rosward.engine.remembered import depends_on_the_machine, memory_here
+from rosward.engine.remembered import depends_on_the_machine
 from rosward.engine.shared import Shared
 from rosward.findings import Finding
 from rosward.guard import internal_error
@@ -59,7 +59,7 @@ class Run(NamedTuple):
 
 def run(library: Library, entry: Entry, budget: Budget, configuration: Configuration | None = None) -> Run:
     """Interpret one process to its end, and everything that it schedules, as the configuration starts it; or remember what it did."""
-    memory = memory_here()
+    memory = library.memory
     if memory is None:
         return _run(library, entry, budget, configuration)
 

@@ -104,16 +104,19 @@ class Memory:
             self._runs[key] = _Kept(questions, self._told(questions, sources), found)
         return found
 
+    def touch(self, question: Question) -> None:
+        """A file is looked at, if the question is about one."""
+        if question[0] == "module":
+            self.touched.add(str(question[1]))
+        elif question[0] == "program":
+            self.touched.add(PROGRAM)
+        elif question[0] == "read":
+            self.touched.add(f"*/{str(question[2]).rpartition('/')[2]}")
+
     def _told(self, questions: tuple[Question, ...], sources: Sources) -> bytes:
         told = hashlib.blake2b(digest_size=20)
         for question in questions:
-            name, first = question[0], str(question[1])
-            if name == "module":
-                self.touched.add(first)
-            elif name == "program":
-                self.touched.add(PROGRAM)
-            elif name == "read":
-                self.touched.add(f"*/{str(question[2]).rpartition('/')[2]}")
+            self.touch(question)
             if question not in self._answers:
                 self._answers[question] = repr(ask(sources, question)).encode("utf-8", "surrogatepass")
             answer = self._answers[question]

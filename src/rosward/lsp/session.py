@@ -71,6 +71,8 @@ class Session:
         self._wanted = frozenset(wanted)
         self._known: dict[str, _Known] = {}
         self._first = True
+        self._shown: tuple[frozenset[str], frozenset[str]] = (frozenset(), frozenset())
+        """The files with a text of an editor: before, and now."""
 
     def renew(
         self,
@@ -83,6 +85,7 @@ class Session:
 
         Returns the names of all views that there are. `progress` may raise to end the work: what is known by then stays known.
         """
+        self._shown = self._shown[1], frozenset(texts)
         with overlaid(texts), remembering(self.memory):
             return with_deep_stack(lambda: self._renew(changed, tell, progress))
 
@@ -153,12 +156,17 @@ class Session:
         first, self._first = self._first, False
         if changed is None or first:
             return None
-        names = frozenset(place_name(os.path.abspath(path), read.workspace.root) for path in changed)  # noqa: PTH100
-        if any(name.rpartition("/")[2] in _STRUCTURE or not name.endswith(_TEXTS) for name in names):
-            return None
+        names: set[str] = set()
         touched = frozenset[str]().union(*(known.touched for known in self._known.values()))
-        cpp = {name for name in names if name.endswith(_CPP)}
-        return names if all(name in cpp or _meets(name, touched) for name in names) else None
+        for path in changed:
+            name = place_name(os.path.abspath(path), read.workspace.root)  # noqa: PTH100
+            if name.rpartition("/")[2] in _STRUCTURE or not name.endswith(_TEXTS):
+                return None
+            typed = all(path in shown for shown in self._shown) and not name.endswith(".xml")
+            if not (typed or name.endswith(_CPP) or _meets(name, touched)):
+                return None  # it may be new, and somebody looked for it and did not find it
+            names.add(name)
+        return frozenset(names)
 
     def _is_known(self, name: str, changed: frozenset[str] | None) -> bool:
         known = self._known.get(name)
