@@ -130,6 +130,8 @@ class Hands:
     def _take(self, line: bytes) -> None:
         try:
             document = json.loads(line)
+            if not isinstance(document, dict):
+                raise MalformedError("no object")
             if "view" in document:
                 document["view"] = read(View, document["view"])
         except (ValueError, TypeError, MalformedError, RecursionError):
