@@ -91,7 +91,8 @@ def flows_of(machine: Interpreter, watch: Watch) -> ProcessFlows:
             events |= walker.sources.trigger(event)
         data, control, trigger = walker.sources.apart(mask | events | more)
         assumed = data - walker.sources.apart(mask)[0]
-        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed))
+        calls = walker.sinks.calls(sink, walker.sources) if complete else ()
+        flows.append(Flow(sink, data, control, trigger, _paths(walker, sink, data | control), assumed, calls))
     callbacks = callbacks_of(walker, machine.schedule_book.entries.values(), _node)
     walker.close()
     machine.log.findings.update(wrong_marks(machine))

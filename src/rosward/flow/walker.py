@@ -19,7 +19,7 @@ from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
-from rosward.flow.sinks import Sinks
+from rosward.flow.sinks import DEEP, Chain, Sinks, here
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.check import reads
@@ -79,6 +79,7 @@ class Walker:
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
         self.stopped: dict[Root, int] = {}  # what decides that timers and subscriptions go on
+        self.recursive: set[Activation] = set()  # the bodies that may call themselves
         self.changed = False
         self.watched = watched  # the functions that release something
         self.lost = False  # code may run that nobody can name
@@ -167,8 +168,20 @@ class Walker:
         """Something leaves the process."""
         self.trail.send(sink, mask)
         if self.shape.tracker is not None:
-            self.shape.tracker.send(sink, mask)
+            self.shape.tracker.send(sink, here(self.bodies[-1]), mask)
         self.changed |= self.sinks.add(sink, mask, self.event)
+        self.sinks.called(sink, self._chain(), self._with_event(mask))
+
+    def _chain(self) -> Chain | None:
+        """The statements that have led to where control is; None where one of them may have called itself."""
+        if any(body.activation in self.recursive for body in self.bodies):
+            return None
+        return tuple(place for body in self.bodies for place in here(body))[-DEEP:]
+
+    def _with_event(self, mask: int) -> int:
+        for source in self.event:
+            mask |= self.sources.trigger(source)
+        return mask
 
     def place(self) -> Place:
         """The statement of the user's code that is running."""
@@ -235,6 +248,7 @@ class Walker:
         if any(b.activation is activation for b in self.bodies):
             if self.shape.tracker is not None:
                 self.shape.tracker.open = True
+            self.recursive.add(activation)
             return self.results.get(activation, NOTHING)
         given = (tuple(arguments), pc, self.event, self.node, tuple(self.narrowed), bool(self.attempts))
         earlier = self._remembered.setdefault(activation, [])
@@ -243,12 +257,15 @@ class Walker:
             current = not each.tracker.beside or each.beside == self._beside
             if current and each.given == given and self.memory.finds(each.tracker.reads):
                 self.memory.replay(each.writes, each.tracker.placed)
-                for sink, mask in each.tracker.sent.items():
+                before_it = self._chain()
+                for (sink, chain), mask in each.tracker.sent.items():
                     self.trail.send(sink, mask)
+                    whole = None if chain is None or before_it is None else (before_it + chain)[-DEEP:]
+                    self.sinks.called(sink, whole, self._with_event(mask))
                 if self.attempts:
                     self.attempts[-1].mask |= each.raising
                 if outer is not None:
-                    outer.absorb(each.tracker)
+                    outer.absorb(each.tracker, here(self.bodies[-1]))
                 return each.result
         tracker = self.shape.tracker = Tracker()
         beside = self._beside
@@ -260,7 +277,7 @@ class Walker:
         finally:
             self.shape.tracker = outer
             if outer is not None:
-                outer.absorb(tracker)
+                outer.absorb(tracker, here(self.bodies[-1]))
         raising = self.attempts[-1].mask if self.attempts else 0
         if self.attempts:
             self.attempts[-1].mask |= before

@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Final
 
 from rosward.findings import Finding
@@ -19,7 +19,7 @@ from rosward.influence.senders import Influencing
 from rosward.influence.tree import Step, Tree
 from rosward.network.counts import several
 from rosward.ros.entities import Interface, Node
-from rosward.ros.flows import End
+from rosward.ros.flows import End, NodeCall, NodeSink
 from rosward.safe import printable
 from rosward.source.location import Place
 
@@ -43,8 +43,9 @@ def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool
     lines: list[str] = []
     for node in nodes:
         rows = [
-            (shown(sink.sink), *_columns(sink.data, sink.control, sink.trigger, data_only, triggers), _short(sink.at))
+            (shown(sink.sink), *columns, where)
             for sink in flows_of(node).sinks
+            for columns, where in _by_calls(sink, lambda s: _columns(s, data_only, triggers))
         ]
         if rows:
             lines += [f"{node.display_name}  {node.defined_at.file}{_doubt(node)}", *_aligned(rows), ""]
@@ -66,12 +67,25 @@ def _doubt(node: Node) -> str:
     return ""
 
 
-def _columns(
-    data: Iterable[End], control: Iterable[End], trigger: Iterable[End], data_only: bool, triggers: bool
-) -> tuple[str, ...]:
-    made = ", ".join(map(shown, data))
-    decided = "" if data_only else ", ".join(map(shown, control))
-    woken = ", ".join(map(shown, trigger)) if triggers else ""
+def _by_calls(
+    sink: NodeSink, columns: Callable[[NodeSink | NodeCall], tuple[str, ...]]
+) -> Iterator[tuple[tuple[str, ...], str]]:
+    """One row, with its place; several where a function sends something else for each of its callers."""
+    groups: dict[tuple[str, ...], list[Place]] = {}
+    for call in sink.calls:
+        groups.setdefault(columns(call), []).extend(call.through[-1:])
+    if len(groups) < 2:
+        yield columns(sink), _short(sink.at)
+        return
+    for row, places in groups.items():
+        callers = path_text(dict.fromkeys(places), ", ")
+        yield row, f"{_short(sink.at)}{' called at ' if callers else ''}{callers}"
+
+
+def _columns(sent: NodeSink | NodeCall, data_only: bool, triggers: bool) -> tuple[str, ...]:
+    made = ", ".join(map(shown, sent.data))
+    decided = "" if data_only else ", ".join(map(shown, sent.control))
+    woken = ", ".join(map(shown, sent.trigger)) if triggers else ""
     constant = "" if made or decided or woken else "constant"
     return (
         f"data  {made}" if made else constant,
@@ -142,14 +156,14 @@ def _branches(steps: Iterable[Step]) -> Iterator[str]:
         indents.append("   " if last else "│  ")
 
 
-def path_text(path: Iterable[Place]) -> str:
+def path_text(path: Iterable[Place], between: str = " → ") -> str:
     """Lines, each file named once."""
     parts: list[str] = []
     file = ""
     for place in path:
         parts.append(str(place.line) if place.file == file else _short(place))
         file = place.file
-    return " → ".join(parts)
+    return between.join(parts)
 
 
 def reaching_text(starts: Sequence[Vertex], found: dict[Vertex, Reached]) -> str:
