@@ -71,15 +71,25 @@ def _by_calls(
     sink: NodeSink, columns: Callable[[NodeSink | NodeCall], tuple[str, ...]]
 ) -> Iterator[tuple[tuple[str, ...], str]]:
     """One row, with its place; several where a function sends something else for each of its callers."""
-    groups: dict[tuple[str, ...], list[Place]] = {}
+    groups: dict[tuple[str, ...], list[tuple[Place, ...]]] = {}
     for call in sink.calls:
-        groups.setdefault(columns(call), []).extend(call.through[-1:])
+        groups.setdefault(columns(call), []).append(call.through)
     if len(groups) < 2:
         yield columns(sink), _short(sink.at)
         return
-    for row, places in groups.items():
-        callers = path_text(dict.fromkeys(places), ", ")
+    for row, places in zip(groups, _telling(list(groups.values())), strict=True):
+        callers = path_text(places, ", ")
         yield row, f"{_short(sink.at)}{' called at ' if callers else ''}{callers}"
+
+
+def _telling(groups: Sequence[Sequence[tuple[Place, ...]]]) -> list[list[Place]]:
+    """The callers that tell groups of calls apart: the next ones, where these do, else those that call them."""
+    farthest = max(len(through) for calls in groups for through in calls)
+    for near in range(1, farthest + 1):
+        heads = [list(dict.fromkeys(place for through in calls for place in through[-near:][:1])) for calls in groups]
+        if near == farthest or sum(map(len, heads)) == len({place for each in heads for place in each}):
+            break
+    return heads
 
 
 def _columns(sent: NodeSink | NodeCall, data_only: bool, triggers: bool) -> tuple[str, ...]:
