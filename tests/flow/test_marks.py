@@ -9,6 +9,9 @@ import pytest
 
 import rosward
 from rosward.engine.budget import Budget
+from rosward.influence.check import against
+from rosward.influence.graph import graph_of
+from rosward.influence.policy import read_policy
 from rosward.ros.flows import STRENGTHS
 
 STUB = '''
@@ -196,3 +199,18 @@ def test_a_wrong_mark_is_told_without_flow(tmp_path: Path) -> None:
         ("_rosward has no snik", "models:acme.pyi", 3),
         ("'devices' is no kind of sink", "models:acme.pyi", 7),
     ]
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        (f"if msg.data == 'x': {SEND.format('digest(self.get_namespace())')}", ["RW606"]),
+        (SEND.format("digest(msg.data)"), []),
+    ],
+)
+def test_what_is_protected_decides_what_a_library_releases(statement: str, expected: list[str], tmp_path: Path) -> None:
+    result = analysed(tmp_path, models__acme_dot_pyi=STUB, src__robot_dot_py=PROGRAM.format(statement))
+    policy = read_policy({"rule": [{"name": "kept", "from": ["/in"], "not-to": ["network"]}]})
+    found = against(graph_of(result.network.nodes), policy)
+    assert [f.code for f in found] == expected
+    assert all(f.message == "/in decides what acme.digest releases" for f in found)

@@ -36,6 +36,7 @@ def against(graph: FlowGraph, policy: Policy) -> list[Finding]:
     for rule in policy.rules:
         found += _names_nothing(graph, rule)
         found += _forbidden(graph, rule, policy) if rule.sources else _others(graph, rule, policy)
+        found += _decided(graph, rule, policy)
     for release in policy.releases:
         found += _releases(graph, release)
     found += _contradictions(policy)
@@ -154,9 +155,25 @@ def _releases(graph: FlowGraph, release: Release) -> Iterator[Finding]:
     if not passing:
         yield Finding("RW602", f"the flow release through {words} releases nothing", _NOWHERE)
     deciding = [edge for edge in _inside(graph, passing) if edge.strength == "control" and edge.source in found]
-    for edge in deciding[:1]:
-        message = f"{edge.source} decides what {words} releases"
-        yield Finding("RW606", message, edge.path[-1] if edge.path else _NOWHERE, nodes=(edge.node,))
+    yield from (_deciding(edge, words) for edge in deciding[:1])
+
+
+def _decided(graph: FlowGraph, rule: Rule, policy: Policy) -> Iterator[Finding]:
+    """What a rule protects decides what a function of a library releases, of which a model says that it does."""
+    marked = [v for v in graph.vertices if v.end.kind == "released" and v.end.name not in policy.functions]
+    if not marked or not rule.sources:
+        return
+    found = downstream(graph, beginnings(meant(rule.sources, graph.vertices)), at_least("control"))
+    for vertex in marked:
+        for edge in graph.into.get(vertex, ()):
+            if edge.strength == "control" and edge.source in found:
+                yield _deciding(edge, vertex.end.name)
+                break
+
+
+def _deciding(edge: Edge, words: str) -> Finding:
+    message = f"{edge.source} decides what {words} releases"
+    return Finding("RW606", message, edge.path[-1] if edge.path else _NOWHERE, nodes=(edge.node,))
 
 
 def _inside(graph: FlowGraph, passing: list[Edge]) -> Iterator[Edge]:
