@@ -238,12 +238,14 @@ def privacy_text(found: Privacy) -> str:
             for one in several_:
                 place = one.way[-1].path[-1] if one.way and one.way[-1].path else ""
                 unsure = "  (assumed)" if one.reached.assumed else ""
-                lines.append(f"    to {_vertex(one.target)}  {place}{unsure}")
+                lines.append(f"    to {_vertex(one.target)}  {place}  in enclave {one.enclave}{unsure}")
         lines.append("")
-    for title, topics in (
-        ("no node of the system subscribes", found.unread),
-        ("content stays in the system", found.private),
-    ):
-        if topics:
-            lines += [title, *(f"  {topic}" for topic in topics), ""]
+    if found.unread:
+        lines += ["no node of the system subscribes", *(f"  {topic}" for topic in found.unread), ""]
+    if found.private:
+        lines.append("content stays in the system (enclaves that publish → that subscribe)")
+        for kept in found.private:
+            senders, receivers = (", ".join(paths) or "none" for paths in (kept.senders, kept.receivers))
+            lines.append(f"  {kept.topic}  {senders} → {receivers}")
+        lines.append("")
     return "\n".join(printable(line) for line in lines) or "There are no topics.\n"
