@@ -32,11 +32,12 @@ def unreleased(sink: NodeSink, released: Iterable[NodeSink]) -> NodeSink:
     inner = {each.sink: each for each in released}
     if not inner:
         return sink
-    calls = tuple(NodeCall(call.through, **_unreleased(call, inner)) for call in sink.calls)
-    return replace(sink, **_unreleased(sink, inner), calls=calls)
+    data, control, trigger = _unreleased(sink, inner)
+    calls = tuple(NodeCall(call.through, *_unreleased(call, inner)) for call in sink.calls)
+    return replace(sink, data=data, control=control, trigger=trigger, calls=calls)
 
 
-def _unreleased(sink: NodeSink | NodeCall, inner: Mapping[End, NodeSink]) -> dict[str, tuple[End, ...]]:
+def _unreleased(sink: NodeSink | NodeCall, inner: Mapping[End, NodeSink]) -> tuple[tuple[End, ...], ...]:
     listed: dict[str, set[End]] = {strength: set() for strength in STRENGTHS}
     work = [(end, strength) for strength in STRENGTHS for end in sink.of(strength)]
     seen: set[tuple[End, str]] = set()
@@ -51,4 +52,4 @@ def _unreleased(sink: NodeSink | NodeCall, inner: Mapping[End, NodeSink]) -> dic
             listed[strength].add(end)
     data, control = listed["data"], listed["control"] - listed["data"]
     trigger = listed["trigger"] - data - control
-    return {"data": tuple(sorted(data)), "control": tuple(sorted(control)), "trigger": tuple(sorted(trigger))}
+    return tuple(sorted(data)), tuple(sorted(control)), tuple(sorted(trigger))

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import islice
 from typing import Final
 
 from rosward.findings import Finding
@@ -35,7 +36,10 @@ __all__ = [
     "ways_text",
 ]
 
-_MOST_LINES: Final = 400
+_MOST_LINES: Final = 2_000
+_MORE: Final = "…  (use --format json for everything)"
+_MOST_NODES: Final = 6
+"""So many nodes of a way are named in a line."""
 
 
 def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool = False) -> str:
@@ -136,9 +140,9 @@ def tree_text(graph: FlowGraph, targets: Sequence[Vertex], found: dict[Vertex, R
     lines: list[str] = []
     for target in tree.roots(targets):
         lines.append(_vertex(target))
-        lines += _branches(tree.steps(target))
+        lines += islice(_branches(tree.steps(target)), _MOST_LINES - len(lines) + 1)
         if len(lines) > _MOST_LINES:
-            lines[_MOST_LINES:] = ["…  (use --format json for everything)"]
+            lines[_MOST_LINES:] = [_MORE]
             break
     outside = sorted({_vertex(v) for v in found if v.side == "in" and v.node and v.end.kind != "parameter"})
     if outside:
@@ -187,10 +191,16 @@ def reaching_text(starts: Sequence[Vertex], found: dict[Vertex, Reached]) -> str
             continue
         seen.add(name)
         via = list(dict.fromkeys(edge.node for edge in way_to(found, vertex) if edge.node))
-        rows.append((reached.strength, name, f"through {', '.join(via)}", "assumed" if reached.assumed else ""))
+        rows.append((reached.strength, name, f"through {_few(via)}", "assumed" if reached.assumed else ""))
     if not rows:
         return f"{lines[0]} reaches nothing.\n"
     return "\n".join(printable(line).rstrip() for line in [*lines, *_aligned(rows)]) + "\n"
+
+
+def _few(names: Sequence[str]) -> str:
+    if len(names) <= _MOST_NODES:
+        return ", ".join(names)
+    return f"{', '.join(names[: _MOST_NODES - 1])} and {len(names) - _MOST_NODES + 1} more nodes"
 
 
 def ways_text(found: dict[Vertex, Reached], targets: Sequence[Vertex]) -> str:
@@ -209,6 +219,9 @@ def ways_text(found: dict[Vertex, Reached], targets: Sequence[Vertex]) -> str:
             if edge.node:
                 lines.append(f"  {edge.node}: {edge.strength}, {_vertex(edge.source)} to {_vertex(edge.target)}")
                 lines += [f"    {place}" for place in edge.path if place.file]
+        if len(lines) > _MOST_LINES:
+            lines[_MOST_LINES:] = [_MORE]
+            break
         lines.append("")
     return "\n".join(printable(line) for line in lines)
 
