@@ -75,6 +75,7 @@ class Walker:
         self.registered: dict[Scheduled, int] = {}  # what decides that a callback is registered
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
+        self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
