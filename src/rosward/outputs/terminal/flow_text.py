@@ -42,6 +42,11 @@ _MOST_NODES: Final = 6
 """So many nodes of a way are named in a line."""
 
 
+_CONSTANT: Final = "constant"
+_TALK: Final = ("log", "stdout")
+"""Outputs that are not worth a line where they are constant."""
+
+
 def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool = False) -> str:
     """What each output of each node is made of."""
     lines: list[str] = []
@@ -50,6 +55,7 @@ def nodes_text(nodes: Sequence[Node], *, data_only: bool = False, triggers: bool
             (shown(sink.sink), *columns, where)
             for sink in flows_of(node).sinks
             for columns, where in _by_calls(sink, lambda s: _columns(s, data_only, triggers))
+            if triggers or sink.sink.kind not in _TALK or columns[0] != _CONSTANT
         ]
         if rows:
             lines += [f"{node.display_name}  {node.defined_at.file}{_doubt(node)}", *_aligned(rows), ""]
@@ -100,7 +106,7 @@ def _columns(sent: NodeSink | NodeCall, data_only: bool, triggers: bool) -> tupl
     made = ", ".join(map(shown, sent.data))
     decided = "" if data_only else ", ".join(map(shown, sent.control))
     woken = ", ".join(map(shown, sent.trigger)) if triggers else ""
-    constant = "" if made or decided or woken else "constant"
+    constant = "" if made or decided or woken else _CONSTANT
     return (
         f"data  {made}" if made else constant,
         f"decided by  {decided}" if decided else "",
