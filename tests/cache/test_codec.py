@@ -17,7 +17,7 @@ from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.ros.entities import Entity, Node, Parameter, Qos
-from rosward.ros.flows import End, NodeFlows, NodeSink
+from rosward.ros.flows import End, NodeCall, NodeCallback, NodeFlows, NodeSink
 from rosward.rules import RULES
 from rosward.source.location import Place
 
@@ -41,7 +41,9 @@ CODECS: dict[type[Any], Codec[Any]] = {
     Entity: records.ENTITY,
     Parameter: records.PARAMETER,
     End: records.END,
+    NodeCall: records.CALL,
     NodeSink: records.SINK,
+    NodeCallback: records.CALLBACK,
     NodeFlows: records.FLOWS,
     Node: records.NODE,
     Topic: records.TOPIC,
