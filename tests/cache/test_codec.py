@@ -72,6 +72,23 @@ for _each in CODECS:
     if _each is not Finding:
         st.register_type_strategy(_each, _any_of)
 
+# Of these stand many in one record: each is small
+_ENDS = st.lists(st.from_type(End), max_size=1).map(tuple)
+st.register_type_strategy(
+    NodeCall, st.builds(NodeCall, st.lists(st.from_type(Place), max_size=1).map(tuple), _ENDS, _ENDS, _ENDS)
+)
+st.register_type_strategy(
+    NodeCallback,
+    st.builds(
+        NodeCallback,
+        _ENDS,
+        TEXTS,
+        st.from_type(Place),
+        st.lists(st.tuples(st.from_type(End), _ENDS), max_size=1).map(tuple),
+        st.none() | st.integers(),
+    ),
+)
+
 
 def test_each_codec_is_tested() -> None:
     own = {name: value for name, value in vars(records).items() if isinstance(value, Codec) and name not in vars(codec)}
