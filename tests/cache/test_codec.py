@@ -78,6 +78,19 @@ st.register_type_strategy(
     NodeCall, st.builds(NodeCall, st.lists(st.from_type(Place), max_size=1).map(tuple), _ENDS, _ENDS, _ENDS)
 )
 st.register_type_strategy(
+    NodeSink,
+    st.builds(
+        NodeSink,
+        st.from_type(End),
+        st.from_type(Place),
+        *[_ENDS] * 4,
+        st.lists(st.tuples(st.from_type(End), st.lists(st.from_type(Place), max_size=1).map(tuple)), max_size=1).map(
+            tuple
+        ),
+        st.lists(st.from_type(NodeCall), max_size=1).map(tuple),
+    ),
+)
+st.register_type_strategy(
     NodeCallback,
     st.builds(
         NodeCallback,
