@@ -15,7 +15,6 @@ from rosward.effects.flows import Call, Sink, Source
 from rosward.source.location import Place
 
 if TYPE_CHECKING:
-    from rosward.flow.body import Body
     from rosward.flow.marks import Sources
 
 Chain = tuple[Place, ...]
@@ -25,12 +24,6 @@ DEEP: Final = 4
 """So many statements of a chain are told, the last ones."""
 _MOST: Final = 64
 """So many chains that lead to one sink are told apart."""
-
-
-def here(body: Body) -> Chain:
-    """Where a body is; nothing where it is code of a model, or has not begun."""
-    code = body.activation.code
-    return () if body.at is code.entry or code.file.startswith("models:") else (Place(code.file, body.at.line),)
 
 
 @final

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, Final, final
 
 from rosward.effects.flows import Sink, Source
 from rosward.engine.seen import Activation, Seen
-from rosward.flow.body import Attempt, Body, Point
+from rosward.flow.body import Attempt, Body, Point, here
 from rosward.flow.content import TooLongError
 from rosward.flow.failing import may_fail
 from rosward.flow.marks import NOTHING, Mark, Root, Sources, demoted
 from rosward.flow.memory import Memory
 from rosward.flow.remembered import MOST, Remembered, Tracker
-from rosward.flow.sinks import DEEP, Chain, Sinks, here
+from rosward.flow.sinks import DEEP, Chain, Sinks
 from rosward.flow.trail import Trail
 from rosward.ir import ops
 from rosward.ir.check import reads
