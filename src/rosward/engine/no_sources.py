@@ -29,7 +29,7 @@ class NoSources:
         """No file."""
         return None
 
-    def content(self, file: str) -> str:
+    def content(self, _file: str) -> str:
         """There is none."""
         return ""
 
