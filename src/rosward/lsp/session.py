@@ -11,6 +11,7 @@ where all that it asked has the same answers (`engine/remembered.py`).
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Collection, Hashable, Mapping
 from functools import partial
@@ -37,6 +38,10 @@ _STRUCTURE: Final = frozenset(
     {"package.xml", "setup.py", "setup.cfg", "pyproject.toml", "CMakeLists.txt", "COLCON_IGNORE", "rosward.toml"}
 )
 """Files that say what there is: after a change of one, anything may be another."""
+
+
+_COLLECTED: Final = 25
+"""After so many analyses, what is of no use any more is given back."""
 
 
 class Settings(NamedTuple):
@@ -71,6 +76,7 @@ class Session:
         self._wanted = frozenset(wanted)
         self._known: dict[str, _Known] = {}
         self._first = True
+        self._renewed = 0
         self._shown: tuple[frozenset[str], frozenset[str]] = (frozenset(), frozenset())
         """The files with a text of an editor: before, and now."""
 
@@ -87,7 +93,11 @@ class Session:
         """
         self._shown = self._shown[1], frozenset(texts)
         with overlaid(texts), remembering(self.memory):
-            return with_deep_stack(lambda: self._renew(changed, tell, progress))
+            names = with_deep_stack(lambda: self._renew(changed, tell, progress))
+        self._renewed += 1
+        if self._renewed % _COLLECTED == 0:  # an analysis makes circles, and turns the collector off
+            gc.collect()
+        return names
 
     def _renew(
         self, changed: Collection[str] | None, tell: Callable[[View], None], progress: Progress
