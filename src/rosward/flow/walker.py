@@ -307,6 +307,8 @@ class Walker:
         count = len(activation.code.parameters.names)
         returned = self.enter(activation, [arguments.read(n) for n in range(count)], pc)
         if not activation.code.is_generator:
+            if returned != NOTHING:  # who holds it may get that
+                self.memory.write_any([("generator", key)], returned)
             return returned
         return self.memory.of(("generator", key)).any.under(pc).joined(returned)
 
