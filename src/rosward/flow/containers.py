@@ -117,8 +117,12 @@ def _remove(call: NativeCall) -> Mark:
 
 def _reorder(call: NativeCall) -> Mark:
     memory, owner = call.walker.memory, call.mark(0)
+    mask = memory.deep(owner) | call.pc
+    for several in call.walker.bodies_of(call.seen).values():  # `key=`
+        for activation in several:
+            mask |= memory.deep(call.walker.results.get(activation, NOTHING))
     memory.collapse(owner.roots)
-    memory.write_any(owner.roots, Mark(memory.deep(owner) | call.pc))
+    memory.write_any(owner.roots, Mark(mask))
     return Mark(call.pc)
 
 

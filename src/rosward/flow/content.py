@@ -22,7 +22,11 @@ class Content:
     __slots__ = ("_whole", "any", "base", "size", "slots")
 
     def __init__(
-        self, base: int = 0, any: Mark = NOTHING, size: int = 0, slots: Mapping[object, Mark] = NO_SLOTS  # noqa: A002
+        self,
+        base: int = 0,
+        any: Mark = NOTHING,  # noqa: A002
+        size: int = 0,
+        slots: Mapping[object, Mark] = NO_SLOTS,
     ) -> None:
         self.base = base
         self.any = any

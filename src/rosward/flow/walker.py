@@ -75,6 +75,7 @@ class Walker:
         self.registered: dict[Scheduled, int] = {}  # what decides that a callback is registered
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
+        self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
@@ -161,6 +162,13 @@ class Walker:
         self.given[entry] = (before[1] or 0) | given
         self.callbacks[entry] = callback.joined(before[2] or NOTHING)
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
+            self.changed = True
+
+    def give_back(self, entry: Scheduled, mask: int) -> None:
+        """What a function returns that a library calls depends on this: whatever the library makes of it may."""
+        old = self.returned.get(entry, 0)
+        if old | mask != old:
+            self.returned[entry] = old | mask
             self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:
