@@ -138,6 +138,13 @@ class Robot(Node):
         except ValueError as error:
             self.value = error.args[0]
 
+    def more(self, msg):
+        for _ in getattr(self, 'items', ()):
+            if msg.data > 1.0:
+                break
+        else:
+            self.value = 1.0
+
     async def half(self, value):
         await asyncio.sleep(0)
         return value / 2.0
@@ -373,6 +380,19 @@ CASES: Final = {
         "self.items.update([msg.data])",
         "sum(1.0 for _ in self.items)",
         "control",
+    ),
+    "whether a loop comes to its end": Case(
+        "self.items, self.value = [1.0], 0.0",
+        "for v in self.items:\n    if msg.data > 1.0:\n        break\nelse:\n    self.value = 1.0",
+        "self.value",
+        "control",
+    ),
+    "whether a loop has a turn that may leave it": Case(
+        "self.items, self.limit, self.value = [1.0], 1.0, 0.0\n"
+        "self.create_subscription(Float64, '/more', self.more, 10)",
+        "del self.items[:1]",
+        "self.value",
+        "trigger",
     ),
     "how many of a dict of pairs": Case(
         "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(dict([(v, 1) for v in self.items])))"

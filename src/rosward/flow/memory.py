@@ -14,23 +14,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Final, final
 
 from rosward.flow.content import EMPTY, Content, Layer, TooLongError, both, fewer
-from rosward.flow.marks import NOTHING, Mark, Root
+from rosward.flow.marks import NOTHING, Mark, Root, is_slot, slot_of
 from rosward.flow.remembered import Looked
 from rosward.flow.shape import MELTED, Shape
-
-
-def is_slot(root: Root) -> bool:
-    """Whether it is a part of an object that has an address of its own (`engine.seen.places_of`)."""
-    return not isinstance(root, int) and root[0] == "slot"
-
-
-def slot_of(root: Root) -> tuple[Root, object, object]:
-    """Of a slot: the object, the key, and how much of the object it is known to be."""
-    assert not isinstance(root, int)
-    base = root[1]
-    assert isinstance(base, (int, tuple))
-    return base, root[2], root[3]
-
 
 _MOST: Final = 4_000
 """So many objects are looked through for what a value leads to; where there are more, the walk has come to its limit."""
