@@ -2,7 +2,7 @@
 """The architecture, enforced: imports point one way, modules stay small, nothing that changes lives in a module.
 
 source ── ir ── frontends
-          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server
+          domain ── effects ── naming ── models ── engine ── deployment ── analysis ── pipeline ── cli, server, surveying
           ros ── network ── influence, policies ── enclaves, audit, diff ── explanation ── outputs ──┘
 """
 
@@ -29,6 +29,7 @@ _RESULT = frozenset({"enclaves", "audit", "diff", "explanation", "influence", "s
 ALLOWED: Final[dict[str, frozenset[str]]] = {
     "holes": frozenset(),
     "safe": frozenset(),
+    "confined": frozenset(),
     "records": frozenset(),
     "source": _TEXT | {"_version"},
     "findings": _TEXT,
@@ -60,10 +61,12 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
     "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
-    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "_version"})
+    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "surveying", "_version"})
     | _RESULT,
-    "server": frozenset({"server", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
-    "__init__": frozenset({"pipeline", "_version", "network"}) | _ENGINE,
+    "surveying": frozenset({"surveying", "confined", "deployment", "network", "outputs", "pipeline", "ros", "_version"})
+    | _TEXT,
+    "server": frozenset({"server", "confined", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
+    "__init__": frozenset({"pipeline", "_version", "network", "surveying"}) | _ENGINE,
     "__main__": frozenset({"cli"}),
     "ros2_security": frozenset({"cli"}),
     "_version": frozenset(),

@@ -16,10 +16,11 @@ import os
 import stat
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
-from typing import Final
+from typing import BinaryIO, Final
 
-__all__ = ["write_text"]
+__all__ = ["open_whole", "write_bytes", "write_text"]
 
 _MARK: Final = ".rosward-"
 _ABANDONED: Final = 3_600.0
@@ -28,6 +29,19 @@ _ABANDONED: Final = 3_600.0
 
 def write_text(folder: str, name: str, text: str) -> str:
     """Write one file below a folder, whole or not at all; returns its path. Raises OSError."""
+    return write_bytes(folder, name, text.encode())
+
+
+def write_bytes(folder: str, name: str, content: bytes) -> str:
+    """The same, for what is no text."""
+    with open_whole(folder, name) as file:
+        file.write(content)
+    return str(Path(folder, *PurePosixPath(name).parts))
+
+
+@contextlib.contextmanager
+def open_whole(folder: str, name: str) -> Iterator[BinaryIO]:
+    """A file to write to, which is at its place when the block ends, and never is if that raises. Raises OSError."""
     parts = PurePosixPath(name).parts
     if not parts or name.startswith("/") or ".." in parts or "\0" in name:
         raise OSError(errno.EINVAL, f"{name!r} is no file below a folder")
@@ -39,8 +53,16 @@ def write_text(folder: str, name: str, text: str) -> str:
         if place.is_symlink():
             raise OSError(errno.ELOOP, f"{place} is a symbolic link, which is not followed", str(place))
     _tidy(place)
-    _replace(place / parts[-1], text)
-    return str(place / parts[-1])
+    handle, temporary = tempfile.mkstemp(dir=place, prefix=_MARK)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            yield file
+        os.chmod(temporary, 0o644)  # noqa: PTH101
+        os.replace(temporary, place / parts[-1])  # noqa: PTH105
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)  # noqa: PTH108
+        raise
 
 
 def _tidy(folder: Path) -> None:
@@ -52,16 +74,3 @@ def _tidy(folder: Path) -> None:
                 status = entry.stat(follow_symlinks=False)
                 if stat.S_ISREG(status.st_mode) and now - status.st_mtime > _ABANDONED:
                     os.unlink(entry.path)  # noqa: PTH108
-
-
-def _replace(path: Path, text: str) -> None:
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=_MARK)
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(temporary, 0o644)  # noqa: PTH101
-        os.replace(temporary, path)  # noqa: PTH105
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)  # noqa: PTH108
-        raise
