@@ -61,11 +61,15 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
     "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
-    "cli": frozenset({"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "surveying", "_version"})
+    "cli": frozenset(
+        {"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "surveying", "_version"}
+    )
     | _RESULT,
     "surveying": frozenset({"surveying", "confined", "deployment", "network", "outputs", "pipeline", "ros", "_version"})
     | _TEXT,
-    "server": frozenset({"server", "confined", "analysis", "deployment", "outputs", "pipeline", "_version"}) | _RESULT | _ENGINE,
+    "server": frozenset({"server", "confined", "analysis", "deployment", "outputs", "pipeline", "_version"})
+    | _RESULT
+    | _ENGINE,
     "__init__": frozenset({"pipeline", "_version", "network", "surveying"}) | _ENGINE,
     "__main__": frozenset({"cli"}),
     "ros2_security": frozenset({"cli"}),

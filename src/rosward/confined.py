@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """How is a process of ours started and bounded that reads what somebody else wrote?
 
-    subprocess.Popen([*isolated("rosward.server.worker"), …])      loads nothing from the current folder, nor where PYTHONPATH says
-    bound(memory=4 * 2**30, seconds=600, file=2**28)               its first act, before it looks at anything
+subprocess.Popen([*isolated("rosward.server.worker"), …])      loads nothing from the current folder, nor where PYTHONPATH says
+bound(memory=4 * 2**30, seconds=600, file=2**28)               its first act, before it looks at anything
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--exclude",
         action="append",
-        type=pattern,
+        type=exclusion,
         default=[],
         metavar="PATTERN",
         help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
@@ -101,7 +101,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--budget",
-        type=factor,
+        type=budget_factor,
         default=1.0,
         metavar="N",
         help="multiply the number of analysis steps per program by N; at the limit, the analysis stops with RW201 (default: 1)",
@@ -147,7 +147,8 @@ def _of_shell(text: str) -> list[tuple[str, str]]:
     return [(name, os.environ[name]) for name in names]
 
 
-def factor(text: str) -> float:
+def budget_factor(text: str) -> float:
+    """The value of `--budget`."""
     try:
         factor = float(text)
     except ValueError:
@@ -157,7 +158,8 @@ def factor(text: str) -> float:
     return factor
 
 
-def pattern(text: str) -> str:
+def exclusion(text: str) -> str:
+    """A value of `--exclude`."""
     try:
         return pattern_of(text)
     except PatternError as error:

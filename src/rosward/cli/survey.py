@@ -8,7 +8,7 @@ import sys
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import ProgressLine, WrongUseError, factor, pattern, refusing
+from rosward.cli.shared import ProgressLine, WrongUseError, budget_factor, exclusion, refusing
 from rosward.cli.status import COMPLETE, INCOMPLETE, INTERNAL
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.safe import printable
@@ -75,7 +75,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--exclude",
         action="append",
-        type=pattern,
+        type=exclusion,
         default=[],
         metavar="PATTERN",
         help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
@@ -84,7 +84,11 @@ def add(parser: argparse.ArgumentParser) -> None:
         "--no-assumed", action="store_true", help="omit nodes of classes that the sources never instantiate"
     )
     group.add_argument(
-        "--budget", type=factor, default=1.0, metavar="N", help="multiply the number of analysis steps per program by N"
+        "--budget",
+        type=budget_factor,
+        default=1.0,
+        metavar="N",
+        help="multiply the number of analysis steps per program by N",
     )
     parser.add_argument("-q", "--quiet", action="store_true", help="print only errors")
 
@@ -151,7 +155,9 @@ def _summarise(found: Survey) -> None:
     if found.analysed < total:
         lines.append(f"  {total - found.analysed:,} had a result from an earlier run")
     if found.duplicates:
-        lines.append(f"  {several(found.duplicates, 'path leads', 'paths lead')} to a folder that is in the list already")
+        lines.append(
+            f"  {several(found.duplicates, 'path leads', 'paths lead')} to a folder that is in the list already"
+        )
     if found.links:
         lines.append(f"  {several(found.links, 'symbolic link was', 'symbolic links were')} not followed; use a list")
     rows = found.rows

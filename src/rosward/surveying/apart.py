@@ -118,9 +118,13 @@ def _said(output: bytes) -> dict[str, Any]:
     start = 0
     while "length" not in said:
         line, mark, _ = output[start : start + _LONGEST_LINE].partition(b"\n")
-        if not mark:
+        try:
+            told = json.loads(line) if mark else None
+        except ValueError:  # it was killed while it wrote, or something else writes there
+            told = None
+        if not isinstance(told, dict):
             break
-        said |= json.loads(line)
+        said |= told
         start += len(line) + 1
     return {**said, "body": start}
 

@@ -10,15 +10,16 @@ that is lost ends the survey, which goes on from there when it is run again.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
 from itertools import islice
+from queue import SimpleQueue
 from typing import Final
 
 from rosward.records import NamedTuple
 from rosward.surveying.apart import OtherRoswardError
 from rosward.surveying.repositories import Repository, SurveyError
 
-__all__ = ["LostExecutorError", "Lost", "Outcome", "outcomes"]
+__all__ = ["Lost", "LostExecutorError", "Outcome", "outcomes"]
 
 _WAITING: Final = 2_000
 """Tasks that are handed over at a time."""
@@ -44,21 +45,27 @@ def outcomes(
 ) -> Iterator[tuple[Repository, Outcome]]:
     """What `work` gives for the text of each task. Raises SurveyError where no worker can do any, LostExecutorError."""
     waiting: _Waiting = {}
+    ended: SimpleQueue[Future[bytes]] = SimpleQueue()
     remaining = iter(tasks)
+
+    def hand_over(repository: Repository, text: str, attempt: int) -> None:
+        future = _submitted(executor, work, text)
+        waiting[future] = (repository, text, attempt)
+        future.add_done_callback(ended.put)
+
     try:
         while True:
             for repository, text in islice(remaining, _WAITING - len(waiting)):
-                waiting[_submitted(executor, work, text)] = (repository, text, 1)
+                hand_over(repository, text, 1)
             if not waiting:
                 return
-            ended, _ = wait(waiting, return_when=FIRST_COMPLETED)
-            for future in ended:
-                repository, text, attempt = waiting.pop(future)
-                outcome = _outcome(future)
-                if isinstance(outcome, Lost) and attempt < _ATTEMPTS:
-                    waiting[_submitted(executor, work, text)] = (repository, text, attempt + 1)
-                else:
-                    yield repository, outcome
+            future = ended.get()
+            repository, text, attempt = waiting.pop(future)
+            outcome = _outcome(future)
+            if isinstance(outcome, Lost) and attempt < _ATTEMPTS:
+                hand_over(repository, text, attempt + 1)
+            else:
+                yield repository, outcome
     finally:
         for future in waiting:
             future.cancel()

@@ -4,7 +4,8 @@
     {"key": "9f86…"}                             as soon as the state of the sources is known: what follows depends on it
     {"peak": 81264640, "length": …, "sha256": "…"}   at the end, and then so many bytes: the body of the part
 
-Or `{"key": "9f86…", "same": true}`, where that is what its job knows already, or `{"failed": …}`. It ends when its input does: then whoever asked is gone.
+Or `{"key": "9f86…", "same": true}`, where that is what its job knows already, or `{"failed": …}`. It ends when its input does: then whoever asked is
+gone.
 """
 
 from __future__ import annotations
@@ -31,6 +32,12 @@ __all__ = ["main"]
 
 _LARGEST_FILE: Final = 2**28
 """Bytes of a file that it writes, which is one of rosward's own cache."""
+_NO_MEMORY: Final = (
+    "can't start new thread",
+    "failed to map segment",
+    "Cannot allocate memory",
+    "cannot allocate memory",
+)
 
 
 def main() -> None:
@@ -75,19 +82,25 @@ def _do(job: Job, out: BinaryIO) -> None:
     _say(out, key=key)
     try:
         body = _body(job)
-        memory = body is None
-    except MemoryError:
-        memory, body = True, None
     except Exception as error:
-        from rosward.guard import where
+        if _is_of_memory(error):
+            _say(out, failed=too_large)
+        else:
+            from rosward.guard import where
 
-        _say(out, failed=f"rosward failed ({type(error).__name__} in {where(error)}); please report it", fault=True)
+            _say(out, failed=f"rosward failed ({type(error).__name__} in {where(error)}); please report it", fault=True)
         return
-    if memory or body is None:
+    if body is None:
         _say(out, failed=too_large)
         return
     _say(out, peak=_peak(), length=len(body), sha256=hashlib.sha256(body).hexdigest())
     out.write(body)
+
+
+def _is_of_memory(error: Exception) -> bool:
+    """Whether the bound on memory is behind an error: of Python, of a thread whose stack has no place, of a library that cannot be loaded."""
+    told = str(error)
+    return isinstance(error, MemoryError) or any(words in told for words in _NO_MEMORY)
 
 
 def _body(job: Job) -> bytes | None:

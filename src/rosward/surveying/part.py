@@ -4,7 +4,7 @@
     {"part": 1, "key": "9f86…", "cpu": 1.25, "peak": 81264640, "ended": null, "sha256": "…"}    one line
     the rows of all tables                                                       JSON, compressed
 
-The key is that of the sources, the options and the rosward that made it. A part that is cut off, damaged, of another form or not ours is none; nothing
+The key is that of sources, options and the rosward that made it. A part that is cut off, damaged, of another form or not ours is none. Nothing
 in it is executed, and no more is unpacked than a part may have.
 """
 

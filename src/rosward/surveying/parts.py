@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where are the parts of a survey kept, so that one that was killed goes on?
 
-    OUTPUT/parts/3f/3fd1c0….part     one file for each repository, by the digest of its path; written whole or not at all
+OUTPUT/parts/3f/3fd1c0….part     one file for each repository, by the digest of its path; written whole or not at all
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The whole survey: repositories to tasks to parts to tables and an overview.
 
-    rosward.survey("checkouts", "survey-of-2026", jobs=8)
-    rosward.survey(paths, "survey-of-2026", executor=client.get_executor())
+rosward.survey("checkouts", "survey-of-2026", jobs=8)
+rosward.survey(paths, "survey-of-2026", executor=client.get_executor())
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from rosward.surveying.executing import Lost, LostExecutorError, Outcome, outcom
 from rosward.surveying.identity import identity
 from rosward.surveying.job import Bounds, Job, SurveyOptions
 from rosward.surveying.overview import Overview
-from rosward.surveying.part import Part, Rows, failed, packed, unpacked
+from rosward.surveying.part import Part, Rows, failed, unpacked
 from rosward.surveying.parts import Parts
 from rosward.surveying.repositories import (
     Found,

@@ -49,27 +49,36 @@ class Tables:
 
     def __init__(self, output: str) -> None:
         self._output = output
-        self._stack = ExitStack()
+        self._places = ExitStack()
         self._files: dict[str, _File] = {}
 
     def __enter__(self) -> Tables:
-        with self._stack:
+        with ExitStack() as places:
             for name, table in {**TABLES, "costs": COSTS}.items():
-                target = self._stack.enter_context(open_whole(self._output, file_of(name)))
-                self._files[name] = self._stack.enter_context(_File(target, table))
-            self._stack = self._stack.pop_all()
+                self._files[name] = _File(places.enter_context(open_whole(self._output, file_of(name))), table)
+            self._places = places.pop_all()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._stack.__exit__(kind, error, trace)
+        with self._places:  # it has the error of this block, and of what ends it
+            try:
+                for file in self._files.values():
+                    file.end()
+            except BaseException:
+                if kind is None:
+                    raise
+            if error is not None:
+                raise error
 
     def add(self, repository: Repository, part: Part, rows: Rows) -> None:
         """Add what is known of a repository."""
         for name in TABLES:
             for row in rows[name]:
-                self._files[name].add([repository.name, _path(repository), *row] if name == "repositories" else [repository.name, *row])
+                self._files[name].add(
+                    [repository.name, _path(repository), *row] if name == "repositories" else [repository.name, *row]
+                )
         self._files["costs"].add([repository.name, part.cpu, part.peak])
         for file in self._files.values():
             file.end_of_repository()
@@ -92,17 +101,14 @@ class _File:
         self._schema = pa.schema([_field(column) for column in self._columns])
         self._rows: list[Row] = []
         self.rows = 0
+        self._target = target
         self._writer = pq.ParquetWriter(target, self._schema, compression="zstd")
 
-    def __enter__(self) -> _File:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if kind is None:
-            self._flush()
+    def end(self) -> None:
+        """Write what is left, to the last byte."""
+        self._flush()
         self._writer.close()
+        self._target.flush()
 
     def add(self, row: Row) -> None:
         self._rows.append(row)
