@@ -89,6 +89,12 @@ ON_DEMAND: Final = {
     ("source/discover.py", "rosward.source.packages"),
     ("deployment/given.py", "rosward.deployment.parameter_files"),
     ("outputs/report/page.py", "rosward.outputs.report.frame"),
+    ("surveying/one.py", "rosward.deployment.request"),
+    ("surveying/one.py", "rosward.guard"),
+    ("surveying/one.py", "rosward.pipeline"),
+    ("surveying/one.py", "rosward.rules"),
+    ("surveying/one.py", "rosward.surveying.rows"),
+    ("surveying/run.py", "rosward.surveying.tables"),
 }
 """What is imported in a function because most runs do not need it."""
 

@@ -36,6 +36,13 @@ def parts(output: Path) -> list[Path]:
     return sorted((output / "parts").glob("*/*.part"))
 
 
+def asked(query: str) -> list[Any]:
+    """What DuckDB answers."""
+    relation = duckdb.sql(query)
+    assert relation is not None
+    return list(relation.fetchall())
+
+
 def test_each_repository_has_a_row(surveyed: Surveyed) -> None:
     rows = pq.read_table(surveyed.output / "repositories.parquet").to_pylist()
     told = [(row["repository"], row["state"], row["started"]) for row in rows]
@@ -72,11 +79,10 @@ def test_the_rows_are_those_of_the_analysis(surveyed: Surveyed) -> None:
         for node in network.nodes
         for e in node.entities
     ]
-    found = duckdb.sql(
-        f"select node_name, kind, name, type, resolution, reliability from '{surveyed.output}/entities.parquet' where repository = 'both'"
-    ).fetchall()
-    assert found == expected
-    codes = duckdb.sql(f"select code from '{surveyed.output}/findings.parquet' where repository = 'both'").fetchall()
+    output = surveyed.output
+    columns = "node_name, kind, name, type, resolution, reliability"
+    assert asked(f"select {columns} from '{output}/entities.parquet' where repository = 'both'") == expected
+    codes = asked(f"select code from '{output}/findings.parquet' where repository = 'both'")
     assert [code for (code,) in codes] == [finding.code for finding in network.findings]
 
 

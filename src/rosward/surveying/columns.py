@@ -13,7 +13,10 @@ from typing import Final
 
 from rosward.records import NamedTuple
 
-__all__ = ["COSTS", "REPOSITORY", "TABLES", "Column", "Kind", "Table", "row_is_valid"]
+__all__ = ["COSTS", "REPOSITORY", "TABLES", "Cell", "Column", "Kind", "Row", "Table", "row_is_valid"]
+
+Cell = str | int | bool | float | list[str] | None
+Row = list[Cell]
 
 
 class Kind(enum.Enum):

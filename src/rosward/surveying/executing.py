@@ -9,7 +9,7 @@ that is lost ends the survey, which goes on from there when it is run again.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
 from itertools import islice
 from queue import SimpleQueue
@@ -42,7 +42,7 @@ _Waiting = dict["Future[bytes]", tuple[Repository, str, int]]
 
 def outcomes(
     executor: Executor, work: Callable[[str], bytes], tasks: Iterable[tuple[Repository, str]]
-) -> Iterator[tuple[Repository, Outcome]]:
+) -> Generator[tuple[Repository, Outcome], None, None]:
     """What `work` gives for the text of each task. Raises SurveyError where no worker can do any, LostExecutorError."""
     waiting: _Waiting = {}
     ended: SimpleQueue[Future[bytes]] = SimpleQueue()

@@ -20,9 +20,8 @@ from typing import Any, Final
 
 from rosward._version import __version__
 from rosward.records import NamedTuple
-from rosward.surveying.columns import TABLES, row_is_valid
+from rosward.surveying.columns import TABLES, Row, row_is_valid
 from rosward.surveying.job import Bounds, Job
-from rosward.surveying.rows import Row
 
 __all__ = ["LARGEST", "Part", "Repository", "Rows", "failed", "key_of", "pack", "packed", "unpacked"]
 

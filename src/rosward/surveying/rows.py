@@ -16,12 +16,9 @@ from rosward.pipeline import Result
 from rosward.ros.entities import Entity, Node, Qos
 from rosward.safe import encodable
 from rosward.source.location import Place
-from rosward.surveying.columns import TABLES
+from rosward.surveying.columns import TABLES, Cell, Row
 
-__all__ = ["Row", "rows_of"]
-
-Cell = str | int | bool | float | list[str] | None
-Row = list[Cell]
+__all__ = ["rows_of"]
 
 _NOWHERE: Final = Place("", 0)
 _UNKNOWN: Final = Qos()

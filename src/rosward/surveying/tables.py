@@ -20,10 +20,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from rosward.outputs.whole_files import open_whole
-from rosward.surveying.columns import COSTS, REPOSITORY, TABLES, Column, Kind, Table
+from rosward.surveying.columns import COSTS, REPOSITORY, TABLES, Column, Kind, Row, Table
 from rosward.surveying.part import Part, Rows
 from rosward.surveying.repositories import Repository
-from rosward.surveying.rows import Row
 
 __all__ = ["Tables", "file_of"]
 
