@@ -89,7 +89,7 @@ def through_dask(paths: list[Path], output: Path, progress: Callable[[str, int, 
     """The survey by a local cluster, workers of which are killed."""
     with (
         LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1", silence_logs=50
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0", host="127.0.0.1", silence_logs=50
         ) as cluster,
         Client(cluster) as client,
     ):

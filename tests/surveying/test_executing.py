@@ -21,7 +21,7 @@ from rosward.surveying.repositories import Repository
 
 from .checkouts import NAMES, Surveyed, tables
 
-TASKS = [(Repository(f"r{n}", f"/r{n}"), str(n)) for n in range(5_000)]
+TASKS = [(Repository(f"r{n}", f"/r{n}"), str(n)) for n in range(2_500)]
 
 
 class Losing(Executor):
@@ -77,7 +77,7 @@ def test_a_pool_of_processes(surveyed: Surveyed, tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[LocalCluster]:
     with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1", silence_logs=50
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0", host="127.0.0.1", silence_logs=50
     ) as found:
         yield found
 

@@ -12,7 +12,7 @@ rows are the same bytes. A file is at its place when all are whole.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from types import TracebackType
 from typing import Any, Final, final
 
@@ -61,15 +61,16 @@ class Tables:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        with self._places:  # it has the error of this block, and of what ends it
+        with self._places:  # which puts the files in place, or takes them away if this raises
             try:
+                if error is not None:
+                    raise error
                 for file in self._files.values():
                     file.end()
             except BaseException:
-                if kind is None:
-                    raise
-            if error is not None:
-                raise error
+                for file in self._files.values():
+                    file.abandon()
+                raise
 
     def add(self, repository: Repository, part: Part, rows: Rows) -> None:
         """Add what is known of a repository."""
@@ -108,6 +109,12 @@ class _File:
         self._flush()
         self._writer.close()
         self._target.flush()
+
+    def abandon(self) -> None:
+        """Write no more, not even when the writer is taken apart."""
+        with suppress(Exception):
+            self._writer.close()
+        self._writer.is_open = False
 
     def add(self, row: Row) -> None:
         self._rows.append(row)
