@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Options of the test suite."""
 
+import os
+import shutil
+import tempfile
 from collections.abc import Iterator
 
 import pytest
@@ -24,6 +27,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    if (
+        "PYTEST_XDIST_WORKER" not in os.environ
+    ):  # one folder for all workers, and nothing of the person who runs the tests
+        os.environ["ROSWARD_CACHE"] = folder = tempfile.mkdtemp(prefix="rosward-tests-")
+        config.add_cleanup(lambda: shutil.rmtree(folder, ignore_errors=True))
     config.addinivalue_line("markers", "slow: runs with --slow only, as in .ci/run")
 
 
