@@ -68,7 +68,9 @@ def own_models() -> Models:
     if not _OWN_NATIVES:
         content = kept("natives", lambda: json.dumps(_own_natives()).encode())
         found = {} if content is None else json.loads(content)
-        if not found or not all(module.startswith(_OWN_MODULES) for module in found.values()):  # nothing else is imported
+        if not found or not all(
+            module.startswith(_OWN_MODULES) for module in found.values()
+        ):  # nothing else is imported
             found = _own_natives()
         _OWN_NATIVES.append(Natives(found))
     return Models(_OWN_NATIVES[0], OWN)

@@ -9,6 +9,7 @@ other Python objects, so all of them have to be trusted; of ours there are texts
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
@@ -30,6 +31,7 @@ def cluster(address: str) -> Iterator[Executor]:
         raise SurveyError("--scheduler needs additional packages: pip install 'rosward[survey,dask]'")
     from distributed import Client
 
+    _silence()
     try:
         client = Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError, ImportError) as error:  # a timeout is an OSError
@@ -37,3 +39,10 @@ def cluster(address: str) -> Iterator[Executor]:
     with client:
         executor: Executor = client.get_executor(pure=False)
         yield executor
+
+
+def _silence() -> None:
+    """What the library logs of a lost scheduler is a traceback; whoever asks is told in a line."""
+    for name in list(logging.root.manager.loggerDict):
+        if name.partition(".")[0] == "distributed":
+            logging.getLogger(name).setLevel(logging.CRITICAL)

@@ -112,6 +112,8 @@ def survey(
     Distro(distro)
     budget_of(budget)
     options = SurveyOptions(distro, all_launch, tests, tuple(pattern_of(e) for e in exclude), assumed, float(budget))
+    if seconds < 1 or memory < 1 or (jobs is not None and jobs < 1):
+        raise ValueError("seconds, memory and jobs must be at least 1")
     bounds = Bounds(int(seconds), int(memory) * 2**20)
     target = os.fspath(output)
     found = _found(repositories, target, null=null)
