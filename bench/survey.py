@@ -52,7 +52,8 @@ def generate(folder: Path, number: int) -> Path:
     for name, text in texts.items():
         path = package / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+        if not path.exists():  # written again it would be another state, and a bench that was stopped could not go on
+            path.write_text(text, encoding="utf-8")
     return workspace
 
 

@@ -84,15 +84,7 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
         help="also use the folders of AMENT_PREFIX_PATH as underlays",
     )
     add_environment(parser)
-    parser.add_argument("--tests", action="store_true", help="also read test files")
-    parser.add_argument(
-        "--exclude",
-        action="append",
-        type=exclusion,
-        default=[],
-        metavar="PATTERN",
-        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
-    )
+    add_selection(parser)
     parser.add_argument("--follow-links", action="store_true", help="follow symbolic links that lead out of the PATHs")
     parser.add_argument(
         "--no-assumed",
@@ -108,6 +100,19 @@ def add_sources(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--no-config", action="store_true", help="ignore rosward.toml and pyproject.toml of the sources"
+    )
+
+
+def add_selection(parser: argparse._ActionsContainer) -> None:
+    """Which files of the sources are read."""
+    parser.add_argument("--tests", action="store_true", help="also read test files")
+    parser.add_argument(
+        "--exclude",
+        action="append",
+        type=_exclusion,
+        default=[],
+        metavar="PATTERN",
+        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
     )
 
 
@@ -158,8 +163,7 @@ def budget_factor(text: str) -> float:
     return factor
 
 
-def exclusion(text: str) -> str:
-    """A value of `--exclude`."""
+def _exclusion(text: str) -> str:
     try:
         return pattern_of(text)
     except PatternError as error:

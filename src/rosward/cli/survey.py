@@ -8,7 +8,7 @@ import sys
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import ProgressLine, WrongUseError, budget_factor, exclusion, refusing
+from rosward.cli.shared import ProgressLine, WrongUseError, add_selection, budget_factor, refusing
 from rosward.cli.status import COMPLETE, INCOMPLETE, INTERNAL
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.safe import printable
@@ -71,15 +71,7 @@ def add(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="analyse what the launch files start, each as a separate system (default: every executable, as with `ros2 run`)",
     )
-    group.add_argument("--tests", action="store_true", help="also read test files")
-    group.add_argument(
-        "--exclude",
-        action="append",
-        type=exclusion,
-        default=[],
-        metavar="PATTERN",
-        help="skip matching files and folders, with patterns as in .gitignore; may be repeated",
-    )
+    add_selection(group)
     group.add_argument(
         "--no-assumed", action="store_true", help="omit nodes of classes that the sources never instantiate"
     )

@@ -86,7 +86,8 @@ def survey(
     """Analyse many repositories, each in a process of its own, and write one set of tables and an overview.
 
     Args:
-        repositories: a folder, each folder in which is a repository; a file that lists paths; or several paths.
+        repositories: a folder, each folder in which is a repository; a file that lists paths; or several paths, called by
+            their place below the working directory.
         output: the folder for the tables, the overview, and the parts of which they are made.
         executor: any executor; each of its tasks starts one process and waits for it. By default, `jobs` processes on this machine.
         jobs: processes at a time; by default as many as there are cores. Of no meaning with an executor, which says itself.
