@@ -55,3 +55,11 @@ def remembered() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("rosward.pipeline.extract", remembering.extract)
         yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def no_results_of_earlier_tests() -> Iterator[None]:
+    """No test finds what another one has found; those of the cache ask for it (`tests/cache`)."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("rosward.cli.kept.results_folder", lambda: None)
+        yield

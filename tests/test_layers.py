@@ -49,10 +49,12 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "network": _NETWORK,
     "flow": frozenset({"flow"}) | _ENGINE,
     "deployment": frozenset({"deployment", "network"}) | _ENGINE,
-    "analysis": frozenset({"analysis", "deployment", "flow", "network"}) | _ENGINE,
+    "analysis": frozenset({"analysis", "cache", "deployment", "flow", "network"}) | _ENGINE,
     "policies": _POLICIES,
     "suppression": frozenset({"suppression"}) | _TEXT,
     "enclaves": frozenset({"enclaves", "influence"}) | _POLICIES,
+    "result": _NETWORK,
+    "cache": frozenset({"cache", "result", "_version"}) | _NETWORK,
     "audit": frozenset({"audit"}) | _POLICIES,
     "influence": frozenset({"influence"}) | _NETWORK,
     "diff": frozenset({"diff"}) | _POLICIES,
@@ -60,12 +62,27 @@ ALLOWED: Final[dict[str, frozenset[str]]] = {
     "declaring": frozenset({"declaring", "audit"}) | _POLICIES,
     "git": frozenset({"git", "records"}),
     "outputs": frozenset({"outputs", "_version"}) | _RESULT,
-    "pipeline": frozenset({"analysis", "deployment", "enclaves", "network"}) | _ENGINE,
+    "pipeline": frozenset({"analysis", "cache", "deployment", "enclaves", "network", "result"}) | _ENGINE,
     "cli": frozenset(
-        {"cli", "analysis", "declaring", "deployment", "git", "outputs", "pipeline", "server", "surveying", "_version"}
+        {
+            "cli",
+            "analysis",
+            "cache",
+            "declaring",
+            "deployment",
+            "git",
+            "outputs",
+            "pipeline",
+            "result",
+            "server",
+            "surveying",
+            "_version",
+        }
     )
     | _RESULT,
-    "surveying": frozenset({"surveying", "confined", "deployment", "network", "outputs", "pipeline", "ros", "_version"})
+    "surveying": frozenset(
+        {"surveying", "confined", "deployment", "network", "outputs", "pipeline", "result", "ros", "_version"}
+    )
     | _TEXT,
     "server": frozenset({"server", "confined", "analysis", "deployment", "outputs", "pipeline", "_version"})
     | _RESULT
@@ -83,6 +100,11 @@ ON_DEMAND: Final = {
     ("analysis/process.py", "rosward.analysis.linked"),
     ("analysis/process.py", "rosward.flow.process"),
     ("analysis/process.py", "rosward.engine.watch"),
+    ("analysis/runner.py", "rosward.analysis.known"),
+    ("analysis/runner.py", "rosward.analysis.outcome_form"),
+    ("analysis/runner.py", "rosward.analysis.workers"),
+    ("analysis/runner.py", "rosward.cache.codec"),
+    ("analysis/runner.py", "rosward.cache.version"),
     ("analysis/unreached.py", "rosward.analysis.unreached_linked"),
     ("analysis/source_tree.py", "rosward.source.parameter_module"),
     ("analysis/source_tree.py", "rosward.source.yaml_nodes"),

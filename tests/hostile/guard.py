@@ -32,6 +32,8 @@ log, inputs, outputs, megabytes, file_bytes, seconds = sys.argv[1:7]
 inputs = os.path.realpath(inputs)
 outputs = os.path.realpath(outputs)
 kept = os.path.realpath(os.environ["ROSWARD_CACHE"])
+if hasattr(os, "sched_setaffinity"):  # with one core there are no workers: nobody would hear what they do
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
 events = []
 
 def inside(path, folder):

@@ -8,7 +8,9 @@ import sys
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Final
 
-from rosward.cli.shared import ProgressLine, WrongUseError, add_selection, budget_factor, refusing
+from rosward.cli.amounts import factor
+from rosward.cli.progress import ProgressLine
+from rosward.cli.shared import WrongUseError, add_selection, refusing
 from rosward.cli.status import COMPLETE, INCOMPLETE, INTERNAL
 from rosward.ros.distro import DEFAULT_DISTRO, DISTROS
 from rosward.safe import printable
@@ -77,7 +79,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     )
     group.add_argument(
         "--budget",
-        type=budget_factor,
+        type=factor,
         default=1.0,
         metavar="N",
         help="multiply the number of analysis steps per program by N",

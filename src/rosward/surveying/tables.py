@@ -19,7 +19,7 @@ from typing import Any, Final, final
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from rosward.outputs.whole_files import open_whole
+from rosward.outputs.whole_files import WholeFile
 from rosward.surveying.columns import COSTS, REPOSITORY, TABLES, Column, Kind, Row, Table
 from rosward.surveying.part import Part, Rows
 from rosward.surveying.repositories import Repository
@@ -54,7 +54,7 @@ class Tables:
     def __enter__(self) -> Tables:
         with ExitStack() as places:
             for name, table in {**TABLES, "costs": COSTS}.items():
-                self._files[name] = _File(places.enter_context(open_whole(self._output, file_of(name))), table)
+                self._files[name] = _File(places.enter_context(WholeFile(self._output, file_of(name))).target, table)
             self._places = places.pop_all()
         return self
 
