@@ -113,6 +113,7 @@ def test_a_full_disk(
     (tmp_path / "in" / "a").mkdir(parents=True)
     random = [["RW101", "error", os.urandom(100).hex(), "a.py", 3, [], []] for _ in range(100)]
     monkeypatch.setattr("rosward.surveying.run.analysed_apart", lambda _: part(findings=random).stored())
+    monkeypatch.setattr("sys.dont_write_bytecode", True)  # it would be cut off, and be there for the next run
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     if failing == "table":
         monkeypatch.setattr("rosward.surveying.parts.write_bytes", writer_without_bound(before))
