@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
+from rosward.domain.unknown import Cause
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
 from rosward.engine import escape, schedule, throwing
 from rosward.engine.frame import own_frame
 from rosward.findings import Finding
@@ -169,10 +169,6 @@ class Answers:
     def is_subclass(self: Engine, cls: Value, wanted: Value) -> bool | None:
         """issubclass(cls, wanted)."""
         return self.language.is_subclass(self, cls, wanted)
-
-    def unknown(self: Engine, cause: Cause, subject: str, hint: str = "") -> Unknown:
-        """An unknown that arises here."""
-        return Unknown((Reason(cause, subject, self.place),), hint)
 
     def may_call(self: Engine, values: Iterable[Value]) -> None:
         """A described library may call those that are functions."""

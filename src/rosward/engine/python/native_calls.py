@@ -74,18 +74,23 @@ def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> V
     def one(receiver: Value) -> Value:
         held = held_by(machine, receiver)
         if held is None:
-            return perform(native, call._replace(args=(receiver, *call.args[1:])))
+            return perform(native, call if receiver is call.args[0] else _to(call, receiver))
         if call.name == "dict.__getitem__" and len(call.args) == 2:
             value = contents.missing(machine, receiver, held, call.args[1])
             if value is not None:
                 return value
-        value = perform(native, call._replace(args=(held, *call.args[1:])))
+        value = perform(native, _to(call, held))
         return receiver if method in contents.IN_PLACE else value
 
     receiver = call.args[0]
     if receiver.__class__ is Choice and any(held_by(machine, o) is not None for o in receiver.options):
         return each_apart(machine, options(receiver), one)
     return one(receiver)
+
+
+def _to(call: NativeCall, receiver: Value) -> NativeCall:
+    """The call of the same method, of another object."""
+    return NativeCall(call.machine, call.name, (receiver, *call.args[1:]), call.keywords, call.loose, call.unsure)
 
 
 def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:
