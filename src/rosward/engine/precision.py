@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Final, final
 
 from rosward.engine.budget import Budget, LimitReachedError
+from rosward.records import NamedTuple
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution
@@ -20,6 +21,21 @@ if TYPE_CHECKING:
     from rosward.engine.rest import Rest
     from rosward.ir.ops import Op
     from rosward.ir.program import OpKey
+
+
+class Effort(NamedTuple):
+    """How much was spent at a moment, or since one: steps, turns, loops. `first`: the turns at its beginning.
+
+    `heavy`: how many loops were known to take too many steps, `given_up`: how often precision was given up for one.
+    """
+
+    steps: int
+    first: int
+    turns: int
+    loops: int
+    heavy: int
+    given_up: int
+    coarse: bool
 
 
 _STEPS_APART: Final = 200
@@ -37,10 +53,12 @@ class Precision:
         "_heavy",
         "_in_callbacks",
         "_looked",
+        "begun",
         "budget",
         "coarse",
         "deadline",
         "fixpoints",
+        "given_up",
         "heads",
         "loop_limit",
         "loops",
@@ -61,6 +79,8 @@ class Precision:
         self._looked = -_STEPS_APART  # the step at which the clock was last asked
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
+        self.begun = 0  # how many loops began
+        self.given_up = 0  # how often precision was given up for a loop
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.heads: dict[OpKey, Rest] = {}  # where loops came to rest; in coarse mode only
         self.spent = 0  # steps of all callbacks, but for those that are running
@@ -93,11 +113,13 @@ class Precision:
             self.loop_limit = min(self._coarse_limit, self.steps + self.budget.loop_steps)
             self.coarse = self.coarse or (frame.code.key, op.number) in self._heavy
         self.loops += 1
+        self.begun += 1
 
     def end_loop(self, op: Op, frame: Frame) -> None:
         """A loop has ended."""
         self.loops -= 1
         if not self.loops:
+            self.given_up += self.coarse
             if self.coarse and not self._always_coarse:
                 self._heavy.add((frame.code.key, op.number))
                 self._always_coarse = self._in_callbacks  # until the callback ends
@@ -106,6 +128,40 @@ class Precision:
                 self._coarse_limit = max(self._coarse_limit, self.steps + left)
             self.loop_limit = self._coarse_limit
             self.coarse = self._always_coarse or self.steps > self._coarse_limit
+
+    # What is done once more
+
+    def effort(self) -> Effort:
+        """What was spent so far."""
+        return Effort(self.steps, self.turns, self.turns, self.begun, len(self._heavy), self.given_up, self.coarse)
+
+    def was_precise(self, begun: Effort) -> bool:
+        """Whether no precision was given up since; where it had been before, whether no loop was followed by what is kept of it."""
+        if begun.coarse:
+            return self.coarse and begun.loops == self.begun
+        return not self.coarse and begun.given_up == self.given_up
+
+    def since(self, begun: Effort) -> Effort:
+        """What was spent since."""
+        turns, loops = self.turns - begun.turns, self.begun - begun.loops
+        return Effort(self.steps - begun.steps, begun.turns, turns, loops, begun.heavy, begun.given_up, begun.coarse)
+
+    def allows(self, effort: Effort) -> bool:
+        """Whether as much can be spent again, and every loop would be followed as it was."""
+        if self.steps + effort.steps > (self.step_limit if self.coarse else min(self.loop_limit, self.step_limit)):
+            return False
+        if not effort.loops:
+            return True
+        if effort.heavy != len(self._heavy):
+            return False
+        latest = max(effort.first, self.turns) + effort.turns + self.budget.unroll
+        return not self.loops or effort.first == self.turns or latest <= self.budget.turns
+
+    def repeat(self, effort: Effort) -> None:
+        """As much is spent again."""
+        self.steps += effort.steps
+        if self.loops:
+            self.turns += effort.turns
 
     # Callbacks
 

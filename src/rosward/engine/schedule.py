@@ -94,6 +94,7 @@ def _alone(machine: Engine) -> Iterator[None]:
     """What is scheduled runs under no frame and no `try` of the main body."""
     book = machine.schedule_book
     book.running = True
+    book.spins += 1
     catchers, machine.catchers = machine.catchers, []
     handling, machine.handling = machine.handling, []
     frames, machine.frames = machine.frames, []
@@ -122,6 +123,7 @@ def spin(machine: Engine) -> None:
     book = machine.schedule_book
     if book.running:
         return
+    book.spins += 1
     if book.settled != (len(book.entries), machine.state.version):
         frames = machine.frames
         with _alone(machine):
