@@ -102,7 +102,10 @@ class Origin(NamedTuple):
 
 def derived(reasons: tuple[Reason, ...]) -> tuple[Reason, ...]:
     """The reasons of what is computed from a value: a piece of the path of a folder, or another text made of it, is not that folder any more."""
-    if not any(reason.cause in FOLDERS for reason in reasons):
+    for reason in reasons:
+        if reason.cause in FOLDERS:
+            break
+    else:
         return reasons
     return tuple(
         Reason(Cause.OPERATION, f"path of {reason.subject}", reason.place) if reason.cause in FOLDERS else reason

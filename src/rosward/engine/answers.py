@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Final
 from rosward.domain.choice import join
 from rosward.domain.heap import Obj
 from rosward.domain.series import Series
-from rosward.domain.unknown import Cause
-from rosward.domain.values import NONE, UNBOUND, Function, Ref, Value
+from rosward.domain.unknown import Cause, Reason
+from rosward.domain.values import NONE, UNBOUND, Function, Ref, Unknown, Value
 from rosward.engine import escape, schedule, throwing
 from rosward.engine.frame import own_frame
 from rosward.findings import Finding
@@ -109,9 +109,11 @@ class Answers:
 
     def new_cells(self: Engine, code: Code, context: int) -> list[int]:
         """Fresh cells for the captured variables of a code body."""
+        if not code.cells:
+            return []
         keys = [("cell", context, code.key, n) for n in range(len(code.cells))]
         outlive = self.languages[code.language].cells_outlive
-        if keys and (outlive or any(f.code is code and f.context == context for f in self.frames)):
+        if outlive or any(f.code is code and f.context == context for f in self.frames):
             return [self.place_at(key, Obj("cell", NONE)) for key in keys]
         cells = [self.place_key(key) for key in keys]
         for address in cells:
@@ -169,6 +171,10 @@ class Answers:
     def is_subclass(self: Engine, cls: Value, wanted: Value) -> bool | None:
         """issubclass(cls, wanted)."""
         return self.language.is_subclass(self, cls, wanted)
+
+    def unknown(self: Engine, cause: Cause, subject: str, hint: str = "") -> Unknown:
+        """An unknown that arises here."""
+        return Unknown((Reason(cause, subject, self.place),), hint)
 
     def may_call(self: Engine, values: Iterable[Value]) -> None:
         """A described library may call those that are functions."""

@@ -16,12 +16,12 @@ from rosward.domain.memory import MASK, SHIFT, Heap
 from rosward.domain.series import Series
 from rosward.domain.state import NOTHING_DONE, State, join_objects, join_states
 from rosward.domain.suspended import Suspension
-from rosward.domain.unknown import Cause, Reason
-from rosward.domain.values import Class, ModuleValue, Ref, Unknown, Value
+from rosward.domain.unknown import Cause
+from rosward.domain.values import Class, ModuleValue, Ref, Value
 from rosward.engine.answers import Answers
 from rosward.engine.budget import Budget
 from rosward.engine.catcher import Catcher
-from rosward.engine.frame import Frame, Snapshot, own_frame
+from rosward.engine.frame import Frame, Snapshot
 from rosward.engine.languages import Watched
 from rosward.engine.precision import Precision
 from rosward.engine.schedule_book import Schedule
@@ -77,7 +77,6 @@ class Interpreter(Answers):
         self._first_address = library.first_address
         self._addresses: dict[object, int] = {}
         self._contexts: dict[object, int] = {}
-        self._unknowns: dict[tuple[Cause, str, str, ops.Op | None], Unknown] = {}  # those that arose, by where
         self.watch = watch
         self.languages = library.languages if watch is None else Watched(library.languages, watch)
         self.language = self.languages[
@@ -169,16 +168,6 @@ class Interpreter(Answers):
         """Go on from a snapshot (which is used up)."""
         frame.registers = snapshot.registers
         self.state = snapshot.state
-
-    def unknown(self, cause: Cause, subject: str, hint: str = "") -> Unknown:
-        """An unknown that arises here; the same one each time, as it is joined again and again with what it was before."""
-        frame = own_frame(self.frames)
-        key = (cause, subject, hint, None if frame is None else frame.op)
-        found = self._unknowns.get(key)
-        if found is None:
-            place = Place("", 0) if frame is None else frame.place
-            found = self._unknowns[key] = Unknown((Reason(cause, subject, place),), hint)
-        return found
 
     # The heap
 

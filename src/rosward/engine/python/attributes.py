@@ -110,7 +110,7 @@ def _of_unknown(machine: Engine, value: Unknown, name: str) -> Value:
     if any(r.cause is not Cause.MESSAGE for r in value.reasons):  # what a message holds is plain data
         machine.trace.asked.add(("", "", name))
     if not any(r.cause is Cause.MESSAGE for r in value.reasons):
-        return value if not value.hint and not value.variable else Unknown(value.reasons)
+        return Unknown(value.reasons)
     reasons = tuple(
         Reason(Cause.MESSAGE, f"{r.subject}.{name}", r.place) if r.cause is Cause.MESSAGE and len(r.subject) < 80 else r
         for r in value.reasons

@@ -17,7 +17,7 @@ from rosward.domain.values import UNBOUND, Choice, Ref, Value
 from rosward.engine.alternatives import each_apart
 from rosward.engine.arguments import ANY, LOOSE, MAYBE, ORDER
 from rosward.engine.python import contents
-from rosward.models.native import NativeCall, NativeFunction, perform
+from rosward.models.native import Arguments, NativeCall, NativeFunction, perform
 from rosward.models.python.containers.lists import ITERATOR, write_series
 from rosward.models.python.contents import KINDS
 from rosward.models.python.contents import contents as held_by
@@ -53,7 +53,7 @@ def invoke(
     given = args if loose is None or name in _TAKE_LOOSE else (*args, loose)
     if anything and loose is None:
         loose = machine.unknown(Cause.CALLER, name)
-    value = _on_contents(machine, native, NativeCall(machine, name, given, keywords, loose, unsure))
+    value = _on_contents(machine, native, NativeCall(machine, name, Arguments(given), keywords, loose, unsure))
     if name in _RUN_THROUGH:
         for arg in args:
             if isinstance(arg, Ref) and machine.obj(arg).payload == ITERATOR:
@@ -90,7 +90,9 @@ def _on_contents(machine: Engine, native: NativeFunction, call: NativeCall) -> V
 
 def _to(call: NativeCall, receiver: Value) -> NativeCall:
     """The call of the same method, of another object."""
-    return NativeCall(call.machine, call.name, (receiver, *call.args[1:]), call.keywords, call.loose, call.unsure)
+    return NativeCall(
+        call.machine, call.name, Arguments((receiver, *call.args[1:])), call.keywords, call.loose, call.unsure
+    )
 
 
 def flattened(args: tuple[Value, ...], keywords: dict[str, Value]) -> tuple[tuple[Value, ...], dict[str, Value]]:

@@ -264,11 +264,7 @@ def unknown_from(machine: Machine, what: str, hint: str, *values: Value | None) 
     reasons = found[0]
     if len(found) > 1 or len(reasons) > 1:
         reasons = tuple(dict.fromkeys([r for why in found for r in why]))[:MAX_REASONS]
-    reasons = derived(reasons)
-    for value in values:  # one of the operands is often the same already
-        if value.__class__ is Unknown and value.hint == hint and not value.variable and value.reasons == reasons:
-            return value
-    return Unknown(reasons, hint)
+    return Unknown(derived(reasons), hint)
 
 
 def hole_from(machine: Machine, what: str, *values: Value | None, shape: str = "") -> Hole:
