@@ -35,9 +35,10 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         machine.summaries.recursive.add(code.key)
     if depth >= limit or len(machine.frames) >= machine.budget.depth:
         return summarised(machine, function, registers)
+    given = tuple(registers)
     key = (
         function,
-        tuple(registers),
+        given,
         machine.state.version,
         bool(machine.catchers),
         machine.summaries.epoch,
@@ -54,7 +55,7 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
         return value
     caller = machine.frames[-1] if machine.frames else None
     context = context_of(machine, code, caller)
-    place = recalled.place_of(machine, function, registers, context)
+    place = recalled.place_of(machine, code.key, (function, given), context)
     found = None if place is None else recalled.known(machine, place)
     if found is not None:
         return recalled.repeated(machine, found)
@@ -68,8 +69,9 @@ def invoke(machine: Engine, function: Function, registers: list[Value]) -> Value
     try:
         value = run_body(machine, function, registers, caller, context)
         level, machine.noted = machine.noted, max(machine.noted, noted)
-        if call is not None:
-            recalled.ended(machine, place, function, call, value, level)
+        if call is not None and value is not UNBOUND:
+            call.value, call.level = value, level
+            recalled.ended(machine, place, code.key, call)
     finally:
         asked_for, machine.asked_for = machine.asked_for, outer
         outer |= asked_for

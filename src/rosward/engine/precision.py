@@ -53,6 +53,7 @@ class Precision:
         "_heavy",
         "_in_callbacks",
         "_looked",
+        "_repeated",
         "begun",
         "budget",
         "coarse",
@@ -62,6 +63,7 @@ class Precision:
         "heads",
         "loop_limit",
         "loops",
+        "repeated_in_callbacks",
         "spent",
         "step_limit",
         "steps",
@@ -79,11 +81,13 @@ class Precision:
         self._looked = -_STEPS_APART  # the step at which the clock was last asked
         self.fixpoints = 0  # how many loops are being followed to a fixpoint
         self.loops = 0  # how many loops are running
+        self._repeated = 0  # steps that counted and were not taken, as what they do was known
         self.begun = 0  # how many loops began
         self.given_up = 0  # how often precision was given up for a loop
         self.turns = 0  # turns followed one by one since the outermost of them began
         self.heads: dict[OpKey, Rest] = {}  # where loops came to rest; in coarse mode only
         self.spent = 0  # steps of all callbacks, but for those that are running
+        self.repeated_in_callbacks = 0  # those of them that were not taken
         self._begun = 0  # how many steps there were when these began
         self._in_callbacks = False
         self._always_coarse = False  # the callback that is running took too many steps when it ran before
@@ -93,7 +97,7 @@ class Precision:
     def spend(self, steps: int, where: Execution) -> None:
         """Something takes as long as this many steps; raises where there are fewer left."""
         self.steps += steps
-        if self.steps > self.step_limit:
+        if self.steps - self._repeated > self.step_limit:
             raise LimitReachedError(f"more than {self.step_limit} steps", where.place)
 
     def check_time(self, where: Execution) -> None:
@@ -148,7 +152,7 @@ class Precision:
 
     def allows(self, effort: Effort) -> bool:
         """Whether as much can be spent again, and every loop would be followed as it was."""
-        if self.steps + effort.steps > (self.step_limit if self.coarse else min(self.loop_limit, self.step_limit)):
+        if not self.coarse and self.steps + effort.steps > self.loop_limit:
             return False
         if not effort.loops:
             return True
@@ -158,8 +162,11 @@ class Precision:
         return not self.loops or effort.first == self.turns or latest <= self.budget.turns
 
     def repeat(self, effort: Effort) -> None:
-        """As much is spent again."""
+        """As much is spent again: it counts for how precisely all else is followed, but it takes no time."""
         self.steps += effort.steps
+        self._repeated += effort.steps
+        if self._in_callbacks:
+            self.repeated_in_callbacks += effort.steps
         if self.loops:
             self.turns += effort.turns
 
@@ -189,7 +196,7 @@ class Precision:
     def begin_callback(self, *, coarse: bool) -> int:
         """A callback begins, with steps of its own; `coarse`: it took too many before. What `end_callback` asks for."""
         self.loops = self.fixpoints = 0
-        self.step_limit = self.steps + self.budget.entry_steps
+        self.step_limit = self.steps - self._repeated + self.budget.entry_steps
         self.coarse = self._always_coarse = coarse
         self._coarse_limit = self.loop_limit = self.steps + self.budget.entry_coarse
         return len(self._heavy)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from rosward.domain.values import UNBOUND, Function, Value
+from rosward.domain.values import Value
 from rosward.engine.summaries import Call
 from rosward.engine.throwing import note
 
@@ -32,26 +32,20 @@ def begun(machine: Engine) -> Call:
     return Call(machine.state, _around(machine), _before(machine), machine.precision.effort())
 
 
-def ended(machine: Engine, place: object, function: Function, call: Call, value: Value, level: int) -> None:
+def ended(machine: Engine, place: object, key: str, call: Call) -> None:
     """A call has come to its end: it is remembered if it can be, and is worth it."""
     summaries, heap, state = machine.summaries, call.heap, machine.state
     call.heap = None
     assert heap is not None
-    if (
-        value is UNBOUND
-        or call.before != _before(machine)
-        or not machine.precision.was_precise(call.effort)
-        or not call.done <= state.done
-    ):
+    if call.before != _before(machine) or not machine.precision.was_precise(call.effort) or not call.done <= state.done:
         return
     call.effort = machine.precision.since(call.effort)
     if call.effort.steps < _LEAST:
-        summaries.small.add(function.code.key)
+        summaries.small.add(key)
         return
     call.written = tuple(state.heap.changed_since(heap))
     if call.written and machine.catchers:
         return  # each state on the way counts for the handlers
-    call.value, call.level = value, level
     call.importing = bool(machine.catchers) and machine.catchers[-1].importing
     call.asked_for = frozenset(machine.asked_for)
     call.addresses = tuple(call.asked_for.union([address for address, _ in call.written]))
@@ -110,6 +104,7 @@ def _around(machine: Engine) -> tuple[object, ...]:
         book.spins,
         machine.hooked,
         machine.unhooked is None,
+        frozenset(machine.advancing),
         (len(trace.creating), len(machine.summaries.recursive)) if machine.precision.coarse else None,
     )
 
@@ -127,10 +122,10 @@ def _before(machine: Engine) -> tuple[object, ...]:
     )
 
 
-def place_of(machine: Engine, function: Function, registers: list[Value], context: int) -> object:
-    """Where a call is remembered; None where it is not.
+def place_of(machine: Engine, key: str, given: object, context: int) -> object:
+    """Where a call is remembered, by what is called with what; None where it is not. `key` names what is called.
 
-    Generators and recursions have a memory of their own, as loops have where precision is given up; outside of loops the main body goes on.
+    Recursions have a memory of their own, as loops have where precision is given up; outside of loops the main body goes on.
     """
     precision = machine.precision
     if (
@@ -138,12 +133,11 @@ def place_of(machine: Engine, function: Function, registers: list[Value], contex
         or not (precision.loops or machine.schedule_book.running)
         or machine.watch is not None
         or machine.handling
-        or machine.advancing
         or machine.making
         or machine.summaries.running
         or not machine.log.tells_once
-        or function.code.key in machine.summaries.small
+        or key in machine.summaries.small
     ):
         return None
     where = bool(machine.catchers), bool(precision.loops), bool(precision.fixpoints), precision.coarse
-    return function, tuple(registers), context, where
+    return given, context, where

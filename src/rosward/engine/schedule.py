@@ -199,7 +199,7 @@ def _afford(machine: Engine, entry: Scheduled) -> bool:
     budget = machine.budget
     most = budget.callback_steps + _STEPS_OF_EACH * len(book.entries)
     spent = machine.precision.spent_in_callbacks
-    if spent > most:
+    if spent - machine.precision.repeated_in_callbacks > most:
         if not any(other.exhausted for other in book.entries.values()):
             said = f"more than {most} steps in all callbacks; what this one and others do later is missing"
             machine.log.findings.add(Finding("RW201", said, entry.place))

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from rosward.domain.state import EventKey, State
     from rosward.engine.catcher import Catcher
     from rosward.engine.precision import Effort
+    from rosward.ir.ops import Op
+    from rosward.ir.program import OpKey
 
 
 @final
@@ -70,8 +72,10 @@ class Call:
         "effort",
         "heap",
         "importing",
+        "left",
         "level",
         "records",
+        "stands",
         "value",
         "written",
     )
@@ -85,6 +89,8 @@ class Call:
         self.value: Value = UNBOUND
         self.level = 0  # what Python may raise in it
         self.importing = False  # an import in it may fail
+        self.left: tuple[Value, ...] = ()  # of a loop: what stands in the registers that it writes,
+        self.stands: tuple[Op, int]  # and the operation that ran last, with what that made
         self.asked_for: frozenset[int] = frozenset()
         self.addresses: tuple[int, ...] = ()  # of the records that it read or wrote, and
         self.records: tuple[Obj | None, ...] = ()  # what stood there
@@ -103,6 +109,7 @@ class Summaries:
         "epoch",
         "finished",
         "large",
+        "loops",
         "memo",
         "provisional",
         "recursive",
@@ -123,6 +130,7 @@ class Summaries:
         self.provisional = 0  # how often an unfinished summary of a recursion was read
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
-        self.asked = 0  # how many calls were followed by a summary
+        self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
+        self.asked = 0  # how often a call was answered by what is known of others, or of a generator that runs
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
