@@ -8,12 +8,16 @@ for node in result.network.nodes:
     print(node.fqn, [e.name for e in node.entities])
 """
 
+from __future__ import annotations
+
 import importlib
-from typing import TYPE_CHECKING, Final
 
 from rosward._version import __version__
 
+TYPE_CHECKING = False  # not from typing: what says again what it said before loads little
 if TYPE_CHECKING:
+    from typing import Final
+
     from rosward.engine.budget import Budget
     from rosward.findings import Finding
     from rosward.network.graph import Action, Network, Service, Topic

@@ -13,9 +13,10 @@ from typing import Final, NamedTuple
 
 import pytest
 
+from rosward.cli import main
 from rosward.ros.flows import STRENGTHS
 
-from .reported import reported, said_of
+from .reported import calls_of, reported, said_of
 
 _PROGRAM: Final = """
 import contextlib
@@ -448,3 +449,106 @@ def test_a_cancel_request_decides(tmp_path: Path) -> None:
     said = said_of(reported(program), "feedback:/count")
     assert said is not None
     assert said.control == {"cancel:/count"}
+
+
+_CLIENT: Final = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient
+from rclpy.node import Node
+from std_msgs.msg import Bool
+
+
+class Client(Node):
+    def __init__(self):
+        super().__init__('client')
+        self.client = ActionClient(self, Fibonacci, '/count')
+        self.goal = None
+        self.client.send_goal_async(Fibonacci.Goal()).add_done_callback(self.accepted)
+        self.create_subscription(Bool, '/stop', self.stop, 10)
+
+    def accepted(self, future):
+        self.goal = future.result()
+
+    def stop(self, msg):
+        if msg.data and self.goal is not None:
+            self.goal.cancel_goal_async()
+
+
+rclpy.init()
+rclpy.spin(Client())
+"""
+
+
+def test_a_cancel_request_reaches_the_server(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "server.py").write_text(_SERVER)
+    (tmp_path / "client.py").write_text(_CLIENT)
+    assert main(["flow", str(tmp_path), "--from", "/stop", "--to", "feedback:/count"]) == 0
+    assert capsys.readouterr().out == (
+        "/stop → feedback /count: control, 2 nodes\n"
+        "  /client: control, /stop to cancel /count\n"
+        "    client.py:20\n"
+        "    client.py:22\n"
+        "  /server: control, cancel /count to feedback /count\n"
+        "    server.py:14\n"
+        "    server.py:15\n"
+    )
+
+
+_SPEAKER: Final = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Speaker(Node):
+    def __init__(self):
+        super().__init__('speaker')
+        self.pub = self.create_publisher(String, '/out', 10)
+        self.create_subscription(String, '/plan', self.on_plan, 10)
+        self.create_subscription(String, '/map', self.on_map, 10)
+
+    def on_plan(self, msg):
+        self.say('a plan')
+        self.twice(msg.data)
+
+    def on_map(self, msg):
+        self.twice(msg.data)
+
+    def twice(self, text):
+        self.say(text)
+        self.say(text * 2)
+
+    def say(self, text):
+        self.pub.publish(String(data=text))
+"""
+
+
+def test_what_a_function_sends_is_told_for_each_caller(tmp_path: Path) -> None:
+    program = tmp_path / "speaker.py"
+    program.write_text(_SPEAKER + "\n\nrclpy.init()\nrclpy.spin(Speaker())\n")
+    said = {tuple(place.line for place in call.through): call for call in calls_of(program, "topic:/out")}
+    assert sorted(said) == [(15,), (16, 22), (16, 23), (19, 22), (19, 23)]
+    assert said[15,].data == ()
+    for way, call in said.items():
+        if len(way) == 2:
+            assert list(map(str, call.data)) == ["topic:/plan" if way[0] == 16 else "topic:/map"]
+
+
+def test_callers_of_what_calls_itself_are_not_told_apart(tmp_path: Path) -> None:
+    program = tmp_path / "speaker.py"
+    changed = _SPEAKER.replace("self.say(text * 2)", "if len(text) < 100:\n            self.twice(text * 2)")
+    program.write_text(changed + "\n\nrclpy.init()\nrclpy.spin(Speaker())\n")
+    assert calls_of(program, "topic:/out") == ()
+
+
+def test_a_row_for_each_caller(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program = tmp_path / "speaker.py"
+    program.write_text(_SPEAKER + "\n\nrclpy.init()\nrclpy.spin(Speaker())\n")
+    assert main(["flow", str(program)]) == 0
+    assert capsys.readouterr().out == (
+        "/speaker  speaker.py\n"
+        "  /out  constant     speaker.py:26 called at speaker.py:15\n"
+        "  /out  data  /plan  speaker.py:26 called at speaker.py:16\n"
+        "  /out  data  /map   speaker.py:26 called at speaker.py:19\n"
+    )

@@ -23,6 +23,7 @@ from rosward.cli.configuration_file import ConfigurationFile, read_configuration
 from rosward.cli.configuration_keys import KEYS, Value
 from rosward.cli.shared import WrongUseError
 from rosward.records import NamedTuple
+from rosward.source import disk
 
 __all__ = ["apply", "leave_open"]
 
@@ -83,7 +84,7 @@ def apply(options: argparse.Namespace) -> None:
 
 def _start(options: argparse.Namespace) -> Path:
     """Where the search begins: the first PATH that is no document to compare."""
-    paths = [p for p in options.paths if Path(p).is_dir() or not p.lower().endswith((".xml", ".json"))]
+    paths = [p for p in options.paths if disk.is_folder(p) or not p.lower().endswith((".xml", ".json"))]
     return Path(next(iter(paths), "."))
 
 

@@ -217,6 +217,8 @@ NEVER: Final[Mapping[str, str]] = {
     "json": "it is `format`",
     "follow-links": "the file is part of the sources, and only the person running rosward decides where links may lead",
     "env-from-shell": "the file is part of the sources, and only the person running rosward decides what they learn about the shell",
+    "jobs": "it is a matter of the machine",
+    "no-cache": "the file is part of the sources, and only the person running rosward decides where results are kept",
     **dict.fromkeys(("to", "from", "check", "suggest-private", "data-only", "made-of"), "it is what one run asks"),
     **dict.fromkeys(
         ("snapshot", "node-info", "network", "seconds", "domain-id", "enclave"), "it refers to what runs at the moment"

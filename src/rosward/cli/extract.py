@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rosward.enclaves.widened import Widenings
     from rosward.influence.policy import Policy
     from rosward.outputs.report.background import Background
-    from rosward.pipeline import Result
+    from rosward.result import Result
     from rosward.suppression.judge import Reviewed
 
 FORMAT_NAMES: Final = (*BY_NAME, "none")

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.engine.budget import Budget, LimitReachedError
 from rosward.records import NamedTuple
+from rosward.rules import TIME_LIMIT
 
 if TYPE_CHECKING:
     from rosward.effects.log import Execution
@@ -106,7 +107,7 @@ class Precision:
             return
         self._looked = self.steps
         if time.thread_time() > self.deadline:
-            raise LimitReachedError(f"more than {self.budget.seconds:g} s of analysis", where.place)
+            raise LimitReachedError(f"more than {self.budget.seconds:g} {TIME_LIMIT}", where.place)
 
     # Loops
 

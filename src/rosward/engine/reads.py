@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from rosward.models.file_paths import Files
     from rosward.source.definitions import Definition
 
-__all__ = ["Reading", "Reads", "RecordedSources"]
+__all__ = ["Question", "Reading", "Reads", "RecordedSources"]
 
 Question = tuple[str | int, ...]
 """The name of a method of `Library`, `Sources` or `Files`, and what it was given."""

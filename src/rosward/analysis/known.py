@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Is it known what a process adds, though something has changed since?
+
+    talker.py asks: find("demo.names", 0, "talker.py"), module("demo/names.py"), read("demo", "config/names.yaml"), …
+    the same answers as when it was run   ->  what it added then; another file that changed does not matter
+
+A process is asked for by its entry and by how it is run; what it asked of the sources (`engine/reads.py`) is kept with what it added, and a digest
+of the answers. These are asked again of the sources as they are now.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final, final
+
+from rosward.analysis.outcome_form import ENTRY, OUTCOME, QUESTIONS
+from rosward.cache.codec import MalformedError, loaded, text
+from rosward.engine.declared import MODEL_PREFIX
+from rosward.models.ros.interfaces import message_name
+from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
+from rosward.source import disk
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from rosward.analysis.outcome import Outcome, Outset
+    from rosward.analysis.read import SourcesRead
+    from rosward.analysis.source_tree import SourceTree
+    from rosward.cache.store import Store
+    from rosward.effects.entry import Entry
+    from rosward.engine.reads import Question
+    from rosward.findings import Finding
+
+__all__ = ["Known"]
+
+_KIND: Final = "process"
+
+
+@final
+class Known:
+    """What a store knows of the processes of some sources."""
+
+    def __init__(self, store: Store, version: str, read: SourcesRead, outset: Outset) -> None:
+        self._store = store
+        self._read = read
+        self._answers: dict[Question, bytes] = {}
+        budget = {**outset.budget._asdict(), "watched": sorted(outset.budget.watched)}
+        environment = {name: str(value.value) for name, value in sorted(read.library.environment.items())}
+        self._how = [version, outset.distro.value, budget, environment]
+        self._done: list[tuple[Entry, tuple[Question, ...], Outcome]] = []
+
+    def of(self, entry: Entry) -> Outcome | None:
+        """What a process adds, where that is known and still so."""
+        question = self._question(entry)
+        found = self._store.kept(_KIND, question, partial(self._accepted, disk.digest(question)))
+        if found is None:
+            return None
+        questions, outcome = found
+        for name, *rest in questions:  # what it reads beyond the workspace is told as well
+            if name == "module":
+                self._read.sources.module(str(rest[0]))
+        return outcome
+
+    def done(self, entry: Entry, questions: tuple[Question, ...], outcome: Outcome) -> None:
+        """A process was run: it is to be kept."""
+        if not any(map(_depends_on_the_machine, outcome.findings)):
+            self._done.append((entry, questions, outcome))
+
+    def keep(self) -> None:
+        """Keep what was done. Whoever watches the disk must not have seen two states of it."""
+        kept = [(self._question(entry), questions, outcome) for entry, questions, outcome in self._done]
+        told = [self._told(questions) for _, questions, _ in kept]
+        if disk.is_torn():
+            return
+        for (question, questions, outcome), answers in zip(kept, told, strict=True):
+            head = text([disk.digest(question), answers, QUESTIONS.write(questions)])
+            self._store.keep(_KIND, question, head + b"\n" + text(OUTCOME.write(outcome)))
+        self._done.clear()
+
+    def _question(self, entry: Entry) -> bytes:
+        return text([*self._how, ENTRY.write(entry)])
+
+    def _accepted(self, question: str, answer: bytes) -> tuple[tuple[Question, ...], Outcome] | None:
+        head, _, outcome = answer.partition(b"\n")
+        try:
+            document = loaded(head)
+            if document.__class__ is not list or len(document) != 3 or document[0] != question:
+                return None
+            questions = QUESTIONS.read(document[2])
+            return (questions, OUTCOME.read(loaded(outcome))) if self._told(questions) == document[1] else None
+        except (
+            MalformedError,
+            AttributeError,
+            IndexError,
+            KeyError,
+            TypeError,
+            ValueError,
+        ):  # or a question that has no meaning
+            return None
+
+    def _told(self, questions: Iterable[Question]) -> str:
+        """A digest of the answers as they are now."""
+        known = self._answers
+        parts: list[bytes] = []
+        for question in questions:
+            answer = known.get(question)
+            if answer is None:
+                answer = known[question] = repr(_ask(self._read.sources, question)).encode("utf-8", "surrogatepass")
+            parts += (b"%d " % len(answer), answer)
+        return disk.digest(b"".join(parts))
+
+
+def _depends_on_the_machine(finding: Finding) -> bool:
+    return finding.code == INTERNAL_ERROR or (
+        finding.code == "RW201" and any(each in finding.message for each in (KILLED, TIME_LIMIT))
+    )
+
+
+_OF_FILES: Final = frozenset({"is_file", "is_folder", "listing", "read"})
+_OF_SOURCES: Final = frozenset(
+    {"belongs", "find", "in_folder", "interface_has", "is_of", "leads_out", "named", "python_package", "shared"}
+)
+
+
+def _ask(sources: SourceTree, question: Question) -> object:
+    """The answer to a question, as plain values. Raises TypeError or ValueError for one that has no meaning."""
+    name, *rest = question
+    if name in _OF_SOURCES:
+        return getattr(sources, str(name))(*rest)
+    if name in _OF_FILES:
+        return getattr(sources.files, str(name))(*rest)
+    if name == "module":
+        return "" if str(rest[0]).startswith(MODEL_PREFIX) else sources.content(str(rest[0]))
+    if name == "program":
+        found = sources.program(str(rest[0]))
+        return "" if found is None else found.digest
+    if name == "interface_definition":
+        return sources.interface_definition(*_named(rest))  # type: ignore[arg-type]
+    raise ValueError(name)
+
+
+def _named(rest: list[str | int]) -> tuple[str | int, ...]:
+    """Package, kind, name and part of an interface: a process may ask by the dotted name of its class."""
+    from_name = message_name(str(rest[0])) if len(rest) == 1 else tuple(rest)
+    return ("", "msg", "", "") if from_name is None else from_name
