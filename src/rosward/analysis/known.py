@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final, final
 
 from rosward.analysis.outcome_form import ENTRY, OUTCOME, QUESTIONS
 from rosward.cache.codec import MalformedError, loaded, text
-from rosward.engine.declared import MODEL_PREFIX
+from rosward.ir.program import MODEL_PREFIX
 from rosward.models.ros.interfaces import message_name
 from rosward.rules import INTERNAL_ERROR, KILLED, TIME_LIMIT
 from rosward.source import disk
