@@ -140,3 +140,29 @@ def test_a_call_that_would_do_the_same_is_not_made(tmp_path: Path, monkeypatch: 
     found = _told(tmp_path)
     assert sum(steps) > 100
     assert '"/a"' in found
+
+
+_LOCALS = (
+    _HEAD
+    + """
+    def tick(self):
+        name = "a"
+        for _ in range(random.randint(0, 9)):
+            for _ in range(random.randint(0, 9)):
+                self.a = locals()["name"]
+            self.make(self.a)
+            name = "b" if name == "a" else "c"
+
+    def hear(self, msg):
+        pass
+"""
+    + _TAIL
+)
+
+
+def test_a_loop_that_looks_at_all_variables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "main.py").write_text(_LOCALS, encoding="utf-8")
+    found = _told(tmp_path)
+    assert all(f'"/{name}"' in found for name in "abc")
+    monkeypatch.setattr(recalled, "place_of", lambda *_: None)
+    assert found == _told(tmp_path)

@@ -202,6 +202,7 @@ class Answers:
 
     def variables(self: Engine, *, local: bool) -> Value:
         """What `locals()` or `globals()` gives here."""
+        self.summaries.asked += local  # it looks at all registers, of which nobody else knows
         found = self.language.variables(self, local=local)
         return self.unknown(Cause.LIVE, "variables", "dict") if found is None else found
 

@@ -131,6 +131,6 @@ class Summaries:
         self.large: dict[str, bool] = {}  # whether a code body, by its key, has loops
         self.recursive: set[str] = set()  # the code bodies, by their keys, that were called inside themselves
         self.loops: dict[OpKey, tuple[tuple[int, ...], tuple[int, ...]] | None] = {}  # which registers loops use
-        self.asked = 0  # how often a call was answered by what is known of others, or of a generator that runs
+        self.asked = 0  # how often a call looked at more than records: at a summary, a generator that runs, a frame
         self.turns = 0  # of all summaries that are in no other one
         self.changes = 0  # how often a summary became another one
