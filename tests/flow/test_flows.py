@@ -19,7 +19,9 @@ from rosward.ros.flows import STRENGTHS
 from .reported import calls_of, reported, said_of
 
 _PROGRAM: Final = """
+import asyncio
 import contextlib
+import multiprocessing
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
@@ -136,6 +138,21 @@ class Robot(Node):
             yield
         except ValueError as error:
             self.value = error.args[0]
+
+    def more(self, msg):
+        for _ in getattr(self, 'items', ()):
+            if msg.data > 1.0:
+                break
+        else:
+            self.value = 1.0
+
+    async def half(self, value):
+        await asyncio.sleep(0)
+        return value / 2.0
+
+    async def gathered(self, value):
+        one, other = await asyncio.gather(self.half(value), self.half(1.0))
+        self.value = one + other
 
     def on_in(self, msg):
 {does}
@@ -346,6 +363,73 @@ CASES: Final = {
     "an element deleted by its method": Case(
         "self.items = [0.0, 1.0]", "if msg.data > 1.0:\n    self.items.__delitem__(0)", "len(self.items)", "control"
     ),
+    "how many of a set": Case("self.value = 0.0", "self.value = msg.data", "float(len({1.0, self.value}))"),
+    "how many of a set that is added to": Case(
+        "self.items = {1.0}", "self.items.add(msg.data)", "float(len(self.items))"
+    ),
+    "how many of a set of a list": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(set(self.items)))"
+    ),
+    "how many of a set of a loop": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len({v for v in self.items}))"
+    ),
+    "how many of a set of tuples": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(frozenset((v, 1) for v in self.items)))"
+    ),
+    "how often a loop over a set turns": Case(
+        "self.items, self.value = {1.0}, 0.0",
+        "self.items.update([msg.data])",
+        "sum(1.0 for _ in self.items)",
+        "control",
+    ),
+    "whether a loop comes to its end": Case(
+        "self.items, self.value = [1.0], 0.0",
+        "for v in self.items:\n    if msg.data > 1.0:\n        break\nelse:\n    self.value = 1.0",
+        "self.value",
+        "control",
+    ),
+    "whether a loop has a turn that may leave it": Case(
+        "self.items, self.limit, self.value = [1.0], 1.0, 0.0\n"
+        "self.create_subscription(Float64, '/more', self.more, 10)",
+        "del self.items[:1]",
+        "self.value",
+        "trigger",
+    ),
+    "how many of a dict of pairs": Case(
+        "self.items = [1.0, 2.0]", "self.items[0] = msg.data", "float(len(dict([(v, 1) for v in self.items])))"
+    ),
+    "how many of a dict that pairs update": Case(
+        "self.items, self.table = [1.0, 2.0], {}",
+        "self.items[0] = msg.data\nself.table.update(zip(self.items, self.items))",
+        "float(len(self.table))",
+    ),
+    "what gathered coroutines return": Case("self.value = 0.0", "asyncio.run(self.gathered(msg.data))", "self.value"),
+    "the other end of a pipe": Case(
+        "self.here, self.there = multiprocessing.Pipe()", "self.here.send(msg.data)", "self.there.recv()"
+    ),
+    "a view of bytes": Case(
+        "self.raw = bytearray(8)\nself.view = memoryview(self.raw)", "self.view[0] = int(msg.data)", "self.raw[0]"
+    ),
+    "a view of bytes as numbers": Case(
+        "self.raw = bytearray(8)\nself.view = memoryview(self.raw).cast('d')", "self.view[0] = msg.data", "self.raw[0]"
+    ),
+    "an array behind one operand": Case(
+        "self.grid = np.zeros(2)", "np.sqrt([msg.data, 1.0], self.grid)", "self.grid[0]"
+    ),
+    "an array behind three operands": Case(
+        "self.grid = np.zeros(2)", "np.clip(self.grid, 0.0, msg.data, self.grid)", "self.grid[0]"
+    ),
+    "an array behind an axis and a type": Case(
+        "self.grid = np.zeros(2)", "np.cumsum([msg.data, 1.0], None, None, self.grid)", "self.grid[0]"
+    ),
+    "what a function returns to a library": Case(
+        "self.value = 0.0",
+        "self.value = msg.data",
+        "np.apply_along_axis(lambda row: row * self.value, 0, np.ones(3))[0]",
+    ),
+    "by what a list is sorted": Case(
+        "self.items = [1.0, 2.0]", "self.items.sort(key=lambda v: v * msg.data)", "self.items[0]"
+    ),
     "a set that is changed by another one": Case(
         "self.items = {0.0}", "self.items.symmetric_difference_update({msg.data})", "len(self.items)"
     ),
@@ -418,6 +502,17 @@ def test_a_parameter_chooses_the_publisher(tmp_path: Path) -> None:
     said = said_of(reported(program), "topic:/out1")
     assert said is not None
     assert "parameter:which" in said.data | said.control
+
+
+def test_a_parameter_that_the_node_sets_may_be_set_by_others(tmp_path: Path) -> None:
+    program = tmp_path / "robot.py"
+    keeps = "self.declare_parameter('gain', 2.0)\nself.set_parameters([Parameter('gain', value=0.0)])"
+    then = _SEND.format("1.0 if self.get_parameter('gain').value > 1.0 else 2.0")
+    indented = (textwrap.indent(part, " " * 8) for part in (keeps, "pass", then))
+    program.write_text(_PROGRAM.format(**dict(zip(("keeps", "does", "then"), indented, strict=True))))
+    said = said_of(reported(program), "topic:/out")
+    assert said is not None
+    assert "parameter:gain" in said.data | said.control
 
 
 _SERVER: Final = """

@@ -15,7 +15,7 @@ from functools import partial
 
 from rosward.analysis.deep_stack import with_deep_stack
 from rosward.analysis.plan import Plan
-from rosward.analysis.process import Run, run
+from rosward.analysis.process import Run, how_started, run
 from rosward.analysis.read import EVERYTHING, Progress, SourcePath, SourcesRead, read_sources
 from rosward.analysis.seen import note_variables, seen_of
 from rosward.analysis.source_tree import SourceTree
@@ -246,13 +246,7 @@ class _Runs:
         return log, done, loaded
 
     def _run(self, entry: Entry, configuration: Configuration) -> Run:
-        key = (
-            entry,
-            configuration.words,
-            configuration.component,
-            tuple(sorted(configuration.files.items(), key=lambda item: item[0])),
-            tuple(sorted(configuration.environment.items(), key=lambda item: item[0])),
-        )
+        key = (entry, *how_started(configuration))
         found = self._runs.get(key)
         if found is None:
             found = self._runs[key] = run(self._outset.library, entry, self._outset.budget, configuration)

@@ -266,6 +266,8 @@ def call(walker: Walker, op: ops.Call, body: Body, seen: Seen) -> None:
     roots = frozenset(map(walker.shape.owner, leads(seen, result))) | frozenset(map(of_library, seen.externals))
     opened = any(isinstance(f, Native) and f.name.endswith("open") for f in seen.functions)
     mask = result.mask | body.pc | pc | (0 if opened else arising(walker, seen))
+    for _, entry in seen.scheduled:
+        mask |= walker.returned.get(entry, 0)
     body.registers[op.dst] = released(walker, op, body, function, seen, Mark(mask, roots))
     _register(walker, op, body, seen, marks, pc)
     if any(_spins(f) for f in callees(seen.functions)):

@@ -20,8 +20,7 @@ from rosward.flow.cpp_values import (
     value,
 )
 from rosward.flow.marked_cpp import LOGS, READS, SIZES, STORES
-from rosward.flow.marks import NOTHING, Mark, Root, demoted
-from rosward.flow.memory import is_slot, slot_of
+from rosward.flow.marks import NOTHING, Mark, Root, demoted, is_slot, slot_of
 from rosward.flow.outside import cleaned, out
 from rosward.flow.reading import arising
 

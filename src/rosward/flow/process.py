@@ -16,6 +16,7 @@ from rosward.domain.values import Function, Ref, Unknown, Value
 from rosward.effects.flows import Flow, ProcessFlows, Sink, Source
 from rosward.effects.log import EntityEffect
 from rosward.effects.sent import SentEffect
+from rosward.engine.escape import BY_LIBRARY
 from rosward.engine.seen import refs_of
 from rosward.flow import blocks, cpp, cpp_calls, straight
 from rosward.flow.awoken import callbacks_of
@@ -182,6 +183,8 @@ def _callback(walker: Walker, entry: Scheduled) -> None:
     for _, effect in seen.effects:
         if isinstance(effect, SentEffect):
             send(walker, effect, walker.memory.deep(result) | pc)
+    if entry.event == BY_LIBRARY:
+        walker.give_back(entry, walker.memory.deep(result))
     walker.leave()
 
 

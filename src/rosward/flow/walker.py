@@ -76,6 +76,7 @@ class Walker:
         self.given: dict[Scheduled, int] = {}  # what its arguments depend on
         self.callbacks: dict[Scheduled, Mark] = {}  # as each was registered
         self.handed: dict[Scheduled, tuple[str, ...]] = {}  # the classes of what a library calls each with
+        self.returned: dict[Scheduled, int] = {}  # what those return that a library calls
         self.arriving: dict[object, tuple[Source, ...]] = {}  # in each callback
         self.event: tuple[Source, ...] = ()  # in the callback of which all this runs
         self.node: int | None = None  # on whose behalf
@@ -163,6 +164,13 @@ class Walker:
         self.given[entry] = (before[1] or 0) | given
         self.callbacks[entry] = callback.joined(before[2] or NOTHING)
         if before != (self.registered[entry], self.given[entry], self.callbacks[entry]):
+            self.changed = True
+
+    def give_back(self, entry: Scheduled, mask: int) -> None:
+        """What a function returns that a library calls depends on this: whatever the library makes of it may."""
+        old = self.returned.get(entry, 0)
+        if old | mask != old:
+            self.returned[entry] = old | mask
             self.changed = True
 
     def send(self, sink: Sink, mask: int) -> None:
@@ -325,6 +333,8 @@ class Walker:
         count = len(activation.code.parameters.names)
         returned = self.enter(activation, [arguments.read(n) for n in range(count)], pc)
         if not activation.code.is_generator:
+            if returned != NOTHING:  # who holds it may get that
+                self.memory.write_any([("generator", key)], returned)
             return returned
         return self.memory.of(("generator", key)).any.under(pc).joined(returned)
 
