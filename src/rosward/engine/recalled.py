@@ -44,13 +44,13 @@ def ended(machine: Engine, place: object, key: str, call: Call) -> None:
         summaries.small.add(key)
         return
     call.written = tuple(state.heap.changed_since(heap))
-    if call.written and machine.catchers:
+    call.added = state.done - call.done
+    if machine.catchers and (call.written or call.added):
         return  # each state on the way counts for the handlers
     call.importing = bool(machine.catchers) and machine.catchers[-1].importing
     call.asked_for = frozenset(machine.asked_for)
     call.addresses = tuple(call.asked_for.union([address for address, _ in call.written]))
     call.records = tuple(map(heap.get, call.addresses))
-    call.added = state.done - call.done
     if len(summaries.calls) > _MOST:
         summaries.calls.clear()
     summaries.calls[place] = (call, *summaries.calls.get(place, ())[: _KEPT - 1])

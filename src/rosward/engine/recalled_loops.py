@@ -18,6 +18,7 @@ from rosward.ir.op import walk
 if TYPE_CHECKING:
     from rosward.engine.frame import Frame
     from rosward.engine.machine import Engine
+    from rosward.ir.program import Code
 
 Loop = ops.While | ops.ForEach
 Follow = Callable[..., "bool | None"]
@@ -81,13 +82,13 @@ def _used(machine: Engine, op: Loop, frame: Frame) -> tuple[tuple[int, ...], tup
     known = machine.summaries.loops
     key = (frame.code.key, op.number)
     if key not in known:
-        known[key] = _registers(op)
+        known[key] = _registers(op, frame.code)
     return known[key]
 
 
-def _registers(op: Loop) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
+def _registers(op: Loop, code: Code) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
     """The same for any call of its body; None where it does more than to compute."""
-    read: dict[int, None] = {}
+    read: dict[int, None] = {0: None} if "__class__" in code.free and code.registers else {}  # `super()` reads the first
     written: dict[int, None] = {}
     for inner in walk([op]):
         if isinstance(inner, _LEAVING):

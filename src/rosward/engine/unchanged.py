@@ -51,6 +51,7 @@ def circumstances(machine: Engine) -> tuple[object, ...]:
     book = machine.schedule_book
     return (
         len(machine.log.nodes),
+        len(machine.log.classes),
         len(machine.trace.handed),
         bool(book.entries),
         len(book.named),
