@@ -174,6 +174,29 @@ def test_a_change_that_keeps_size_and_time_is_seen(say: Callable[..., Said], run
     assert len(runs) == 2
 
 
+@pytest.mark.parametrize("option", ["--env-from-shell", "--env-from", "--env-"])
+def test_the_shell_is_asked_each_time(say: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, option: str) -> None:
+    Path("src/demo/demo/names.py").write_text("import os\nNAME = os.environ['ROBOT']\n", encoding="utf-8")
+    for name in ("left", "right"):
+        monkeypatch.setenv("ROBOT", name)
+        assert f"/{name}".encode() in say(option, "ROBOT").files["network.json"]
+
+
+def test_the_underlays_of_the_shell_are_asked_each_time(
+    used: Path, say: Callable[..., Said], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Path("src/demo/demo/names.py").write_text("from far.names import NAME\n", encoding="utf-8")
+    for name in ("left", "right"):
+        module = used / name / "lib/python3.12/site-packages/far/names.py"
+        module.parent.mkdir(parents=True)
+        module.with_name("__init__.py").touch()
+        module.write_text(f"NAME = '{name}'\n", encoding="utf-8")
+        monkeypatch.setenv("AMENT_PREFIX_PATH", str(used / name))
+        warm = say("--ament-prefix-path")
+        assert warm == say("--ament-prefix-path", "--no-cache")
+        assert f"/{name}".encode() in warm.files["network.json"]
+
+
 def _entries(used: Path) -> list[Path]:
     return [p for p in (used / "cache").rglob("run-*/*") if p.is_file()]
 

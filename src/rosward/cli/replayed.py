@@ -29,12 +29,13 @@ __all__ = ["replayed_or"]
 
 _KIND: Final = "run"
 _VARIABLES: Final = (
-    "COLORTERM", "COLUMNS", "FORCE_COLOR", "HOME", "LINES", "NO_COLOR", "PATH", "TERM", "TTY_COMPATIBLE", "TTY_INTERACTIVE",
+    "AMENT_PREFIX_PATH", "COLORTERM", "COLUMNS", "FORCE_COLOR", "HOME", "LINES", "NO_COLOR", "PATH", "TERM", "TTY_COMPATIBLE",
+    "TTY_INTERACTIVE",
 )  # fmt: skip
 """What a run may ask of the shell, beside what `--env-from-shell` names."""
 
-_NOT_KEPT: Final = ("--no-ca", "--env-f")
-"""How the words begin by which a run is not kept: those that do not want it, and those that ask the shell."""
+_NOT_KEPT: Final = ("--no-ca", "--env-")
+"""How the words begin by which a run is not kept, as short as they may be written: those that do not want it, and those that ask the shell."""
 
 _READING: Final = ("list", "read", "head")
 """How the looks begin that a mark saves."""

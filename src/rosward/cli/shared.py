@@ -166,6 +166,7 @@ def _of_shell(text: str) -> list[tuple[str, str]]:
     missing = [name for name in names if name not in os.environ]
     if missing:
         raise argparse.ArgumentTypeError(f"not set in this shell: {', '.join(missing)}")
+    disk.tear()  # what the shell has may be something else the next time
     return [(name, os.environ[name]) for name in names]
 
 
