@@ -88,9 +88,9 @@ def _used(machine: Engine, op: Loop, frame: Frame) -> tuple[tuple[int, ...], tup
 
 def _registers(op: Loop, code: Code) -> tuple[tuple[int, ...], tuple[int, ...]] | None:
     """The same for any call of its body; None where it does more than to compute."""
-    read: dict[int, None] = (
-        {0: None} if "__class__" in code.free and code.registers else {}
-    )  # `super()` reads the first
+    read: dict[int, None] = {}
+    if "__class__" in code.free and code.registers:
+        read[0] = None  # for `super()`
     written: dict[int, None] = {}
     for inner in walk([op]):
         if isinstance(inner, _LEAVING):
