@@ -191,7 +191,7 @@ def _extract(
     if request.deploys:
         from rosward.analysis.launched import of_request  # a fifth of the start-up, for those who launch something
 
-        gathered, systems = of_request(request, read, progress)
+        gathered, systems = of_request(request, read, progress, jobs=jobs, store=store)
     else:
         gathered = of_sources(read, request.params, progress, assumed=assumed, jobs=jobs, store=store)
     findings = Findings((*read.workspace.findings, *gathered.findings, *read.library.findings))

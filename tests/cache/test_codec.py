@@ -4,20 +4,20 @@
 from __future__ import annotations
 
 import json
-from typing import Any, get_type_hints
+from typing import Any, get_args, get_origin, get_type_hints
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from rosward.cache import codec, records
-from rosward.cache.codec import OPTION, PLAIN, Codec, MalformedError, loaded, text
+from rosward.cache.codec import OPTION, PLAIN, TEXT, Codec, MalformedError, loaded, record, text
 from rosward.findings import Finding
 from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.ros.entities import Entity, Node, Parameter, Qos
-from rosward.ros.flows import End, NodeFlows, NodeSink
+from rosward.ros.flows import End, NodeCallback, NodeFlows, NodeSink
 from rosward.rules import RULES
 from rosward.source.location import Place
 
@@ -42,6 +42,7 @@ CODECS: dict[type[Any], Codec[Any]] = {
     Parameter: records.PARAMETER,
     End: records.END,
     NodeSink: records.SINK,
+    NodeCallback: records.CALLBACK,
     NodeFlows: records.FLOWS,
     Node: records.NODE,
     Topic: records.TOPIC,
@@ -62,13 +63,31 @@ def _any_of(kind: type[Any]) -> st.SearchStrategy[Any]:
     """Any record of a class: what it is made of stands in its annotations."""
     return st.builds(
         lambda values: kind(**values),
-        st.fixed_dictionaries({name: st.from_type(hint) for name, hint in get_type_hints(kind).items()}),
+        st.fixed_dictionaries({name: _of(hint) for name, hint in get_type_hints(kind).items()}),
     )
+
+
+def _of(hint: Any) -> st.SearchStrategy[Any]:
+    """Any value of such a type; of many, there are few."""
+    if get_origin(hint) is not tuple:
+        return st.from_type(hint)
+    first, *rest = get_args(hint)
+    return st.lists(_of(first), max_size=2).map(tuple) if rest == [...] else st.tuples(*map(_of, (first, *rest)))
 
 
 for _each in CODECS:
     if _each is not Finding:
         st.register_type_strategy(_each, _any_of)
+
+
+@pytest.mark.parametrize(
+    "codecs", [{"sink": records.END}, {"kind": TEXT}, {"kind": TEXT, "name": TEXT, "more": TEXT}], ids=len
+)
+def test_a_field_that_is_left_out_is_an_error(codecs: dict[str, Codec[Any]]) -> None:
+    with pytest.raises(TypeError, match="has the fields"):
+        record(End, *codecs.values())
+    with pytest.raises(TypeError, match="has the fields"):
+        record(NodeSink, **codecs)
 
 
 def test_each_codec_is_tested() -> None:

@@ -27,7 +27,7 @@ from rosward.network.asked import Asked, LaunchAsked
 from rosward.network.graph import Action, Network, Service, Topic
 from rosward.network.launch_tree import GivenParameter, Inclusion, LaunchEntry, LaunchSystem, Shown
 from rosward.ros.entities import Entity, EntityKind, Interface, Node, Parameter, Qos, Resolution
-from rosward.ros.flows import End, NodeFlows, NodeSink
+from rosward.ros.flows import End, NodeCallback, NodeFlows, NodeSink
 from rosward.rules import RULES
 from rosward.source.location import Place
 
@@ -73,7 +73,12 @@ SINK: Final = record(
     paths=sequence(pair(END, PLACES)),
 )
 _SINKS: Final = sequence(SINK)
-FLOWS: Final = record(NodeFlows, sinks=_SINKS, complete=FLAG, executed=_SINKS, released=_SINKS)
+CALLBACK: Final = record(
+    NodeCallback, events=_ENDS, function=TEXT, at=PLACE, sends=sequence(pair(END, _ENDS)), period=maybe(NUMBER)
+)
+FLOWS: Final = record(
+    NodeFlows, sinks=_SINKS, complete=FLAG, executed=_SINKS, released=_SINKS, callbacks=sequence(CALLBACK)
+)
 NODE: Final = record(
     Node,
     namespace=TEXT,
