@@ -136,6 +136,7 @@ def extract(
                 tests=tests,
                 exclude=exclude,
                 follow_links=follow_links,
+                store=store,
             ),
             request,
             unknown,
@@ -203,6 +204,7 @@ def _extract(
         *(SourceFile(workspace.root / name, name) for name in headers),
     )
     reasons = Counter(skipped.reason for skipped in workspace.skipped)
+    read.sources.keep_summaries(read.library.facts)
     read.library.given_back()
     return Result(
         _network(read, gathered, findings, unknown, wanted),

@@ -280,11 +280,12 @@ def _made(started: _Started, outset: Outset, outcomes: Mapping[int, Outcome]) ->
     """The nodes of a program and its findings; with those of classes of the sources that it loads, though it is declared."""
     if started.task is not None:
         outcome = outcomes[id(started.task)]
-        own = _made_by(started.program, outcome)
+        own = _told(started.program, _made_by(started.program, outcome), outcome.findings)
     else:
         assert started.log is not None
-        own = _declared(started.program, started.log, outset)
-    made = [_told(started.program, own), *(_made(each, outset, outcomes) for each in started.loaded)]
+        # what is doubtful of a name is about its node alone, though a declared one stands at the place of its start, too
+        own = _told(started.program, _declared(started.program, started.log, outset), started.log.findings)
+    made = [own, *(_made(each, outset, outcomes) for each in started.loaded)]
     return _Made(tuple(n for m in made for n in m.nodes), tuple(f for m in made for f in m.findings))
 
 
@@ -324,7 +325,7 @@ def _declared(program: Launched, log: EffectLog, outset: Outset) -> _Made:
     return _Made(tuple(nodes), (*log.findings, *doubts))
 
 
-def _told(program: Launched, made: _Made) -> _Made:
+def _told(program: Launched, made: _Made, found: Iterable[Finding]) -> _Made:
     """With what is doubtful of its start, which is about each of its nodes."""
     started = program.started
     line = read_words(Series(program.configuration.own), program.configuration)
@@ -335,7 +336,7 @@ def _told(program: Launched, made: _Made) -> _Made:
     doubtful = tuple(dict.fromkeys((*line.open, *line.holes)))
     if doubtful:
         told.append(unknown_arguments(doubtful, started.place))
-    own = (*told, *started.told, *(f for f in made.findings if f.place == started.place))
+    own = (*told, *started.told, *(f for f in found if f.place == started.place))
     about = tuple(node.fqn for node in made.nodes)
     return _Made(made.nodes, (*made.findings, *(f._replace(nodes=about) for f in own)))
 

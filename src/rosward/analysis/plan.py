@@ -15,8 +15,6 @@ from rosward.analysis.source_tree import SourceTree
 from rosward.effects.entry import Entry
 from rosward.engine.library import Library
 from rosward.findings import Finding
-from rosward.ir import ops
-from rosward.ir.program import Module
 from rosward.records import NamedTuple
 from rosward.ros.entities import assumed_label
 from rosward.source.standard_library import STANDARD_LIBRARY
@@ -90,7 +88,8 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
         if module is None or "" in covered.get(file, ()):
             continue
         if module.has_main:
-            if not (_main_calls(module) and _main_calls(module) <= covered.get(file, set())):
+            calls = sources.main_calls(module)
+            if not (calls and calls <= covered.get(file, set())):
                 entries.append(_entry(files[file], file))
         elif file not in covered and file not in imported:
             entries.append(_entry(files[file], file, probe=True))
@@ -172,27 +171,3 @@ def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTr
             if target and target != file:
                 found.add(target)
     return found & related
-
-
-def _main_calls(module: Module) -> set[str]:
-    """The functions that the `__main__` block calls, where it does nothing else; empty where it does more."""
-    block = next((op for op in module.code.ops if isinstance(op, ops.If) and op.then and _tests_name(module, op)), None)
-    if block is None:
-        return set()
-    names: set[str] = set()
-    for op in block.then:
-        if isinstance(op, ops.LoadGlobal):
-            names.add(op.name)
-        elif not isinstance(op, (ops.Call, ops.LoadAttr, ops.Const)):
-            return set()
-    return names - {"sys", "exit", "SystemExit"}
-
-
-def _tests_name(module: Module, wanted: ops.If) -> bool:
-    """Whether an `if` of the module tests `__name__`."""
-    before: list[ops.Op] = []
-    for op in module.code.ops:
-        if op is wanted:
-            break
-        before.append(op)
-    return any(isinstance(op, ops.LoadGlobal) and op.name == "__name__" and op.line == wanted.line for op in before)
