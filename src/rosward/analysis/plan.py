@@ -66,7 +66,8 @@ def _entry(source: SourceFile | None, file: str, *, classes: tuple[str, ...] = (
 def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Plan:
     """The processes of a workspace, in a fixed order, each with a label of its own."""
     files = {f.relative: f for f in workspace.files}
-    related = _related(files, sources, library)
+    importers: dict[str, set[str]] = {}
+    related = _related(files, sources, library, importers)
     entries: list[Entry] = []
     covered: dict[str, set[str]] = {}
     for executable in workspace.executables:
@@ -82,7 +83,7 @@ def make_plan(workspace: Workspace, sources: SourceTree, library: Library) -> Pl
         else:
             covered.setdefault(file, set()).add("")
             entries.append(Entry(file, "__main__", "", (), package, executable.name, label))
-    imported = _imported(files, related, sources)
+    imported = {file for file, by in importers.items() if by != {file}}
     for file in sorted(related):
         module = sources.module(file)
         if module is None or "" in covered.get(file, ()):
@@ -113,12 +114,14 @@ def _distinct(entries: list[Entry]) -> list[Entry]:
     return result
 
 
-def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library) -> set[str]:
+def _related(
+    files: dict[str, SourceFile], sources: SourceTree, library: Library, importers: dict[str, set[str]]
+) -> set[str]:
     """The files whose imports lead, directly or through other files, to a modelled ROS library.
 
     Nothing else can create an entity: a node is made by rclpy only, an entity has a type. A file that cannot be read is not related.
+    `importers` gets the files that import each one.
     """
-    links: dict[str, set[str]] = {}
     related: set[str] = set()
     for file in files:
         module = sources.module(file)
@@ -130,10 +133,10 @@ def _related(files: dict[str, SourceFile], sources: SourceTree, library: Library
                 related.add(file)
             found = _follow(name, file, sources)
             if found:
-                links.setdefault(found, set()).add(file)
+                importers.setdefault(found, set()).add(file)
     work = list(related)
     while work:
-        for file in links.get(work.pop(), ()):
+        for file in importers.get(work.pop(), ()):
             if file not in related:
                 related.add(file)
                 work.append(file)
@@ -157,17 +160,3 @@ def _is_ros(top: str, library: Library) -> bool:
 def _is_interfaces(name: str) -> bool:
     """Whether a module name is that of generated interfaces: who has a type can make an entity on a node that it is given."""
     return name.split(".")[1:2] in (["msg"], ["srv"], ["action"])
-
-
-def _imported(files: dict[str, SourceFile], related: set[str], sources: SourceTree) -> set[str]:
-    """The related files that another file imports."""
-    found: set[str] = set()
-    for file in files:
-        module = sources.module(file)
-        if module is None:
-            continue
-        for name in module.imports:
-            target = _follow(name, file, sources)
-            if target and target != file:
-                found.add(target)
-    return found & related

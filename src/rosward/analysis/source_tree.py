@@ -62,7 +62,7 @@ class SourceTree:
         self._modules: dict[str, Module | None] = {}
         self._summaries = summaries
         self._summarised: dict[Module, Summary] = {}
-        self.lowered: dict[str, tuple[str, Module]] = {}
+        self._lowered: dict[str, tuple[str, Module]] = {}
         """Each file of which a summary can be kept, with what tells its content."""
         self._files: dict[str, SourceFile] = {f.relative: f for f in (*workspace.launch_files, *workspace.files)}
         self._generated = {
@@ -125,7 +125,7 @@ class SourceTree:
     def keep_summaries(self, facts: LibraryFacts) -> None:
         """Keep what the next run needs of each file that does not change; to be called when all is done."""
         if self._summaries is not None:
-            self._summaries.keep(self, facts)
+            self._summaries.keep(self._lowered, self.python_files, facts)
 
     def content(self, file: str) -> str:
         """What tells the text of a module from any other; '' where there is none."""
@@ -165,7 +165,7 @@ class SourceTree:
             waiting = Code.waiting(summary.key, partial(_lower_late, data, name, file))
             module = Module(file, waiting, summary.imports, summary.first, summary.has_main, summary.lines)
             self._summarised[module] = summary
-            self.lowered[file] = content, module
+            self._lowered[file] = content, module
             return module
         text = data if isinstance(data, Finding) else decode(data, name)
         if isinstance(text, Finding):
@@ -181,7 +181,7 @@ class SourceTree:
             self.findings.add(Finding(_CODES.get(error.kind, "RW001"), error.message, place))
             return None
         if content and text.finding is None:
-            self.lowered[file] = content, module
+            self._lowered[file] = content, module
         return module
 
     def _generate(self, path: Path, file: str) -> Module | None:

@@ -28,8 +28,10 @@ from rosward.cache.codec import (
 from rosward.source import disk
 
 if TYPE_CHECKING:
-    from rosward.analysis.source_tree import SourceTree
+    from collections.abc import Mapping
+
     from rosward.cache.store import Store
+    from rosward.ir.program import Module
     from rosward.models.facts import LibraryFacts
 
 __all__ = ["SUMMARY", "Summaries"]
@@ -66,12 +68,17 @@ class Summaries:
         found = self._known.get(file)
         return None if found is None or found.content != content else found
 
-    def keep(self, sources: SourceTree, facts: LibraryFacts) -> None:
-        """Keep the summaries of all that was read. Whoever watches the disk must not have seen two states of it."""
+    def keep(
+        self, lowered: Mapping[str, tuple[str, Module]], text_lines: Mapping[str, int], facts: LibraryFacts
+    ) -> None:
+        """Keep the summaries of all that was read, each file with what tells its content.
+
+        Whoever watches the disk must not have seen two states of it.
+        """
         found: dict[str, Summary] = {}
-        for file, (content, module) in sorted(sources.lowered.items()):
+        for file, (content, module) in sorted(lowered.items()):
             known = self.of(file, content)
-            found[file] = known or summary_of(content, sources.python_files[file], module, facts)
+            found[file] = known or summary_of(content, text_lines[file], module, facts)
         if found != self._known and not disk.is_torn():
             head = disk.digest(self._question).encode("ascii")
             self._store.keep(_KIND, self._question, head + b"\n" + text(_ALL.write(found)))
