@@ -132,7 +132,8 @@ def test_what_the_sources_and_launch_files_start_is_told_apart(
 ) -> None:
     """A process of the sources has arguments that nobody knows, and a launched one has none."""
     warm = Running(Store(str(tmp_path / "cache")), monkeypatch)
-    for options in ({}, {"request": ALL}, {}, {"launch": "demo:one.launch.py"}):
+    asked: tuple[dict[str, Any], ...] = ({}, {"request": ALL}, {}, {"launch": "demo:one.launch.py"})
+    for options in asked:
         assert same(warm(folder, **options), extract(folder, **options))
 
 
@@ -159,10 +160,11 @@ def test_the_stubs_of_the_user_count(folder: Path, tmp_path: Path, monkeypatch: 
         "import acme\ntry:\n    import broken\nexcept ImportError:\n    pass\nNAME = acme.NAME\n", encoding="utf-8"
     )
     warm = Running(Store(str(tmp_path / "cache")), monkeypatch)
+    asked: tuple[dict[str, Any], ...] = ({}, {"request": ALL})
     for name in ("one", "two"):
         (models / "acme.pyi").write_text(f"NAME = '{name}'\n", encoding="utf-8")
         for again in (False, True):
-            for options in ({}, {"request": ALL}):
+            for options in asked:
                 cold = extract(folder, models=[str(models)], **options)
                 assert same(warm(folder, models=[str(models)], **options), cold)
                 assert bool(warm.ran) is not again

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -16,6 +16,7 @@ from rosward.cache.codec import loaded, text
 from rosward.cache.results import _written as written
 from rosward.cache.store import Store
 from rosward.frontends.front_end import FrontEnd, FrontendError
+from rosward.frontends.registry import PYTHON
 from rosward.ir.program import Module
 from rosward.source.disk import digest, watching
 
@@ -46,14 +47,14 @@ class Lowering:
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self.store = Store(str(folder))
         self.lowered: list[str] = []
-        real = source_tree.PYTHON
+        real = PYTHON
         self.failing = False
 
-        def lower(text: str, file: str, *rest: Any) -> Module:
+        def lower(text: str, file: str, origins: Sequence[int] = (), name: str = "") -> Module:
             self.lowered.append(file)
             if self.failing and self.lowered.count(file) == 1:
                 raise FrontendError("depth", "too deep", 1, 1)
-            return real.lower(text, file, *rest)
+            return real.lower(text, file, origins, name)
 
         noted = FrontEnd(real.language, real.suffixes, lower)
         monkeypatch.setattr(source_tree, "PYTHON", noted)
